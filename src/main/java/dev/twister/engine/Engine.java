@@ -1,0 +1,29 @@
+package dev.twister.engine;
+
+import dev.twister.image.Frame;
+import dev.twister.world.FrameInput;
+
+/**
+ * Draws frames with the one kernel. An engine is used by one thread at a time, and holds whatever it needs between
+ * frames (threads, device buffers, compiled kernels) until it is closed.
+ */
+public interface Engine extends AutoCloseable {
+    /** The name that commands take, such as {@code sequential} or {@code tornado:0:0}. */
+    String id();
+
+    /** What does the work, for a person: a processor's or a device's name. */
+    String device();
+
+    /**
+     * Draws the rows {@code [input.firstRow(), input.firstRow() + frame.height())} of the picture into all of
+     * {@code frame}, and notes the times in it.
+     *
+     * @throws EngineException where the engine or its device fails; the frame's content is then undefined
+     * @throws IllegalArgumentException where the frame's width or rows do not fit the input
+     */
+    void render(FrameInput input, Frame frame);
+
+    /** Gives back what the engine holds; never throws. */
+    @Override
+    void close();
+}

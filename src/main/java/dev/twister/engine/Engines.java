@@ -1,0 +1,54 @@
+package dev.twister.engine;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.ServiceLoader;
+import java.util.stream.Collectors;
+
+/** Finds the engines of this machine. */
+public final class Engines {
+    /** How the ids of TornadoVM's engines begin. */
+    public static final String TORNADO_PREFIX = "tornado";
+
+    private Engines() {}
+
+    /** All engines known here, working or not, the JVM's own first. */
+    public static List<EngineOffer> offers() {
+        List<EngineOffer> offers = new ArrayList<>();
+        ServiceLoader.load(EngineProvider.class).stream()
+                .map(ServiceLoader.Provider::get)
+                .sorted(Comparator.comparing((EngineProvider provider) -> !(provider instanceof JvmEngines))
+                        .thenComparing(provider -> provider.getClass().getName()))
+                .forEach(provider -> offers.addAll(provider.offers()));
+        if (offers.stream().noneMatch(offer -> offer.id().startsWith(TORNADO_PREFIX))) {
+            offers.add(EngineOffer.impossible(
+                    TORNADO_PREFIX,
+                    "any OpenCL, PTX or CUDA device",
+                    "the kernel compiled by TornadoVM for an accelerator",
+                    "no TornadoVM SDK was found. Install one (sdk install tornadovm, or set TORNADOVM_HOME), then start"
+                            + " with scripts/twister, which builds the engine and runs it"));
+        }
+        return List.copyOf(offers);
+    }
+
+    /**
+     * Opens the engine of that name; {@code tornado} alone is TornadoVM's first device.
+     *
+     * @throws UnknownEngineException where no engine has that name
+     * @throws EngineException where it cannot be opened
+     */
+    public static Engine open(String id) {
+        List<EngineOffer> offers = offers();
+        return offers.stream()
+                .filter(offer -> offer.id().equals(id))
+                .findFirst()
+                .or(() -> offers.stream()
+                        .filter(offer -> id.equals(TORNADO_PREFIX) && offer.id().startsWith(TORNADO_PREFIX))
+                        .findFirst())
+                .orElseThrow(() -> new UnknownEngineException("no engine is called '" + id + "'; there are "
+                        + offers.stream().map(EngineOffer::id).collect(Collectors.joining(", "))))
+                .opener()
+                .get();
+    }
+}

@@ -1,0 +1,67 @@
+package dev.twister.image;
+
+/**
+ * The pixels an engine fills, either 8-bit ARGB or linear radiance, never both.
+ *
+ * <p>The arrays are handed out, not copied: whoever holds a frame may read it once the engine's {@code render} has
+ * returned and until the next call with the same frame.
+ */
+public final class Frame {
+    private static final int[] NO_PIXELS = {};
+    private static final float[] NO_RADIANCE = {};
+
+    private final int width;
+    private final int height;
+    private final int[] argb;
+    private final float[] radiance;
+    private FrameTimes times = FrameTimes.NONE;
+
+    private Frame(int width, int height, int[] argb, float[] radiance) {
+        this.width = width;
+        this.height = height;
+        this.argb = argb;
+        this.radiance = radiance;
+    }
+
+    /** A frame of {@code width * height} ints, 0xAARRGGBB, row by row from the top. */
+    public static Frame ofPixels(int width, int height) {
+        return new Frame(width, height, new int[Math.multiplyExact(width, height)], NO_RADIANCE);
+    }
+
+    /** A frame of {@code 3 * width * height} floats: linear red, green, blue of each pixel, row by row from the top. */
+    public static Frame ofRadiance(int width, int height) {
+        return new Frame(width, height, NO_PIXELS, new float[Math.multiplyExact(3, Math.multiplyExact(width, height))]);
+    }
+
+    public int width() {
+        return width;
+    }
+
+    public int height() {
+        return height;
+    }
+
+    /** Whether this frame holds linear radiance instead of 8-bit pixels. */
+    public boolean isLinear() {
+        return argb.length == 0;
+    }
+
+    /** The pixels as 0xAARRGGBB; empty in a linear frame. */
+    public int[] argb() {
+        return argb;
+    }
+
+    /** The linear radiance, three floats a pixel; empty in a frame of pixels. */
+    public float[] radiance() {
+        return radiance;
+    }
+
+    /** How long the last render into this frame took, step by step. */
+    public FrameTimes times() {
+        return times;
+    }
+
+    public void setTimes(FrameTimes newTimes) {
+        times = newTimes;
+    }
+}

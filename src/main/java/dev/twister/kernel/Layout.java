@@ -1,0 +1,66 @@
+package dev.twister.kernel;
+
+/** Where each fact stands in the kernel's arrays; the only place that says so. */
+public final class Layout {
+    /** {@code int[] dimensions}: width and height of the whole picture, and the rows of it that are drawn. */
+    public static final int WIDTH = 0;
+
+    public static final int HEIGHT = 1;
+    public static final int FIRST_ROW = 2;
+    public static final int ROWS = 3;
+    public static final int DIMENSIONS_LENGTH = 4;
+
+    /** {@code float[] camera}: position, then the directions right, up and forward, then the eye's distance. */
+    public static final int CAMERA_POSITION = 0;
+
+    public static final int CAMERA_RIGHT = 3;
+    public static final int CAMERA_UP = 6;
+    public static final int CAMERA_FORWARD = 9;
+
+    /** {@code 1 / tan(fov / 2)}: how far the eye is behind the viewport, whose shorter half side is 1. */
+    public static final int CAMERA_EYE_DISTANCE = 12;
+
+    public static final int CAMERA_LENGTH = 13;
+
+    /** {@code float[] rayTracingProperties}; counts are whole numbers held exactly by a float. */
+    public static final int SHADOW_SAMPLES = 0;
+
+    public static final int BOUNCES = 1;
+    public static final int PIXEL_SAMPLES = 2;
+
+    /** 2^exposure. */
+    public static final int EXPOSURE_SCALE = 3;
+
+    /** One of {@link ToneMapping}'s numbers. */
+    public static final int TONE_MAP = 4;
+
+    /** 1 where the sRGB curve follows the tone map, else 0. */
+    public static final int SRGB = 5;
+
+    public static final int AMBIENT = 6;
+
+    /** The plane's second colour (three floats); its first is the body's own. */
+    public static final int PLANE_ODD_COLOR = 7;
+
+    public static final int PROPERTIES_LENGTH = 10;
+
+    /** Indices of bodies: {@code bodyPositions} and {@code bodyColors} have three floats each, the others one. */
+    public static final int LIGHT = 0;
+
+    public static final int PLANE = 1;
+    public static final int FIRST_SPHERE = 2;
+
+    /** What a closest hit is where nothing is hit. */
+    public static final int NOTHING = -1;
+
+    /** {@code int[] skyboxDimensions}: width and height in texels. */
+    public static final int SKYBOX_WIDTH = 0;
+
+    public static final int SKYBOX_HEIGHT = 1;
+    public static final int SKYBOX_DIMENSIONS_LENGTH = 2;
+
+    /** The largest reflectivity, at which a body is a perfect mirror. */
+    public static final float MAX_REFLECTIVITY = 128f;
+
+    private Layout() {}
+}

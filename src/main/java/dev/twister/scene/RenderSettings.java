@@ -1,0 +1,54 @@
+package dev.twister.scene;
+
+/**
+ * How a picture is made; a scene file gives the defaults, a command line or a panel overrides them.
+ *
+ * @param width in pixels, 1 to {@value #MAX_SIDE}
+ * @param height in pixels, 1 to {@value #MAX_SIDE}
+ * @param shadowSamples points on the light's disc, 1 to {@value #MAX_SHADOW_SAMPLES}; 1 is a hard shadow
+ * @param bounces limit of reflections, 0 to {@value #MAX_BOUNCES}
+ * @param samplesPerPixel view rays a pixel, 1 to {@value #MAX_SAMPLES_PER_PIXEL}
+ * @param exposure in stops, -20 to 20: linear colour is multiplied by 2^exposure
+ * @param toneMap applied after the exposure
+ * @param srgb whether the sRGB curve is applied after the tone map
+ */
+public record RenderSettings(
+        int width,
+        int height,
+        int shadowSamples,
+        int bounces,
+        int samplesPerPixel,
+        double exposure,
+        ToneMap toneMap,
+        boolean srgb) {
+    public static final int MAX_SIDE = 16384;
+    public static final int MAX_SHADOW_SAMPLES = 1024;
+    public static final int MAX_BOUNCES = 64;
+    public static final int MAX_SAMPLES_PER_PIXEL = 1024;
+    public static final double MAX_EXPOSURE_STOPS = 20;
+
+    /** The paper's picture: 1280 x 720, 200 shadow samples, 3 bounces, clamped, no sRGB curve. */
+    public static final RenderSettings DEFAULT = new RenderSettings(1280, 720, 200, 3, 1, 0, ToneMap.CLAMP, false);
+
+    public RenderSettings withSize(int newWidth, int newHeight) {
+        return new RenderSettings(
+                newWidth, newHeight, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb);
+    }
+
+    public RenderSettings withShadows(int newShadowSamples) {
+        return new RenderSettings(width, height, newShadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb);
+    }
+
+    public RenderSettings withBounces(int newBounces) {
+        return new RenderSettings(width, height, shadowSamples, newBounces, samplesPerPixel, exposure, toneMap, srgb);
+    }
+
+    public RenderSettings withSamplesPerPixel(int newSamplesPerPixel) {
+        return new RenderSettings(width, height, shadowSamples, bounces, newSamplesPerPixel, exposure, toneMap, srgb);
+    }
+
+    public RenderSettings withTone(double newExposure, ToneMap newToneMap, boolean newSrgb) {
+        return new RenderSettings(
+                width, height, shadowSamples, bounces, samplesPerPixel, newExposure, newToneMap, newSrgb);
+    }
+}

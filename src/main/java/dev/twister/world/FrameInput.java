@@ -1,0 +1,91 @@
+package dev.twister.world;
+
+import dev.twister.kernel.Layout;
+
+/**
+ * A snapshot of the world as the flat arrays that the kernel reads; {@link Layout} has the places in them.
+ *
+ * <p>No array changes once it is in a snapshot: a world that moves on makes new ones and keeps those that still hold.
+ * So an engine may know by the array's identity that what it holds (on a device, say) is still right.
+ *
+ * @param dimensions {@code int[4]}: width and height of the picture in pixels, first row and number of rows to draw
+ * @param camera {@code float[13]}: position, right, up, forward, eye distance
+ * @param rayTracingProperties {@code float[10]}
+ * @param bodyPositions {@code float[3 * bodies]}: centres; the plane's is (0, height, 0)
+ * @param bodySizes {@code float[bodies]}: radii; the plane's side
+ * @param bodyColors {@code float[3 * bodies]}: albedos; the light's radiance; the plane's first colour
+ * @param bodyReflectivities {@code float[bodies]}: in [0, 128]
+ * @param skybox {@code float[3 * width * height]}: linear radiance, row by row from the top
+ * @param skyboxDimensions {@code int[2]}: width, height in texels
+ * @param shadowDisc {@code float[2 * shadowSamples]}: the unit sunflower's points, {@code sqrt(i / n)} from the centre
+ * @param pixelOffsets {@code float[2 * samplesPerPixel]}: the samples' places in a pixel, x and y in [0, 1)
+ */
+@SuppressWarnings("ArrayRecordComponent") // identity is what counts, see above
+public record FrameInput(
+        int[] dimensions,
+        float[] camera,
+        float[] rayTracingProperties,
+        float[] bodyPositions,
+        float[] bodySizes,
+        float[] bodyColors,
+        float[] bodyReflectivities,
+        float[] skybox,
+        int[] skyboxDimensions,
+        float[] shadowDisc,
+        float[] pixelOffsets) {
+
+    public int width() {
+        return dimensions[Layout.WIDTH];
+    }
+
+    public int height() {
+        return dimensions[Layout.HEIGHT];
+    }
+
+    public int firstRow() {
+        return dimensions[Layout.FIRST_ROW];
+    }
+
+    public int rows() {
+        return dimensions[Layout.ROWS];
+    }
+
+    /** Light, plane and spheres together. */
+    public int bodies() {
+        return bodySizes.length;
+    }
+
+    public int shadowSamples() {
+        return (int) rayTracingProperties[Layout.SHADOW_SAMPLES];
+    }
+
+    public int bounces() {
+        return (int) rayTracingProperties[Layout.BOUNCES];
+    }
+
+    /**
+     * The same picture, of which only some rows are drawn.
+     *
+     * @throws IllegalArgumentException where the rows are not rows of the picture
+     */
+    public FrameInput band(int firstRow, int rows) {
+        if (firstRow < 0 || rows < 1 || firstRow > height() - rows) {
+            throw new IllegalArgumentException("rows " + firstRow + " to " + (firstRow + rows) + " of " + height());
+        }
+        int[] banded = dimensions.clone();
+        banded[Layout.FIRST_ROW] = firstRow;
+        banded[Layout.ROWS] = rows;
+        return new FrameInput(
+                banded,
+                camera,
+                rayTracingProperties,
+                bodyPositions,
+                bodySizes,
+                bodyColors,
+                bodyReflectivities,
+                skybox,
+                skyboxDimensions,
+                shadowDisc,
+                pixelOffsets);
+    }
+}

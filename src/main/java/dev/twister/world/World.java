@@ -1,0 +1,134 @@
+package dev.twister.world;
+
+import dev.twister.kernel.Layout;
+import dev.twister.scene.Camera;
+import dev.twister.scene.Light;
+import dev.twister.scene.Plane;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import dev.twister.sky.Skybox;
+
+/**
+ * The living state between frames: what a scene said, as it is now. Used by one thread; engines see snapshots.
+ */
+public final class World {
+    private final int[] skyboxDimensions;
+    private final float[] skybox;
+    private final float[] bodyPositions;
+    private final float[] bodySizes;
+    private final float[] bodyColors;
+    private final float[] bodyReflectivities;
+    private final Rgb planeOddColor;
+    private final double ambient;
+    private Camera camera;
+    private RenderSettings settings;
+    private float[] shadowDisc;
+    private float[] pixelOffsets;
+
+    private World(Scene scene, Skybox sky) {
+        int bodies = Layout.FIRST_SPHERE + scene.spheres().size();
+        bodyPositions = new float[3 * bodies];
+        bodySizes = new float[bodies];
+        bodyColors = new float[3 * bodies];
+        bodyReflectivities = new float[bodies];
+        Light light = scene.light();
+        put(Layout.LIGHT, light.position(), light.radius(), light.color(), 0);
+        Plane plane = scene.plane();
+        put(Layout.PLANE, new Vector3(0, plane.height(), 0), plane.size(), plane.evenColor(), plane.reflectivity());
+        int body = Layout.FIRST_SPHERE;
+        for (Sphere sphere : scene.spheres()) {
+            put(body++, sphere.position(), sphere.radius(), sphere.color(), sphere.reflectivity());
+        }
+        planeOddColor = plane.oddColor();
+        ambient = scene.ambient();
+        skybox = sky.radiance();
+        skyboxDimensions = new int[Layout.SKYBOX_DIMENSIONS_LENGTH];
+        skyboxDimensions[Layout.SKYBOX_WIDTH] = sky.width();
+        skyboxDimensions[Layout.SKYBOX_HEIGHT] = sky.height();
+        camera = scene.camera();
+        settings = scene.settings();
+        shadowDisc = SunflowerDisc.points(settings.shadowSamples());
+        pixelOffsets = PixelOffsets.places(settings.samplesPerPixel());
+    }
+
+    public static World of(Scene scene, Skybox sky) {
+        return new World(scene, sky);
+    }
+
+    public Camera camera() {
+        return camera;
+    }
+
+    public void setCamera(Camera newCamera) {
+        camera = newCamera;
+    }
+
+    public RenderSettings settings() {
+        return settings;
+    }
+
+    public void setSettings(RenderSettings newSettings) {
+        if (newSettings.shadowSamples() != settings.shadowSamples()) {
+            shadowDisc = SunflowerDisc.points(newSettings.shadowSamples());
+        }
+        if (newSettings.samplesPerPixel() != settings.samplesPerPixel()) {
+            pixelOffsets = PixelOffsets.places(newSettings.samplesPerPixel());
+        }
+        settings = newSettings;
+    }
+
+    /** The world as it is now, for an engine to draw whole. */
+    public FrameInput snapshot() {
+        return new FrameInput(
+                dimensions(),
+                CameraBasis.of(camera),
+                properties(),
+                bodyPositions,
+                bodySizes,
+                bodyColors,
+                bodyReflectivities,
+                skybox,
+                skyboxDimensions,
+                shadowDisc,
+                pixelOffsets);
+    }
+
+    private int[] dimensions() {
+        int[] dimensions = new int[Layout.DIMENSIONS_LENGTH];
+        dimensions[Layout.WIDTH] = settings.width();
+        dimensions[Layout.HEIGHT] = settings.height();
+        dimensions[Layout.ROWS] = settings.height();
+        return dimensions;
+    }
+
+    private float[] properties() {
+        float[] properties = new float[Layout.PROPERTIES_LENGTH];
+        properties[Layout.SHADOW_SAMPLES] = settings.shadowSamples();
+        properties[Layout.BOUNCES] = settings.bounces();
+        properties[Layout.PIXEL_SAMPLES] = settings.samplesPerPixel();
+        properties[Layout.EXPOSURE_SCALE] = (float) Math.pow(2, settings.exposure());
+        properties[Layout.TONE_MAP] = settings.toneMap().ordinal();
+        properties[Layout.SRGB] = settings.srgb() ? 1 : 0;
+        properties[Layout.AMBIENT] = (float) ambient;
+        putColor(properties, Layout.PLANE_ODD_COLOR, planeOddColor);
+        return properties;
+    }
+
+    private void put(int body, Vector3 position, double size, Rgb color, double reflectivity) {
+        bodyPositions[3 * body] = (float) position.x();
+        bodyPositions[3 * body + 1] = (float) position.y();
+        bodyPositions[3 * body + 2] = (float) position.z();
+        bodySizes[body] = (float) size;
+        putColor(bodyColors, 3 * body, color);
+        bodyReflectivities[body] = (float) reflectivity;
+    }
+
+    private static void putColor(float[] array, int at, Rgb color) {
+        array[at] = (float) color.red();
+        array[at + 1] = (float) color.green();
+        array[at + 2] = (float) color.blue();
+    }
+}
