@@ -1,6 +1,7 @@
 package dev.twister.world;
 
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.ToneMapping;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
 import dev.twister.scene.Plane;
@@ -8,6 +9,7 @@ import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
 
@@ -110,11 +112,19 @@ public final class World {
         properties[Layout.BOUNCES] = settings.bounces();
         properties[Layout.PIXEL_SAMPLES] = settings.samplesPerPixel();
         properties[Layout.EXPOSURE_SCALE] = (float) Math.pow(2, settings.exposure());
-        properties[Layout.TONE_MAP] = settings.toneMap().ordinal();
+        properties[Layout.TONE_MAP] = toneMapNumber(settings.toneMap());
         properties[Layout.SRGB] = settings.srgb() ? 1 : 0;
         properties[Layout.AMBIENT] = (float) ambient;
         putColor(properties, Layout.PLANE_ODD_COLOR, planeOddColor);
         return properties;
+    }
+
+    private static int toneMapNumber(ToneMap toneMap) {
+        return switch (toneMap) {
+            case CLAMP -> ToneMapping.CLAMP;
+            case REINHARD -> ToneMapping.REINHARD;
+            case ACES -> ToneMapping.ACES;
+        };
     }
 
     private void put(int body, Vector3 position, double size, Rgb color, double reflectivity) {
