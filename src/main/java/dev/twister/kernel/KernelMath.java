@@ -92,7 +92,7 @@ public final class KernelMath {
         polynomial = polynomial * x + 0.3976099f;
         polynomial = polynomial * x + 0.76444095f;
         polynomial = polynomial * x - 0.10223673f;
-        polynomial = polynomial * x + 0.016488078f;
+        polynomial = polynomial * x + 0.016488077f;
         return polynomial * x - 0.0013424668f;
     }
 }

@@ -2,7 +2,7 @@ package dev.twister.kernel;
 
 /** Blinn-Phong, as the design has it: {@code shade(C) = C * lit + lightColor * spec}. */
 public final class Shading {
-    private static final float INVERSE_EIGHT_PI = 0.039788736f;
+    private static final float INVERSE_EIGHT_PI = 0.039788734f;
 
     private Shading() {}
 
