@@ -1,0 +1,17 @@
+package dev.twister.scene;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+
+/** The tone maps as a scene file names them, in the enum's order. */
+final class ToneMapNames {
+    static final List<String> ALL =
+            Arrays.stream(ToneMap.values()).map(ToneMapNames::of).toList();
+
+    private ToneMapNames() {}
+
+    static String of(ToneMap toneMap) {
+        return toneMap.name().toLowerCase(Locale.ROOT);
+    }
+}
