@@ -41,7 +41,11 @@ final class LocatedTree {
         this.parser = parser;
     }
 
-    /** @throws SceneException if the text is not one JSON value (RFC 8259), or goes beyond a limit */
+    /**
+     * Parses the whole text.
+     *
+     * @throws SceneException if the text is not one JSON object (RFC 8259), or goes beyond a limit
+     */
     static LocatedValue parse(SourceText source) {
         StreamReadConstraints constraints = StreamReadConstraints.builder()
                 .maxStringLength(MAX_TOKEN_LENGTH)

@@ -85,7 +85,6 @@ final class SceneParts {
     }
 
     private static ToneMap toneMap(Place place) {
-        String name = place.oneOf(ToneMapNames.ALL);
-        return ToneMap.values()[ToneMapNames.ALL.indexOf(name)];
+        return ToneMapNames.toneMap(place.oneOf(ToneMapNames.ALL));
     }
 }

@@ -12,7 +12,11 @@ final class SceneText {
 
     private SceneText() {}
 
-    /** @param skybox the panorama's path as it is to stand in the file */
+    /**
+     * Writes out a scene.
+     *
+     * @param skybox the panorama's path as it is to stand in the file
+     */
     static String of(Scene scene, String skybox) {
         List<String> members = new ArrayList<>();
         members.add(member("version", String.valueOf(Scene.VERSION)));

@@ -25,7 +25,11 @@ final class SourceFile {
 
     private SourceFile() {}
 
-    /** @throws SceneException if there is no such file, or it is no UTF-8 text of 1 to {@value #MAX_BYTES} bytes */
+    /**
+     * Reads a file whole.
+     *
+     * @throws SceneException if there is no such file, or it is no UTF-8 text of 1 to {@value #MAX_BYTES} bytes
+     */
     static SourceText read(Path file) {
         String name = file.toString();
         try {

@@ -30,7 +30,7 @@ final class SphereMeadow {
         return 2 + 0.85 * Math.sqrt(count);
     }
 
-    /** @return the spheres, resting on the ground at y = 0, none touching another */
+    /** Returns the spheres, resting on the ground at y = 0, none touching another */
     static List<Sphere> spheres(int count, long seed) {
         return new SphereMeadow(count, seed).grow();
     }

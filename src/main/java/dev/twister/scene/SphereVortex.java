@@ -43,7 +43,7 @@ final class SphereVortex {
         spacing = DISC_RADIUS / StrictMath.sqrt(firstIndex + count);
     }
 
-    /** @return the spheres over the ground at y = 0, none touching another, the mirror first */
+    /** Returns the spheres over the ground at y = 0, none touching another, the mirror first */
     static List<Sphere> spheres(int count, long seed) {
         return new SphereVortex(count, seed).all();
     }

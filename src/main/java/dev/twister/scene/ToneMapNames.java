@@ -14,4 +14,9 @@ final class ToneMapNames {
     static String of(ToneMap toneMap) {
         return toneMap.name().toLowerCase(Locale.ROOT);
     }
+
+    /** The tone map of a name in {@link #ALL}. */
+    static ToneMap toneMap(String name) {
+        return ToneMap.valueOf(name.toUpperCase(Locale.ROOT));
+    }
 }
