@@ -35,9 +35,9 @@ public final class SceneGenerator {
         return new Scene(
                 "Meadow of " + count + (count == 1 ? " sphere" : " spheres"),
                 "Spheres strewn about three large ones; made by Twister, seed " + seed + ".",
-                lookingAtCentre(1.9 * reach, 0.6 * reach, 0.09 * reach, 34),
-                light(new Vector3(-0.9 * reach, 1.5 * reach, -1.1 * reach), 0.12 * reach),
-                plane(3 * reach),
+                lookingAtCentre(2.15 * reach, 0.5 * reach, 0.06 * reach, 29),
+                light(new Vector3(-0.8 * reach, 1.6 * reach, -1.3 * reach), 0.12 * reach),
+                plane(4 * reach, new Rgb(0.62, 0.6, 0.56), new Rgb(0.4, 0.39, 0.38)),
                 SphereMeadow.spheres(count, seed),
                 skybox,
                 Scene.DEFAULT_AMBIENT,
@@ -52,7 +52,7 @@ public final class SceneGenerator {
                 "Spiral waves of spheres about a mirror; made by Twister, seed " + seed + ".",
                 lookingAtCentre(1.45 * reach, 0.75 * reach, 0, 40),
                 light(new Vector3(-0.7 * reach, 0.9 * reach, -0.5 * reach), 0.06 * reach),
-                plane(2.6 * reach),
+                plane(2.6 * reach, new Rgb(0.42, 0.42, 0.44), new Rgb(0.24, 0.24, 0.26)),
                 spheres,
                 skybox,
                 Scene.DEFAULT_AMBIENT,
@@ -70,8 +70,8 @@ public final class SceneGenerator {
         return new Light(Rounding.of(position), Rounding.of(radius), new Rgb(1, 1, 1));
     }
 
-    private static Plane plane(double size) {
+    private static Plane plane(double size, Rgb evenColor, Rgb oddColor) {
         // A whole number of checks on either side of the axis.
-        return new Plane(2 * Math.ceil(size / 2), 0, new Rgb(0.42, 0.42, 0.44), new Rgb(0.24, 0.24, 0.26), 28);
+        return new Plane(2 * Math.ceil(size / 2), 0, evenColor, oddColor, 28);
     }
 }
