@@ -1,0 +1,83 @@
+package dev.twister.engine.vector;
+
+import dev.twister.kernel.Layout;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+
+/** Adds what the surfaces send towards the eye, and turns the rays that go on. */
+final class Bounce {
+    private Bounce() {}
+
+    /**
+     * Adds {@code T * (lightColor * spec + (1 - k) * C * lit)} and leaves {@code T * k * lit}; lists the packets with a
+     * lane that goes on as live.
+     */
+    static void shade(Tile tile, BodyColumns bodies, float ambient, boolean last) {
+        float[] t = tile.values;
+        float mirrorScale = last ? 0f : 1f / Layout.MAX_REFLECTIVITY;
+        tile.live.clear();
+        for (int k = 0; k < tile.surfaces.count; k++) {
+            int at = tile.surfaces.places[k];
+            VectorMask<Float> here = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.GE, Layout.PLANE);
+            FloatVector throughput = Lanes.all(0f).blend(Lanes.load(t, at + Tile.THROUGHPUT), here);
+            FloatVector cosine = Lanes.larger(Lanes.load(t, at + Tile.NORMAL_DOT_LIGHT), Lanes.all(0f));
+            FloatVector lit = Lanes.larger(cosine.mul(Lanes.load(t, at + Tile.VISIBLE)), Lanes.all(ambient));
+            FloatVector mirror = Lanes.load(t, at + Tile.REFLECTIVITY).mul(mirrorScale);
+            FloatVector matte = throughput.mul(Lanes.all(1f).sub(mirror).mul(lit));
+            FloatVector specular = throughput.mul(Lanes.load(t, at + Tile.SPECULAR));
+            add(t, at, Tile.RED, Tile.ALBEDO_RED, matte, specular, bodies.red[Layout.LIGHT]);
+            add(t, at, Tile.GREEN, Tile.ALBEDO_GREEN, matte, specular, bodies.green[Layout.LIGHT]);
+            add(t, at, Tile.BLUE, Tile.ALBEDO_BLUE, matte, specular, bodies.blue[Layout.LIGHT]);
+            FloatVector passed = throughput.mul(mirror.mul(lit));
+            passed.intoArray(t, at + Tile.THROUGHPUT);
+            if (passed.compare(VectorOperators.GT, 0f).anyTrue()) {
+                tile.live.add(at);
+            }
+        }
+    }
+
+    private static void add(
+            float[] t, int at, int color, int albedo, FloatVector matte, FloatVector specular, float light) {
+        FloatVector diffuse = matte.fma(Lanes.load(t, at + albedo), Lanes.load(t, at + color));
+        specular.fma(Lanes.all(light), diffuse).intoArray(t, at + color);
+    }
+
+    /** Mirrors the live rays at the surfaces and starts them there. */
+    static void reflect(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.live.count; k++) {
+            int at = tile.live.places[k];
+            FloatVector normalX = Lanes.load(t, at + Tile.NORMAL_X);
+            FloatVector normalY = Lanes.load(t, at + Tile.NORMAL_Y);
+            FloatVector normalZ = Lanes.load(t, at + Tile.NORMAL_Z);
+            FloatVector directionX = Lanes.load(t, at + Tile.DIRECTION_X);
+            FloatVector directionY = Lanes.load(t, at + Tile.DIRECTION_Y);
+            FloatVector directionZ = Lanes.load(t, at + Tile.DIRECTION_Z);
+            FloatVector twice = directionX
+                    .mul(normalX)
+                    .add(directionY.mul(normalY))
+                    .add(directionZ.mul(normalZ))
+                    .mul(-2f);
+            FloatVector x = twice.fma(normalX, directionX);
+            FloatVector y = twice.fma(normalY, directionY);
+            FloatVector z = twice.fma(normalZ, directionZ);
+            FloatVector inverse = Lanes.inverseRoot(x.fma(x, y.fma(y, z.mul(z))));
+            x.mul(inverse).intoArray(t, at + Tile.DIRECTION_X);
+            y.mul(inverse).intoArray(t, at + Tile.DIRECTION_Y);
+            z.mul(inverse).intoArray(t, at + Tile.DIRECTION_Z);
+        }
+    }
+
+    /** Starts the live rays at the surfaces they leave. */
+    static void leave(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.live.count; k++) {
+            int at = tile.live.places[k];
+            Lanes.load(t, at + Tile.POINT_X).intoArray(t, at + Tile.ORIGIN_X);
+            Lanes.load(t, at + Tile.POINT_Y).intoArray(t, at + Tile.ORIGIN_Y);
+            Lanes.load(t, at + Tile.POINT_Z).intoArray(t, at + Tile.ORIGIN_Z);
+            Lanes.load(t, at + Tile.HIT).intoArray(t, at + Tile.LEAVING);
+        }
+    }
+}

@@ -1,0 +1,97 @@
+package dev.twister.engine.vector;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.IntConsumer;
+
+/**
+ * Threads that do one job together, again and again, without allocating: the caller is one of them, the others sleep in
+ * between.
+ */
+final class Crew implements AutoCloseable {
+    /** Turns of waiting before a thread sleeps: some tens of microseconds. */
+    private static final int PATIENCE = 2000;
+
+    private final IntConsumer job;
+    private final List<Thread> helpers = new ArrayList<>();
+    private final AtomicInteger working = new AtomicInteger();
+    private volatile int round;
+    private volatile boolean closed;
+    private volatile Thread caller;
+    private volatile Throwable failure;
+
+    /**
+     * Starts all but one of the threads.
+     *
+     * @param job is called by each with its number, 0 being the caller
+     */
+    Crew(int threads, IntConsumer job) {
+        this.job = job;
+        for (int number = 1; number < threads; number++) {
+            int own = number;
+            Thread helper = new Thread(() -> help(own), "twister-vector-" + number);
+            helper.setDaemon(true);
+            helper.start();
+            helpers.add(helper);
+        }
+    }
+
+    /** Does the job once on every thread; returns when all are done. */
+    @SuppressWarnings("NonAtomicVolatileUpdate") // only the caller writes it
+    void work() {
+        failure = null;
+        caller = Thread.currentThread();
+        working.set(helpers.size());
+        round = round + 1;
+        for (int helper = 0; helper < helpers.size(); helper++) {
+            LockSupport.unpark(helpers.get(helper));
+        }
+        attempt(0);
+        for (int turn = 0; working.get() > 0; turn++) {
+            await(turn);
+        }
+        if (failure != null) {
+            throw new IllegalStateException("drawing failed: " + failure, failure);
+        }
+    }
+
+    private void help(int number) {
+        int seen = 0;
+        while (!closed) {
+            for (int turn = 0; round == seen && !closed; turn++) {
+                await(turn);
+            }
+            if (!closed) {
+                seen = round;
+                attempt(number);
+                if (working.decrementAndGet() == 0) {
+                    LockSupport.unpark(caller);
+                }
+            }
+        }
+    }
+
+    private void attempt(int number) {
+        try {
+            job.accept(number);
+        } catch (RuntimeException | Error e) {
+            failure = e;
+        }
+    }
+
+    private void await(int turn) {
+        if (turn < PATIENCE) {
+            Thread.onSpinWait();
+        } else {
+            LockSupport.park(this);
+        }
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        helpers.forEach(LockSupport::unpark);
+    }
+}

@@ -1,0 +1,61 @@
+package dev.twister.engine.vector;
+
+import dev.twister.image.Frame;
+import dev.twister.kernel.Layout;
+import dev.twister.world.FrameInput;
+
+/** What all threads read while a frame is drawn: the input, prepared for lanes. */
+final class Drawing {
+    final BodyColumns bodies = new BodyColumns();
+    final PaddedSky sky = new PaddedSky();
+
+    FrameInput input;
+    Frame frame;
+    int width;
+    int rows;
+    int shadowSamples;
+    int bounceLimit;
+    int pixelSamples;
+    float ambient;
+
+    /** Metres of the viewport from one pixel to the next. */
+    float viewportStep;
+
+    float planeHeight;
+    float planeHalfSide;
+
+    /** The shadow samples' disc: twice the light's radius. */
+    float discRadius;
+
+    /** How far the outermost sample lies from the disc's centre, as a part of its radius. */
+    float rim;
+
+    void take(FrameInput newInput, Frame newFrame) {
+        input = newInput;
+        frame = newFrame;
+        bodies.take(newInput);
+        sky.take(newInput);
+        float[] properties = newInput.rayTracingProperties();
+        width = newInput.width();
+        rows = newInput.rows();
+        shadowSamples = newInput.shadowSamples();
+        bounceLimit = newInput.bounces();
+        pixelSamples = (int) properties[Layout.PIXEL_SAMPLES];
+        ambient = properties[Layout.AMBIENT];
+        viewportStep = 2f / Math.min(width, newInput.height());
+        planeHeight = newInput.bodyPositions()[3 * Layout.PLANE + 1];
+        planeHalfSide = 0.5f * newInput.bodySizes()[Layout.PLANE];
+        discRadius = 2f * newInput.bodySizes()[Layout.LIGHT];
+        float rimX = newInput.shadowDisc()[2 * shadowSamples - 2];
+        float rimY = newInput.shadowDisc()[2 * shadowSamples - 1];
+        rim = (float) Math.sqrt(rimX * rimX + rimY * rimY);
+    }
+
+    int tilesAcross() {
+        return (width + Tile.SIDE - 1) / Tile.SIDE;
+    }
+
+    int tiles() {
+        return tilesAcross() * ((rows + Tile.SIDE - 1) / Tile.SIDE);
+    }
+}

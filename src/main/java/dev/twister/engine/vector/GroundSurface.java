@@ -1,0 +1,54 @@
+package dev.twister.engine.vector;
+
+import dev.twister.kernel.Layout;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+
+/** The plane where it is met: points, normals and the checker's colours, written to all lanes of a packet. */
+final class GroundSurface {
+    private GroundSurface() {}
+
+    static void findPoints(Tile tile, Drawing drawing) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.grounds.count; k++) {
+            int at = tile.grounds.places[k];
+            // The other lanes stay where they are: a miss's distance would make numbers that are none.
+            FloatVector distance = Lanes.all(0f)
+                    .blend(
+                            Lanes.load(t, at + Tile.DISTANCE),
+                            Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.PLANE));
+            distance.fma(Lanes.load(t, at + Tile.DIRECTION_X), Lanes.load(t, at + Tile.ORIGIN_X))
+                    .intoArray(t, at + Tile.POINT_X);
+            Lanes.all(drawing.planeHeight).intoArray(t, at + Tile.POINT_Y);
+            distance.fma(Lanes.load(t, at + Tile.DIRECTION_Z), Lanes.load(t, at + Tile.ORIGIN_Z))
+                    .intoArray(t, at + Tile.POINT_Z);
+            Lanes.all(0f).intoArray(t, at + Tile.NORMAL_X);
+            Lanes.all(1f).intoArray(t, at + Tile.NORMAL_Y);
+            Lanes.all(0f).intoArray(t, at + Tile.NORMAL_Z);
+        }
+    }
+
+    static void findColors(Tile tile, Drawing drawing) {
+        float[] t = tile.values;
+        float[] properties = drawing.input.rayTracingProperties();
+        BodyColumns bodies = drawing.bodies;
+        for (int k = 0; k < tile.grounds.count; k++) {
+            int at = tile.grounds.places[k];
+            FloatVector squares =
+                    Lanes.floor(Lanes.load(t, at + Tile.POINT_X)).add(Lanes.floor(Lanes.load(t, at + Tile.POINT_Z)));
+            FloatVector pairs = Lanes.floor(squares.mul(0.5f));
+            VectorMask<Float> odd = pairs.add(pairs).compare(VectorOperators.NE, squares);
+            Lanes.all(bodies.red[Layout.PLANE])
+                    .blend(properties[Layout.PLANE_ODD_COLOR], odd)
+                    .intoArray(t, at + Tile.ALBEDO_RED);
+            Lanes.all(bodies.green[Layout.PLANE])
+                    .blend(properties[Layout.PLANE_ODD_COLOR + 1], odd)
+                    .intoArray(t, at + Tile.ALBEDO_GREEN);
+            Lanes.all(bodies.blue[Layout.PLANE])
+                    .blend(properties[Layout.PLANE_ODD_COLOR + 2], odd)
+                    .intoArray(t, at + Tile.ALBEDO_BLUE);
+            Lanes.all(bodies.reflectivity[Layout.PLANE]).intoArray(t, at + Tile.REFLECTIVITY);
+        }
+    }
+}

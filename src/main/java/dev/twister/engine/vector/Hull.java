@@ -1,0 +1,177 @@
+package dev.twister.engine.vector;
+
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+
+/**
+ * A region that holds all rays of a tile: every point within {@code radius} of a cone, cut off where the rays end. The
+ * cone's half angle is negative where the region narrows along its axis, as it does from surfaces to a small light.
+ *
+ * <p>With a and c a centre's distances along the axis and across it, {@code c * cos - a * sin - radius} is at most its
+ * distance from the region.
+ */
+final class Hull {
+    /** Culling must err on one side only. */
+    private static final float RELATIVE_MARGIN = 1.0005f;
+
+    private static final float ABSOLUTE_MARGIN = 1e-4f;
+
+    /** Below it a cone is as good as everything. */
+    private static final float LEAST_COSINE = 0.02f;
+
+    private static final float BIGGEST = 1e30f;
+
+    float baseX;
+    float baseY;
+    float baseZ;
+    float axisX;
+    float axisY;
+    float axisZ;
+    float radius;
+    float cosine;
+    float sine;
+
+    /** Metres along the axis to where the region ends. */
+    float end;
+
+    /** Whether the region is everything. */
+    boolean everything;
+
+    /** The live rays: a cone about their mean direction from a ball about their origins. */
+    void holdRays(Tile tile) {
+        float[] t = tile.values;
+        FloatVector sumX = Lanes.all(0f);
+        FloatVector sumY = Lanes.all(0f);
+        FloatVector sumZ = Lanes.all(0f);
+        for (int k = 0; k < tile.live.count; k++) {
+            int at = tile.live.places[k];
+            VectorMask<Float> goesOn = Lanes.load(t, at + Tile.THROUGHPUT).compare(VectorOperators.GT, 0f);
+            sumX = sumX.blend(sumX.add(Lanes.load(t, at + Tile.DIRECTION_X)), goesOn);
+            sumY = sumY.blend(sumY.add(Lanes.load(t, at + Tile.DIRECTION_Y)), goesOn);
+            sumZ = sumZ.blend(sumZ.add(Lanes.load(t, at + Tile.DIRECTION_Z)), goesOn);
+        }
+        axisX = sumX.reduceLanes(VectorOperators.ADD);
+        axisY = sumY.reduceLanes(VectorOperators.ADD);
+        axisZ = sumZ.reduceLanes(VectorOperators.ADD);
+        float length = normalizeAxis();
+        cosine = length > 0f ? leastCosine(tile) : 0f;
+        everything = cosine < LEAST_COSINE;
+        sine = (float) Math.sqrt(Math.max(0f, 1f - cosine * cosine));
+        end = BIGGEST;
+    }
+
+    private float normalizeAxis() {
+        float length = (float) Math.sqrt(axisX * axisX + axisY * axisY + axisZ * axisZ);
+        float inverse = length > 0f ? 1f / length : 0f;
+        axisX = axisX * inverse;
+        axisY = axisY * inverse;
+        axisZ = axisZ * inverse;
+        return length;
+    }
+
+    /** Of the angles between the axis and the live rays, rounding allowed for. */
+    private float leastCosine(Tile tile) {
+        float[] t = tile.values;
+        FloatVector least = Lanes.all(1f);
+        for (int k = 0; k < tile.live.count; k++) {
+            int at = tile.live.places[k];
+            FloatVector along = Lanes.load(t, at + Tile.DIRECTION_X)
+                    .mul(axisX)
+                    .add(Lanes.load(t, at + Tile.DIRECTION_Y).mul(axisY))
+                    .add(Lanes.load(t, at + Tile.DIRECTION_Z).mul(axisZ));
+            VectorMask<Float> wider = along.compare(VectorOperators.LT, least)
+                    .and(Lanes.load(t, at + Tile.THROUGHPUT).compare(VectorOperators.GT, 0f));
+            least = least.blend(along, wider);
+        }
+        return least.reduceLanes(VectorOperators.MIN) - 1e-6f;
+    }
+
+    /** Starts at the camera: all view rays do. */
+    void startAt(float x, float y, float z) {
+        baseX = x;
+        baseY = y;
+        baseZ = z;
+        radius = 0f;
+    }
+
+    /** Starts in a ball about the origins of the live rays, or the points of the lanes whose {@code lanes} column is above 0. */
+    void startAround(Tile tile, PacketList packets, int column, int lanes) {
+        float halfX = spread(tile, packets, column, lanes);
+        baseX = middle;
+        float halfY = spread(tile, packets, column + Tile.SIZE, lanes);
+        baseY = middle;
+        float halfZ = spread(tile, packets, column + 2 * Tile.SIZE, lanes);
+        baseZ = middle;
+        radius = (float) Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
+    }
+
+    private float middle;
+
+    private float spread(Tile tile, PacketList packets, int column, int lanes) {
+        float[] t = tile.values;
+        FloatVector least = Lanes.all(BIGGEST);
+        FloatVector most = Lanes.all(-BIGGEST);
+        for (int k = 0; k < packets.count; k++) {
+            int at = packets.places[k];
+            FloatVector value = Lanes.load(t, at + column);
+            VectorMask<Float> counts = Lanes.load(t, at + lanes).compare(VectorOperators.GT, 0f);
+            least = least.blend(value, value.compare(VectorOperators.LT, least).and(counts));
+            most = most.blend(value, value.compare(VectorOperators.GT, most).and(counts));
+        }
+        float low = least.reduceLanes(VectorOperators.MIN);
+        float high = most.reduceLanes(VectorOperators.MAX);
+        middle = 0.5f * (low + high);
+        return 0.5f * (high - low);
+    }
+
+    /** Narrows or widens to a ball: after {@link #startAround}, the region is the two balls' convex hull. */
+    void endIn(float x, float y, float z, float endRadius) {
+        axisX = x - baseX;
+        axisY = y - baseY;
+        axisZ = z - baseZ;
+        float length = normalizeAxis();
+        sine = length > 0f ? (endRadius - radius) / length : 1f;
+        float cosineSquared = 1f - sine * sine;
+        everything = cosineSquared < LEAST_COSINE;
+        cosine = (float) Math.sqrt(Math.max(0f, cosineSquared));
+        end = length + endRadius;
+    }
+
+    /** Lists the bodies from {@code first} on that may reach into the region. */
+    void cull(BodyColumns bodies, int first, BodyList found) {
+        found.clear();
+        for (int at = 0; at < bodies.count; at += Lanes.COUNT) {
+            long near = everything
+                    ? ~0L >>> (64 - Lanes.COUNT)
+                    : touching(bodies, at).toLong();
+            while (near != 0L) {
+                int body = at + Long.numberOfTrailingZeros(near);
+                near &= near - 1;
+                if (body >= first && bodies.radius[body] >= 0f) {
+                    found.add(body);
+                }
+            }
+        }
+    }
+
+    private VectorMask<Float> touching(BodyColumns bodies, int at) {
+        FloatVector x = Lanes.load(bodies.x, at).sub(baseX);
+        FloatVector y = Lanes.load(bodies.y, at).sub(baseY);
+        FloatVector z = Lanes.load(bodies.z, at).sub(baseZ);
+        FloatVector along = x.mul(axisX).add(y.mul(axisY)).add(z.mul(axisZ));
+        FloatVector acrossX = x.sub(along.mul(axisX));
+        FloatVector acrossY = y.sub(along.mul(axisY));
+        FloatVector acrossZ = z.sub(along.mul(axisZ));
+        FloatVector across =
+                acrossX.fma(acrossX, acrossY.fma(acrossY, acrossZ.mul(acrossZ))).sqrt();
+        FloatVector reach = Lanes.load(bodies.radius, at).add(radius).mul(RELATIVE_MARGIN);
+        FloatVector margin = along.abs().add(across).add(reach.abs()).mul(ABSOLUTE_MARGIN);
+        FloatVector generous = reach.add(margin);
+        return across.mul(cosine)
+                .sub(along.mul(sine))
+                .compare(VectorOperators.LE, generous)
+                .and(along.neg().compare(VectorOperators.LE, generous))
+                .and(along.sub(generous).compare(VectorOperators.LE, end));
+    }
+}

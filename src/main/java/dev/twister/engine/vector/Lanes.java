@@ -1,0 +1,76 @@
+package dev.twister.engine.vector;
+
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorSpecies;
+
+/**
+ * How wide a packet is, fixed once a class loader: the compiler makes good code of a species only where it is a
+ * constant. The system property {@value #BITS_PROPERTY} (128, 256 or 512) overrides the CPU's own width.
+ */
+final class Lanes {
+    static final String BITS_PROPERTY = "dev.twister.vector.bits";
+
+    static final VectorSpecies<Float> FLOATS = species(Integer.getInteger(BITS_PROPERTY, 0));
+    static final VectorSpecies<Integer> INTS = FLOATS.withLanes(int.class);
+
+    /** Pixels a packet: 4, 8 or 16, which divides a tile's block. */
+    static final int COUNT = FLOATS.length();
+
+    private Lanes() {}
+
+    private static VectorSpecies<Float> species(int bits) {
+        return switch (bits) {
+            case 0 ->
+                FloatVector.SPECIES_PREFERRED.length() > Tile.BLOCK
+                        ? FloatVector.SPECIES_512
+                        : FloatVector.SPECIES_PREFERRED;
+            case 128 -> FloatVector.SPECIES_128;
+            case 256 -> FloatVector.SPECIES_256;
+            case 512 -> FloatVector.SPECIES_512;
+            default ->
+                throw new IllegalArgumentException(BITS_PROPERTY + " is " + bits + ", but must be 128, 256 or 512");
+        };
+    }
+
+    static FloatVector all(float value) {
+        return FloatVector.broadcast(FLOATS, value);
+    }
+
+    static FloatVector load(float[] values, int at) {
+        return FloatVector.fromArray(FLOATS, values, at);
+    }
+
+    /** The larger, lane by lane; compare and blend is cheaper than {@code max}, which minds NaN and -0. */
+    static FloatVector larger(FloatVector a, FloatVector b) {
+        return a.blend(b, b.compare(VectorOperators.GT, a));
+    }
+
+    static FloatVector smaller(FloatVector a, FloatVector b) {
+        return a.blend(b, b.compare(VectorOperators.LT, a));
+    }
+
+    /** {@code 1 / sqrt(squared)}, and 0 for 0. */
+    static FloatVector inverseRoot(FloatVector squared) {
+        FloatVector inverse = all(1f).div(squared.sqrt());
+        VectorMask<Float> zero = squared.compare(VectorOperators.LE, 0f);
+        return inverse.blend(0f, zero);
+    }
+
+    /** Towards zero, for values within an int's range. */
+    static IntVector truncated(FloatVector values) {
+        return (IntVector) values.convertShape(VectorOperators.F2I, INTS, 0);
+    }
+
+    static FloatVector toFloats(IntVector values) {
+        return (FloatVector) values.convertShape(VectorOperators.I2F, FLOATS, 0);
+    }
+
+    /** {@code floor(values)}, for values within an int's range. */
+    static FloatVector floor(FloatVector values) {
+        FloatVector whole = toFloats(truncated(values));
+        return whole.blend(whole.sub(1f), whole.compare(VectorOperators.GT, values));
+    }
+}

@@ -1,0 +1,54 @@
+package dev.twister.engine.vector;
+
+import dev.twister.kernel.Layout;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+
+/** The light as the surfaces see it, and whether anything in between would change them. */
+final class LightDirection {
+    private LightDirection() {}
+
+    /** Writes the unit vectors to the light, the distances, and the cosines against the normals. */
+    static void find(Tile tile, BodyColumns bodies) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.surfaces.count; k++) {
+            int at = tile.surfaces.places[k];
+            FloatVector x = Lanes.all(bodies.x[Layout.LIGHT]).sub(Lanes.load(t, at + Tile.POINT_X));
+            FloatVector y = Lanes.all(bodies.y[Layout.LIGHT]).sub(Lanes.load(t, at + Tile.POINT_Y));
+            FloatVector z = Lanes.all(bodies.z[Layout.LIGHT]).sub(Lanes.load(t, at + Tile.POINT_Z));
+            FloatVector squared = x.fma(x, y.fma(y, z.mul(z)));
+            FloatVector inverse = Lanes.inverseRoot(squared);
+            FloatVector unitX = x.mul(inverse);
+            FloatVector unitY = y.mul(inverse);
+            FloatVector unitZ = z.mul(inverse);
+            unitX.intoArray(t, at + Tile.TO_LIGHT_X);
+            unitY.intoArray(t, at + Tile.TO_LIGHT_Y);
+            unitZ.intoArray(t, at + Tile.TO_LIGHT_Z);
+            squared.mul(inverse).intoArray(t, at + Tile.LIGHT_DISTANCE);
+            unitX.mul(Lanes.load(t, at + Tile.NORMAL_X))
+                    .add(unitY.mul(Lanes.load(t, at + Tile.NORMAL_Y)))
+                    .add(unitZ.mul(Lanes.load(t, at + Tile.NORMAL_Z)))
+                    .intoArray(t, at + Tile.NORMAL_DOT_LIGHT);
+        }
+    }
+
+    /** Makes everything visible, and lists the packets with lanes where a shadow would show. */
+    static void sort(Tile tile, float ambient) {
+        tile.shadows.clear();
+        float[] t = tile.values;
+        for (int k = 0; k < tile.surfaces.count; k++) {
+            int at = tile.surfaces.places[k];
+            FloatVector cosine = Lanes.load(t, at + Tile.NORMAL_DOT_LIGHT);
+            VectorMask<Float> glossy = Lanes.load(t, at + Tile.REFLECTIVITY).compare(VectorOperators.GT, 0f);
+            VectorMask<Float> open = cosine.compare(VectorOperators.GT, ambient)
+                    .or(cosine.compare(VectorOperators.GT, 0f).and(glossy))
+                    .and(Lanes.load(t, at + Tile.HIT).compare(VectorOperators.GE, Layout.PLANE));
+            Lanes.all(1f).intoArray(t, at + Tile.VISIBLE);
+            Lanes.all(0f).blend(1f, open).intoArray(t, at + Tile.SHADOW_OPEN);
+            if (open.anyTrue()) {
+                tile.shadows.add(at);
+            }
+        }
+    }
+}

@@ -1,0 +1,18 @@
+package dev.twister.engine.vector;
+
+/** Some of a tile's packets, each by the place of its first pixel. */
+final class PacketList {
+    /** The places; only the first {@link #count} hold. */
+    final int[] places = new int[Tile.SIZE / Lanes.COUNT];
+
+    int count;
+
+    void clear() {
+        count = 0;
+    }
+
+    void add(int place) {
+        places[count] = place;
+        count++;
+    }
+}

@@ -1,0 +1,89 @@
+package dev.twister.engine.vector;
+
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+
+/** Candidates as a packet's points see them, in the frame of {@link dev.twister.kernel.SoftShadow}. */
+final class ShadowFrame {
+    private static final float RELATIVE_MARGIN = 1.0005f;
+    private static final float WITHIN = 0.9995f;
+
+    private ShadowFrame() {}
+
+    /** Writes the disc's axes for each lane. */
+    static void findAxes(Tile tile, int at, Drawing drawing, ShadowScratch scratch) {
+        float[] t = tile.values;
+        float[] frame = scratch.frame;
+        FloatVector x = Lanes.load(t, at + Tile.TO_LIGHT_X);
+        FloatVector y = Lanes.load(t, at + Tile.TO_LIGHT_Y);
+        FloatVector z = Lanes.load(t, at + Tile.TO_LIGHT_Z);
+        FloatVector acrossSquared = y.fma(y, z.mul(z));
+        VectorMask<Float> alongX = acrossSquared.compare(VectorOperators.LE, 0f);
+        FloatVector scale = Lanes.inverseRoot(acrossSquared.blend(x.mul(x), alongX));
+        FloatVector uY = z.mul(scale).blend(0f, alongX);
+        FloatVector uZ = y.neg().blend(x, alongX).mul(scale);
+        uY.intoArray(frame, ShadowScratch.U_Y);
+        uZ.intoArray(frame, ShadowScratch.U_Z);
+        uY.mul(z).sub(uZ.mul(y)).intoArray(frame, ShadowScratch.W_X);
+        uZ.mul(x).intoArray(frame, ShadowScratch.W_Y);
+        uY.mul(x).neg().intoArray(frame, ShadowScratch.W_Z);
+        FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
+        Lanes.all(drawing.discRadius)
+                .div(distance)
+                .blend(0f, distance.compare(VectorOperators.LE, 0f))
+                .intoArray(frame, ShadowScratch.SCALE);
+    }
+
+    /**
+     * Writes the candidates' places in the frame.
+     *
+     * @return whether each lies, as seen from every lane that it may shade, wholly between the point and the disc
+     */
+    static boolean placeAll(Tile tile, int at, BodyColumns bodies, BodyList found, ShadowScratch scratch) {
+        scratch.reserve(found.count);
+        boolean between = true;
+        for (int c = 0; c < found.count; c++) {
+            between &= place(tile, at, bodies, found.bodies[c], scratch, c * ShadowScratch.STRIDE);
+        }
+        return between;
+    }
+
+    private static boolean place(Tile tile, int at, BodyColumns bodies, int body, ShadowScratch scratch, int to) {
+        float[] t = tile.values;
+        float[] frame = scratch.frame;
+        FloatVector x = Lanes.all(bodies.x[body]).sub(Lanes.load(t, at + Tile.POINT_X));
+        FloatVector y = Lanes.all(bodies.y[body]).sub(Lanes.load(t, at + Tile.POINT_Y));
+        FloatVector z = Lanes.all(bodies.z[body]).sub(Lanes.load(t, at + Tile.POINT_Z));
+        FloatVector along = x.fma(
+                Lanes.load(t, at + Tile.TO_LIGHT_X),
+                y.fma(Lanes.load(t, at + Tile.TO_LIGHT_Y), z.mul(Lanes.load(t, at + Tile.TO_LIGHT_Z))));
+        FloatVector u = y.fma(Lanes.load(frame, ShadowScratch.U_Y), z.mul(Lanes.load(frame, ShadowScratch.U_Z)));
+        FloatVector w = x.fma(
+                Lanes.load(frame, ShadowScratch.W_X),
+                y.fma(Lanes.load(frame, ShadowScratch.W_Y), z.mul(Lanes.load(frame, ShadowScratch.W_Z))));
+        along.intoArray(scratch.candidates, to + ShadowScratch.ALONG);
+        u.intoArray(scratch.candidates, to + ShadowScratch.ACROSS_U);
+        w.intoArray(scratch.candidates, to + ShadowScratch.ACROSS_W);
+        return limit(t, at, body, bodies.radius[body], scratch.candidates, to);
+    }
+
+    /** Writes the squared radius, or less than 0 in lanes that the sphere cannot shade. */
+    private static boolean limit(float[] t, int at, int body, float radius, float[] candidates, int to) {
+        FloatVector along = Lanes.load(candidates, to + ShadowScratch.ALONG);
+        FloatVector u = Lanes.load(candidates, to + ShadowScratch.ACROSS_U);
+        FloatVector w = Lanes.load(candidates, to + ShadowScratch.ACROSS_W);
+        FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
+        float radiusSquared = radius * radius;
+        VectorMask<Float> shades = along.compare(VectorOperators.GT, -radius)
+                .and(along.sub(radius).compare(VectorOperators.LT, distance.mul(RELATIVE_MARGIN)))
+                .and(along.fma(along, u.fma(u, w.mul(w))).compare(VectorOperators.GT, radiusSquared))
+                .and(Lanes.load(t, at + Tile.HIT).compare(VectorOperators.NE, body))
+                .and(Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f));
+        VectorMask<Float> between = along.mul(WITHIN)
+                .compare(VectorOperators.GT, radius)
+                .and(along.add(radius).compare(VectorOperators.LT, distance.mul(WITHIN)));
+        Lanes.all(-1f).blend(radiusSquared, shades).intoArray(candidates, to + ShadowScratch.RADIUS_SQUARED);
+        return !shades.andNot(between).anyTrue();
+    }
+}

@@ -1,0 +1,48 @@
+package dev.twister.engine.vector;
+
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+
+/** Blocked samples in any case, ray by ray: {@link dev.twister.kernel.SoftShadow}'s own test. */
+final class ShadowRays {
+    private ShadowRays() {}
+
+    /** How many samples any of the candidates blocks. */
+    static FloatVector countAny(ShadowScratch scratch, int count, FloatVector distance, float[] disc, int samples) {
+        FloatVector blocked = Lanes.all(0f);
+        for (int sample = 0; sample < samples; sample++) {
+            FloatVector scale = Lanes.load(scratch.frame, ShadowScratch.SCALE);
+            FloatVector x = scale.mul(disc[2 * sample]);
+            FloatVector y = scale.mul(disc[2 * sample + 1]);
+            VectorMask<Float> hit = blocks(scratch.candidates, 0, x, y, distance);
+            for (int c = 1; c < count; c++) {
+                hit = hit.or(blocks(scratch.candidates, c * ShadowScratch.STRIDE, x, y, distance));
+            }
+            blocked = blocked.blend(blocked.add(1f), hit);
+        }
+        return blocked;
+    }
+
+    private static VectorMask<Float> blocks(
+            float[] candidates, int at, FloatVector x, FloatVector y, FloatVector distance) {
+        FloatVector a = Lanes.load(candidates, at + ShadowScratch.ALONG);
+        FloatVector u = Lanes.load(candidates, at + ShadowScratch.ACROSS_U);
+        FloatVector w = Lanes.load(candidates, at + ShadowScratch.ACROSS_W);
+        FloatVector radiusSquared = Lanes.load(candidates, at + ShadowScratch.RADIUS_SQUARED);
+        FloatVector p = u.sub(a.mul(x));
+        FloatVector q = w.sub(a.mul(y));
+        FloatVector moment = p.mul(y).sub(q.mul(x));
+        FloatVector lengthSquared = x.fma(x, y.fma(y, Lanes.all(1f)));
+        VectorMask<Float> met =
+                moment.fma(moment, p.fma(p, q.mul(q))).compare(VectorOperators.LE, radiusSquared.mul(lengthSquared));
+        FloatVector along = x.fma(u, y.fma(w, a));
+        FloatVector beyondA = distance.sub(a);
+        FloatVector beyondU = distance.mul(x).sub(u);
+        FloatVector beyondW = distance.mul(y).sub(w);
+        FloatVector beyondSquared = beyondA.fma(beyondA, beyondU.fma(beyondU, beyondW.mul(beyondW)));
+        VectorMask<Float> before = along.compare(VectorOperators.LT, distance.mul(lengthSquared))
+                .or(beyondSquared.compare(VectorOperators.LT, radiusSquared));
+        return met.and(before).and(along.compare(VectorOperators.GT, 0f));
+    }
+}

@@ -1,0 +1,45 @@
+package dev.twister.engine.vector;
+
+/** What is known of a packet's shadow candidates, {@link Lanes#COUNT} floats a fact; grows, never shrinks. */
+final class ShadowScratch {
+    /** The disc's axes U (its x is 0) and W. */
+    static final int U_Y = 0;
+
+    static final int U_Z = Lanes.COUNT;
+    static final int W_X = 2 * Lanes.COUNT;
+    static final int W_Y = 3 * Lanes.COUNT;
+    static final int W_Z = 4 * Lanes.COUNT;
+
+    /** From the unit disc to the plane at distance 1. */
+    static final int SCALE = 5 * Lanes.COUNT;
+
+    private static final int FRAME_LENGTH = 6 * Lanes.COUNT;
+
+    /** A candidate's centre along A, U and W, and its squared radius: less than 0 in lanes it cannot shade. */
+    static final int ALONG = 0;
+
+    static final int ACROSS_U = Lanes.COUNT;
+    static final int ACROSS_W = 2 * Lanes.COUNT;
+    static final int RADIUS_SQUARED = 3 * Lanes.COUNT;
+
+    /** The conic {@code xx X^2 + xy X Y + yy Y^2 + x X + y Y + c} over the unit disc, at most 0 where a sample is blocked. */
+    static final int XX = 4 * Lanes.COUNT;
+
+    static final int XY = 5 * Lanes.COUNT;
+    static final int YY = 6 * Lanes.COUNT;
+    static final int X = 7 * Lanes.COUNT;
+    static final int Y = 8 * Lanes.COUNT;
+    static final int CONSTANT = 9 * Lanes.COUNT;
+
+    /** From one candidate to the next. */
+    static final int STRIDE = 10 * Lanes.COUNT;
+
+    final float[] frame = new float[FRAME_LENGTH];
+    float[] candidates = new float[16 * STRIDE];
+
+    void reserve(int count) {
+        if (candidates.length < count * STRIDE) {
+            candidates = new float[Integer.highestOneBit(count) * 2 * STRIDE];
+        }
+    }
+}

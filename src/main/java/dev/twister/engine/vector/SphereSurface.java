@@ -1,0 +1,71 @@
+package dev.twister.engine.vector;
+
+import dev.twister.kernel.Layout;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+
+/** Spheres where they are met; lanes of a packet that met something else keep what they had. */
+final class SphereSurface {
+    private SphereSurface() {}
+
+    /**
+     * Copies each lane's sphere into the lane, one step a different sphere: most packets meet one. The centre goes to the
+     * normal's columns.
+     */
+    static void fetch(Tile tile, BodyColumns bodies) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.spheres.count; k++) {
+            int at = tile.spheres.places[k];
+            VectorMask<Float> rest = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.GT, Layout.PLANE);
+            while (rest.anyTrue()) {
+                int body = (int) t[at + Tile.HIT + rest.firstTrue()];
+                VectorMask<Float> here = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, body);
+                set(t, at + Tile.NORMAL_X, bodies.x[body], here);
+                set(t, at + Tile.NORMAL_Y, bodies.y[body], here);
+                set(t, at + Tile.NORMAL_Z, bodies.z[body], here);
+                set(t, at + Tile.RADIUS, bodies.radius[body], here);
+                set(t, at + Tile.ALBEDO_RED, bodies.red[body], here);
+                set(t, at + Tile.ALBEDO_GREEN, bodies.green[body], here);
+                set(t, at + Tile.ALBEDO_BLUE, bodies.blue[body], here);
+                set(t, at + Tile.REFLECTIVITY, bodies.reflectivity[body], here);
+                rest = rest.andNot(here);
+            }
+        }
+    }
+
+    private static void set(float[] t, int at, float value, VectorMask<Float> lanes) {
+        Lanes.load(t, at).blend(value, lanes).intoArray(t, at);
+    }
+
+    /** Turns the centres into normals, and places the points on the spheres along them. */
+    static void findPoints(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.spheres.count; k++) {
+            int at = tile.spheres.places[k];
+            VectorMask<Float> here = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.GT, Layout.PLANE);
+            FloatVector x = fromCenter(t, at, Tile.DIRECTION_X, Tile.ORIGIN_X, Tile.NORMAL_X);
+            FloatVector y = fromCenter(t, at, Tile.DIRECTION_Y, Tile.ORIGIN_Y, Tile.NORMAL_Y);
+            FloatVector z = fromCenter(t, at, Tile.DIRECTION_Z, Tile.ORIGIN_Z, Tile.NORMAL_Z);
+            FloatVector inverse = Lanes.inverseRoot(x.fma(x, y.fma(y, z.mul(z))));
+            finish(t, at, x.mul(inverse), Tile.NORMAL_X, Tile.POINT_X, here);
+            finish(t, at, y.mul(inverse), Tile.NORMAL_Y, Tile.POINT_Y, here);
+            finish(t, at, z.mul(inverse), Tile.NORMAL_Z, Tile.POINT_Z, here);
+        }
+    }
+
+    /** One coordinate of the point met, seen from the sphere's centre. */
+    private static FloatVector fromCenter(float[] t, int at, int direction, int origin, int center) {
+        return Lanes.load(t, at + Tile.DISTANCE)
+                .fma(Lanes.load(t, at + direction), Lanes.load(t, at + origin))
+                .sub(Lanes.load(t, at + center));
+    }
+
+    private static void finish(float[] t, int at, FloatVector unit, int normal, int point, VectorMask<Float> here) {
+        FloatVector center = Lanes.load(t, at + normal);
+        Lanes.load(t, at + point)
+                .blend(unit.fma(Lanes.load(t, at + Tile.RADIUS), center), here)
+                .intoArray(t, at + point);
+        center.blend(unit, here).intoArray(t, at + normal);
+    }
+}

@@ -1,0 +1,135 @@
+package dev.twister.engine.vector;
+
+import dev.twister.kernel.Layout;
+
+/**
+ * One thread's workbench for 16 x 16 pixels: columns of {@value #SIZE} floats, one value a pixel, in one array so that
+ * one bounds check covers neighbouring columns.
+ *
+ * <p>Pixels lie in blocks of 4 x 4, row by row within a block and block by block within the tile, so that a packet of 16
+ * lanes is 4 x 4 pixels, one of 8 is 4 x 2, and one of 4 is 4 x 1: rays close together take the same way.
+ */
+final class Tile {
+    /** Pixels along each side. */
+    static final int SIDE = 16;
+
+    static final int SIZE = SIDE * SIDE;
+
+    /** Pixels along a block's side. */
+    static final int BLOCK_SIDE = 4;
+
+    static final int BLOCK = BLOCK_SIDE * BLOCK_SIDE;
+
+    /** The ray: a unit vector, and where it starts. */
+    static final int DIRECTION_X = 0;
+
+    static final int DIRECTION_Y = SIZE;
+    static final int DIRECTION_Z = 2 * SIZE;
+    static final int ORIGIN_X = 3 * SIZE;
+    static final int ORIGIN_Y = 4 * SIZE;
+    static final int ORIGIN_Z = 5 * SIZE;
+
+    /** Metres along the ray to what it meets. */
+    static final int DISTANCE = 6 * SIZE;
+
+    /** The body met, as a float (exact far beyond any scene): {@link Layout}'s numbers, or {@link #ENDED}. */
+    static final int HIT = 7 * SIZE;
+
+    /** What part of the light found from here on reaches the pixel; 0 once the path has ended. */
+    static final int THROUGHPUT = 8 * SIZE;
+
+    static final int RED = 9 * SIZE;
+    static final int GREEN = 10 * SIZE;
+    static final int BLUE = 11 * SIZE;
+
+    /** The surface met. */
+    static final int POINT_X = 12 * SIZE;
+
+    static final int POINT_Y = 13 * SIZE;
+    static final int POINT_Z = 14 * SIZE;
+    static final int NORMAL_X = 15 * SIZE;
+    static final int NORMAL_Y = 16 * SIZE;
+    static final int NORMAL_Z = 17 * SIZE;
+    static final int RADIUS = 18 * SIZE;
+    static final int ALBEDO_RED = 19 * SIZE;
+    static final int ALBEDO_GREEN = 20 * SIZE;
+    static final int ALBEDO_BLUE = 21 * SIZE;
+    static final int REFLECTIVITY = 22 * SIZE;
+
+    /** The light, seen from the surface: a unit vector, metres. */
+    static final int TO_LIGHT_X = 23 * SIZE;
+
+    static final int TO_LIGHT_Y = 24 * SIZE;
+    static final int TO_LIGHT_Z = 25 * SIZE;
+    static final int LIGHT_DISTANCE = 26 * SIZE;
+    static final int NORMAL_DOT_LIGHT = 27 * SIZE;
+
+    /** S, the visible part of the light. */
+    static final int VISIBLE = 28 * SIZE;
+
+    /** 1 where S is not yet known, else 0. */
+    static final int SHADOW_OPEN = 29 * SIZE;
+
+    static final int SPECULAR = 30 * SIZE;
+
+    /** Fractions of a texel from the upper left texel's centre. */
+    static final int SKY_TO_RIGHT = 31 * SIZE;
+
+    static final int SKY_TO_BOTTOM = 32 * SIZE;
+
+    /** The body that the ray leaves. */
+    static final int LEAVING = 33 * SIZE;
+
+    private static final int COLUMNS = 34;
+
+    /** The hit of a lane whose path ended before. */
+    static final float ENDED = -2f;
+
+    /** Each pixel's place in the tile. */
+    private static final float[] PLACE_X = new float[SIZE];
+
+    private static final float[] PLACE_Y = new float[SIZE];
+
+    static {
+        for (int pixel = 0; pixel < SIZE; pixel++) {
+            PLACE_X[pixel] = column(pixel);
+            PLACE_Y[pixel] = row(pixel);
+        }
+    }
+
+    /** The columns above. */
+    final float[] values = new float[COLUMNS * SIZE];
+
+    /** From the padded sky's start to the upper left texel, in texels. */
+    final int[] texels = new int[SIZE];
+
+    /** Red, green, blue and a blank of the sky, pixel by pixel. */
+    final float[] skyColors = new float[4 * SIZE];
+
+    /** The finished pixels. */
+    final int[] argb = new int[SIZE];
+
+    /** Packets, by the place of their first pixel: those whose paths go on, and those that met the sky, and so on. */
+    final PacketList live = new PacketList();
+
+    final PacketList skies = new PacketList();
+    final PacketList grounds = new PacketList();
+    final PacketList spheres = new PacketList();
+    final PacketList surfaces = new PacketList();
+    final PacketList shadows = new PacketList();
+
+    final float[] placeX = PLACE_X;
+    final float[] placeY = PLACE_Y;
+
+    /** In [0, {@link #SIDE}), of a pixel in the tile's order. */
+    static int column(int pixel) {
+        int block = pixel / BLOCK;
+        return block % (SIDE / BLOCK_SIDE) * BLOCK_SIDE + pixel % BLOCK_SIDE;
+    }
+
+    /** In [0, {@link #SIDE}), of a pixel in the tile's order. */
+    static int row(int pixel) {
+        int block = pixel / BLOCK;
+        return block / (SIDE / BLOCK_SIDE) * BLOCK_SIDE + pixel % BLOCK / BLOCK_SIDE;
+    }
+}

@@ -1,0 +1,54 @@
+package dev.twister.engine.vector;
+
+import dev.twister.image.Frame;
+import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.VectorSpecies;
+
+/** Puts a tile's pixels where they belong in the frame. */
+final class TileOutput {
+    /** One row of a block. */
+    private static final VectorSpecies<Integer> BLOCK_ROW = IntVector.SPECIES_128;
+
+    private TileOutput() {}
+
+    /** Writes the packed pixels of the tile whose first pixel is at {@code (left, top)} of the frame. */
+    static void write(Tile tile, Frame frame, int left, int top) {
+        boolean whole = left + Tile.SIDE <= frame.width() && top + Tile.SIDE <= frame.height();
+        if (whole) {
+            writeWhole(tile.argb, frame.argb(), top * frame.width() + left, frame.width());
+        } else {
+            writePart(tile.argb, frame, left, top);
+        }
+    }
+
+    private static void writeWhole(int[] tile, int[] frame, int first, int width) {
+        for (int at = 0; at < Tile.SIZE; at += Tile.BLOCK_SIDE) {
+            IntVector.fromArray(BLOCK_ROW, tile, at).intoArray(frame, first + Tile.row(at) * width + Tile.column(at));
+        }
+    }
+
+    private static void writePart(int[] tile, Frame frame, int left, int top) {
+        for (int pixel = 0; pixel < Tile.SIZE; pixel++) {
+            int x = left + Tile.column(pixel);
+            int y = top + Tile.row(pixel);
+            if (x < frame.width() && y < frame.height()) {
+                frame.argb()[y * frame.width() + x] = tile[pixel];
+            }
+        }
+    }
+
+    /** Writes the linear colours, times {@code scale}. */
+    static void writeLinear(Tile tile, Frame frame, int left, int top, float scale) {
+        float[] t = tile.values;
+        for (int pixel = 0; pixel < Tile.SIZE; pixel++) {
+            int x = left + Tile.column(pixel);
+            int y = top + Tile.row(pixel);
+            if (x < frame.width() && y < frame.height()) {
+                int to = 3 * (y * frame.width() + x);
+                frame.radiance()[to] = t[pixel + Tile.RED] * scale;
+                frame.radiance()[to + 1] = t[pixel + Tile.GREEN] * scale;
+                frame.radiance()[to + 2] = t[pixel + Tile.BLUE] * scale;
+            }
+        }
+    }
+}

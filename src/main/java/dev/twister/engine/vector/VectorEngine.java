@@ -1,0 +1,73 @@
+package dev.twister.engine.vector;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineException;
+import dev.twister.engine.FrameFit;
+import dev.twister.image.Frame;
+import dev.twister.image.FrameTimes;
+import dev.twister.world.FrameInput;
+import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicInteger;
+
+/** Draws tiles in SIMD lanes on some threads; once warm, a frame allocates nothing but its times. */
+final class VectorEngine implements Engine {
+    private final int threads;
+    private final TileRenderer[] renderers;
+    private final Drawing drawing = new Drawing();
+    private final AtomicInteger nextTile = new AtomicInteger();
+    private final Crew crew;
+
+    VectorEngine(int threads) {
+        this.threads = threads;
+        renderers = new TileRenderer[threads];
+        Arrays.setAll(renderers, thread -> new TileRenderer());
+        crew = new Crew(threads, this::drawTiles);
+    }
+
+    /** What {@link #device} says of so many threads. */
+    static String describe(int threads) {
+        return (threads == 1 ? "one thread" : threads + " threads") + ", " + Lanes.COUNT + " lanes";
+    }
+
+    @Override
+    public String id() {
+        return VectorEngines.VECTOR;
+    }
+
+    @Override
+    public String device() {
+        return describe(threads);
+    }
+
+    @Override
+    public void render(FrameInput input, Frame frame) {
+        FrameFit.check(input, frame);
+        long start = System.nanoTime();
+        drawing.take(input, frame);
+        for (TileRenderer renderer : renderers) {
+            renderer.reserve(input.bodies());
+        }
+        nextTile.set(0);
+        try {
+            crew.work();
+        } catch (IllegalStateException e) {
+            throw new EngineException("engine vector: " + e.getMessage(), e);
+        }
+        frame.setTimes(FrameTimes.onJvm(System.nanoTime() - start));
+    }
+
+    private void drawTiles(int thread) {
+        TileRenderer renderer = renderers[thread];
+        int tiles = drawing.tiles();
+        int tile = nextTile.getAndIncrement();
+        while (tile < tiles) {
+            renderer.draw(drawing, tile);
+            tile = nextTile.getAndIncrement();
+        }
+    }
+
+    @Override
+    public void close() {
+        crew.close();
+    }
+}

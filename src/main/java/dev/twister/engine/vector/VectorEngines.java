@@ -1,0 +1,40 @@
+package dev.twister.engine.vector;
+
+import com.google.auto.service.AutoService;
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineOffer;
+import dev.twister.engine.EngineProvider;
+import java.util.List;
+
+/** Offers the engine of SIMD lanes where the JVM was started with the Vector API. */
+@AutoService(EngineProvider.class)
+public final class VectorEngines implements EngineProvider {
+    public static final String VECTOR = "vector";
+
+    private static final String MODULE = "jdk.incubator.vector";
+    private static final String DESCRIPTION = "plain Java with the Vector API: packets of pixels in SIMD lanes";
+
+    @Override
+    public List<EngineOffer> offers() {
+        boolean present = ModuleLayer.boot().findModule(MODULE).isPresent();
+        return List.of(
+                present
+                        ? working()
+                        : EngineOffer.impossible(
+                                VECTOR,
+                                "the CPU's SIMD lanes",
+                                DESCRIPTION,
+                                "the JVM was started without the Vector API. Start it with --add-modules " + MODULE));
+    }
+
+    // Nothing before this names a class that needs the module.
+    private static EngineOffer working() {
+        int threads = Runtime.getRuntime().availableProcessors();
+        return EngineOffer.working(VECTOR, VectorEngine.describe(threads), DESCRIPTION, () -> open(threads));
+    }
+
+    /** The engine on so many threads. */
+    static Engine open(int threads) {
+        return new VectorEngine(threads);
+    }
+}

@@ -1,0 +1,69 @@
+package dev.twister.engine.vector;
+
+import dev.twister.kernel.Layout;
+import jdk.incubator.vector.FloatVector;
+
+/** Starts one view ray in each lane. */
+final class ViewRays {
+    private ViewRays() {}
+
+    /**
+     * @param x of the tile's first sample from the picture's left, in pixels
+     * @param y from the picture's top
+     */
+    static void start(Tile tile, Drawing drawing, float x, float y) {
+        float[] camera = drawing.input.camera();
+        float step = drawing.viewportStep;
+        float left = x - drawing.width * 0.5f;
+        float above = drawing.input.height() * 0.5f - y;
+        float eye = camera[Layout.CAMERA_EYE_DISTANCE];
+        float forwardX = eye * camera[Layout.CAMERA_FORWARD];
+        float forwardY = eye * camera[Layout.CAMERA_FORWARD + 1];
+        float forwardZ = eye * camera[Layout.CAMERA_FORWARD + 2];
+        float[] t = tile.values;
+        for (int k = 0; k < tile.live.count; k++) {
+            int at = tile.live.places[k];
+            FloatVector u = Lanes.load(tile.placeX, at).add(left).mul(step);
+            FloatVector v = Lanes.all(above).sub(Lanes.load(tile.placeY, at)).mul(step);
+            FloatVector directionX = turned(u, v, camera, 0, forwardX);
+            FloatVector directionY = turned(u, v, camera, 1, forwardY);
+            FloatVector directionZ = turned(u, v, camera, 2, forwardZ);
+            FloatVector inverse = Lanes.inverseRoot(
+                    directionX.fma(directionX, directionY.fma(directionY, directionZ.mul(directionZ))));
+            directionX.mul(inverse).intoArray(t, at + Tile.DIRECTION_X);
+            directionY.mul(inverse).intoArray(t, at + Tile.DIRECTION_Y);
+            directionZ.mul(inverse).intoArray(t, at + Tile.DIRECTION_Z);
+        }
+    }
+
+    /** One coordinate of {@code u * right + v * up + forward}. */
+    private static FloatVector turned(FloatVector u, FloatVector v, float[] camera, int axis, float forward) {
+        FloatVector right = Lanes.all(camera[Layout.CAMERA_RIGHT + axis]);
+        FloatVector up = Lanes.all(camera[Layout.CAMERA_UP + axis]);
+        return u.fma(right, v.fma(up, Lanes.all(forward)));
+    }
+
+    /** Puts all rays at the camera, leaving nothing, with a whole throughput. */
+    static void place(Tile tile, float[] camera) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.live.count; k++) {
+            int at = tile.live.places[k];
+            Lanes.all(camera[Layout.CAMERA_POSITION]).intoArray(t, at + Tile.ORIGIN_X);
+            Lanes.all(camera[Layout.CAMERA_POSITION + 1]).intoArray(t, at + Tile.ORIGIN_Y);
+            Lanes.all(camera[Layout.CAMERA_POSITION + 2]).intoArray(t, at + Tile.ORIGIN_Z);
+            Lanes.all(Layout.NOTHING).intoArray(t, at + Tile.LEAVING);
+            Lanes.all(1f).intoArray(t, at + Tile.THROUGHPUT);
+        }
+    }
+
+    /** Makes the lanes' colours black. */
+    static void blacken(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.live.count; k++) {
+            int at = tile.live.places[k];
+            Lanes.all(0f).intoArray(t, at + Tile.RED);
+            Lanes.all(0f).intoArray(t, at + Tile.GREEN);
+            Lanes.all(0f).intoArray(t, at + Tile.BLUE);
+        }
+    }
+}

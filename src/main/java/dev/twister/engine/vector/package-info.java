@@ -1,0 +1,8 @@
+/**
+ * The engine {@code vector}: packets of pixels in the CPU's SIMD lanes (Vector API), tiles over all cores.
+ *
+ * <p>A tile is drawn in stages. Each stage is one short loop over the tile's packets, reads and writes {@code float[]}
+ * columns of the {@link dev.twister.engine.vector.Tile}, and holds vectors in local variables only. That is on purpose:
+ * past some 60 vector operations, or 325 bytecodes, a method is no longer inlined whole, and vectors become objects.
+ */
+package dev.twister.engine.vector;
