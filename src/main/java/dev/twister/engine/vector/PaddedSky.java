@@ -25,6 +25,7 @@ final class PaddedSky {
         return width + 2;
     }
 
+    @SuppressWarnings("ReferenceEquality") // an input's arrays never change
     void take(FrameInput input) {
         if (input.skybox() != source) {
             source = input.skybox();

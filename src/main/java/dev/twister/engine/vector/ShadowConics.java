@@ -35,8 +35,8 @@ final class ShadowConics {
         }
     }
 
-    /** How many samples one candidate blocks. */
-    static FloatVector countOne(ShadowScratch scratch, float[] disc, int samples) {
+    /** Counts the samples that one candidate blocks. */
+    static void countOne(ShadowScratch scratch, float[] disc, int samples) {
         float[] candidates = scratch.candidates;
         FloatVector xx = Lanes.load(candidates, ShadowScratch.XX);
         FloatVector xy = Lanes.load(candidates, ShadowScratch.XY);
@@ -52,11 +52,11 @@ final class ShadowConics {
             FloatVector conic = yy.fma(discY, y).fma(discY, inX);
             blocked = blocked.blend(blocked.add(1f), conic.compare(VectorOperators.LE, 0f));
         }
-        return blocked;
+        blocked.intoArray(scratch.frame, ShadowScratch.BLOCKED);
     }
 
-    /** How many samples any of the candidates blocks. */
-    static FloatVector countAny(ShadowScratch scratch, int count, float[] disc, int samples) {
+    /** Counts the samples that any of the candidates blocks. */
+    static void countAny(ShadowScratch scratch, int count, float[] disc, int samples) {
         FloatVector blocked = Lanes.all(0f);
         for (int sample = 0; sample < samples; sample++) {
             FloatVector discX = Lanes.all(disc[2 * sample]);
@@ -68,7 +68,7 @@ final class ShadowConics {
             }
             blocked = blocked.blend(blocked.add(1f), hit);
         }
-        return blocked;
+        blocked.intoArray(scratch.frame, ShadowScratch.BLOCKED);
     }
 
     private static FloatVector conic(float[] candidates, int at, FloatVector discX, FloatVector discY) {

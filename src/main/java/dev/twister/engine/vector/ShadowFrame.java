@@ -65,11 +65,12 @@ final class ShadowFrame {
         along.intoArray(scratch.candidates, to + ShadowScratch.ALONG);
         u.intoArray(scratch.candidates, to + ShadowScratch.ACROSS_U);
         w.intoArray(scratch.candidates, to + ShadowScratch.ACROSS_W);
-        return limit(t, at, body, bodies.radius[body], scratch.candidates, to);
+        return limit(t, at, body, bodies.radius[body], scratch, to);
     }
 
     /** Writes the squared radius, or less than 0 in lanes that the sphere cannot shade. */
-    private static boolean limit(float[] t, int at, int body, float radius, float[] candidates, int to) {
+    private static boolean limit(float[] t, int at, int body, float radius, ShadowScratch scratch, int to) {
+        float[] candidates = scratch.candidates;
         FloatVector along = Lanes.load(candidates, to + ShadowScratch.ALONG);
         FloatVector u = Lanes.load(candidates, to + ShadowScratch.ACROSS_U);
         FloatVector w = Lanes.load(candidates, to + ShadowScratch.ACROSS_W);
@@ -80,8 +81,11 @@ final class ShadowFrame {
                 .and(along.fma(along, u.fma(u, w.mul(w))).compare(VectorOperators.GT, radiusSquared))
                 .and(Lanes.load(t, at + Tile.HIT).compare(VectorOperators.NE, body))
                 .and(Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f));
+        // Where a line to the disc meets the sphere, it does so in front of the point: the point is outside, and the
+        // sphere's centre is in front of every plane through the point across such a line.
+        FloatVector widest = u.fma(u, w.mul(w)).sqrt().mul(Lanes.load(scratch.frame, ShadowScratch.SCALE));
         VectorMask<Float> between = along.mul(WITHIN)
-                .compare(VectorOperators.GT, radius)
+                .compare(VectorOperators.GT, widest)
                 .and(along.add(radius).compare(VectorOperators.LT, distance.mul(WITHIN)));
         Lanes.all(-1f).blend(radiusSquared, shades).intoArray(candidates, to + ShadowScratch.RADIUS_SQUARED);
         return !shades.andNot(between).anyTrue();

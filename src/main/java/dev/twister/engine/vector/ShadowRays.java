@@ -8,28 +8,29 @@ import jdk.incubator.vector.VectorOperators;
 final class ShadowRays {
     private ShadowRays() {}
 
-    /** How many samples any of the candidates blocks. */
-    static FloatVector countAny(ShadowScratch scratch, int count, FloatVector distance, float[] disc, int samples) {
+    /** Counts the samples that any of the candidates blocks. */
+    static void countAny(ShadowScratch scratch, int count, float[] distances, int at, float[] disc, int samples) {
         FloatVector blocked = Lanes.all(0f);
         for (int sample = 0; sample < samples; sample++) {
             FloatVector scale = Lanes.load(scratch.frame, ShadowScratch.SCALE);
             FloatVector x = scale.mul(disc[2 * sample]);
             FloatVector y = scale.mul(disc[2 * sample + 1]);
-            VectorMask<Float> hit = blocks(scratch.candidates, 0, x, y, distance);
+            VectorMask<Float> hit = blocks(scratch.candidates, 0, x, y, distances, at);
             for (int c = 1; c < count; c++) {
-                hit = hit.or(blocks(scratch.candidates, c * ShadowScratch.STRIDE, x, y, distance));
+                hit = hit.or(blocks(scratch.candidates, c * ShadowScratch.STRIDE, x, y, distances, at));
             }
             blocked = blocked.blend(blocked.add(1f), hit);
         }
-        return blocked;
+        blocked.intoArray(scratch.frame, ShadowScratch.BLOCKED);
     }
 
     private static VectorMask<Float> blocks(
-            float[] candidates, int at, FloatVector x, FloatVector y, FloatVector distance) {
-        FloatVector a = Lanes.load(candidates, at + ShadowScratch.ALONG);
-        FloatVector u = Lanes.load(candidates, at + ShadowScratch.ACROSS_U);
-        FloatVector w = Lanes.load(candidates, at + ShadowScratch.ACROSS_W);
-        FloatVector radiusSquared = Lanes.load(candidates, at + ShadowScratch.RADIUS_SQUARED);
+            float[] candidates, int from, FloatVector x, FloatVector y, float[] distances, int at) {
+        FloatVector distance = Lanes.load(distances, at);
+        FloatVector a = Lanes.load(candidates, from + ShadowScratch.ALONG);
+        FloatVector u = Lanes.load(candidates, from + ShadowScratch.ACROSS_U);
+        FloatVector w = Lanes.load(candidates, from + ShadowScratch.ACROSS_W);
+        FloatVector radiusSquared = Lanes.load(candidates, from + ShadowScratch.RADIUS_SQUARED);
         FloatVector p = u.sub(a.mul(x));
         FloatVector q = w.sub(a.mul(y));
         FloatVector moment = p.mul(y).sub(q.mul(x));

@@ -13,7 +13,10 @@ final class ShadowScratch {
     /** From the unit disc to the plane at distance 1. */
     static final int SCALE = 5 * Lanes.COUNT;
 
-    private static final int FRAME_LENGTH = 6 * Lanes.COUNT;
+    /** How many samples are blocked. */
+    static final int BLOCKED = 6 * Lanes.COUNT;
+
+    private static final int FRAME_LENGTH = 7 * Lanes.COUNT;
 
     /** A candidate's centre along A, U and W, and its squared radius: less than 0 in lanes it cannot shade. */
     static final int ALONG = 0;

@@ -48,14 +48,14 @@ final class Shadows {
         float[] disc = drawing.input.shadowDisc();
         int samples = drawing.shadowSamples;
         int count = packetCandidates.count;
-        FloatVector blocked;
         if (!between) {
-            blocked = ShadowRays.countAny(scratch, count, Lanes.load(t, at + Tile.LIGHT_DISTANCE), disc, samples);
+            ShadowRays.countAny(scratch, count, t, at + Tile.LIGHT_DISTANCE, disc, samples);
         } else if (count == 1) {
-            blocked = ShadowConics.countOne(scratch, disc, samples);
+            ShadowConics.countOne(scratch, disc, samples);
         } else {
-            blocked = ShadowConics.countAny(scratch, count, disc, samples);
+            ShadowConics.countAny(scratch, count, disc, samples);
         }
+        FloatVector blocked = Lanes.load(scratch.frame, ShadowScratch.BLOCKED);
         FloatVector visible = Lanes.all(1f).sub(blocked.div(samples));
         Lanes.load(t, at + Tile.VISIBLE)
                 .blend(visible, Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f))

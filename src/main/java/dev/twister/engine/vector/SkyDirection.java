@@ -17,8 +17,8 @@ final class SkyDirection {
 
     private SkyDirection() {}
 
-    /** Writes the columns of texels, counted from the border's, and the fractions to the right of them. */
-    static void findColumns(Tile tile, PaddedSky sky) {
+    /** Writes the angles about the vertical, in [-pi, pi], to the column of {@link Tile#SKY_TO_RIGHT}. */
+    static void findAzimuths(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.skies.count; k++) {
             int at = tile.skies.places[k];
@@ -26,18 +26,12 @@ final class SkyDirection {
             FloatVector z = Lanes.load(t, at + Tile.DIRECTION_Z);
             FloatVector quadrant = quadrant(z.abs(), x.abs());
             FloatVector half = quadrant.blend(Lanes.all(PI).sub(quadrant), x.compare(VectorOperators.LT, 0f));
-            FloatVector angle = half.blend(half.neg(), z.compare(VectorOperators.LT, 0f));
-            // The border's column counts 1 more, and the texels' centres lie half a texel in.
-            FloatVector column =
-                    angle.mul(TURNS_PER_RADIAN).add(0.5f).mul(sky.width).add(0.5f);
-            IntVector left = Lanes.truncated(column);
-            column.sub(Lanes.toFloats(left)).intoArray(t, at + Tile.SKY_TO_RIGHT);
-            left.intoArray(tile.texels, at);
+            half.blend(half.neg(), z.compare(VectorOperators.LT, 0f)).intoArray(t, at + Tile.SKY_TO_RIGHT);
         }
     }
 
-    /** Adds the rows to the texels found by {@link #findColumns}, and writes the fractions below them. */
-    static void findRows(Tile tile, PaddedSky sky) {
+    /** Writes the angles above the horizon, in [-pi / 2, pi / 2], to the column of {@link Tile#SKY_TO_BOTTOM}. */
+    static void findElevations(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.skies.count; k++) {
             int at = tile.skies.places[k];
@@ -45,16 +39,30 @@ final class SkyDirection {
             FloatVector y = Lanes.load(t, at + Tile.DIRECTION_Y);
             FloatVector z = Lanes.load(t, at + Tile.DIRECTION_Z);
             FloatVector quadrant = quadrant(y.abs(), x.fma(x, z.mul(z)).sqrt());
-            FloatVector elevation = quadrant.blend(quadrant.neg(), y.compare(VectorOperators.LT, 0f));
+            quadrant.blend(quadrant.neg(), y.compare(VectorOperators.LT, 0f)).intoArray(t, at + Tile.SKY_TO_BOTTOM);
+        }
+    }
+
+    /** Turns the angles into the upper left texels and the fractions from them. */
+    static void findTexels(Tile tile, PaddedSky sky) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.skies.count; k++) {
+            int at = tile.skies.places[k];
+            // The border counts 1 more, and the texels' centres lie half a texel in.
+            FloatVector column = Lanes.load(t, at + Tile.SKY_TO_RIGHT)
+                    .mul(TURNS_PER_RADIAN)
+                    .add(0.5f)
+                    .mul(sky.width)
+                    .add(0.5f);
             FloatVector row = Lanes.all(0.5f)
-                    .sub(elevation.mul(HALF_TURNS_PER_RADIAN))
+                    .sub(Lanes.load(t, at + Tile.SKY_TO_BOTTOM).mul(HALF_TURNS_PER_RADIAN))
                     .mul(sky.height)
                     .add(0.5f);
+            IntVector left = Lanes.truncated(column);
             IntVector top = Lanes.truncated(row);
+            column.sub(Lanes.toFloats(left)).intoArray(t, at + Tile.SKY_TO_RIGHT);
             row.sub(Lanes.toFloats(top)).intoArray(t, at + Tile.SKY_TO_BOTTOM);
-            top.mul(sky.stride())
-                    .add(IntVector.fromArray(Lanes.INTS, tile.texels, at))
-                    .intoArray(tile.texels, at);
+            top.mul(sky.stride()).add(left).intoArray(tile.texels, at);
         }
     }
 

@@ -38,34 +38,46 @@ final class SphereSurface {
         Lanes.load(t, at).blend(value, lanes).intoArray(t, at);
     }
 
+    /** Writes the points met, seen from the centres. */
+    static void findOffsets(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.spheres.count; k++) {
+            int at = tile.spheres.places[k];
+            FloatVector distance = Lanes.load(t, at + Tile.DISTANCE);
+            findOffset(t, at, distance, Tile.DIRECTION_X, Tile.ORIGIN_X, Tile.NORMAL_X, Tile.FROM_CENTER_X);
+            findOffset(t, at, distance, Tile.DIRECTION_Y, Tile.ORIGIN_Y, Tile.NORMAL_Y, Tile.FROM_CENTER_Y);
+            findOffset(t, at, distance, Tile.DIRECTION_Z, Tile.ORIGIN_Z, Tile.NORMAL_Z, Tile.FROM_CENTER_Z);
+        }
+    }
+
+    private static void findOffset(
+            float[] t, int at, FloatVector distance, int direction, int origin, int center, int offset) {
+        distance.fma(Lanes.load(t, at + direction), Lanes.load(t, at + origin))
+                .sub(Lanes.load(t, at + center))
+                .intoArray(t, at + offset);
+    }
+
     /** Turns the centres into normals, and places the points on the spheres along them. */
     static void findPoints(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.spheres.count; k++) {
             int at = tile.spheres.places[k];
             VectorMask<Float> here = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.GT, Layout.PLANE);
-            FloatVector x = fromCenter(t, at, Tile.DIRECTION_X, Tile.ORIGIN_X, Tile.NORMAL_X);
-            FloatVector y = fromCenter(t, at, Tile.DIRECTION_Y, Tile.ORIGIN_Y, Tile.NORMAL_Y);
-            FloatVector z = fromCenter(t, at, Tile.DIRECTION_Z, Tile.ORIGIN_Z, Tile.NORMAL_Z);
+            FloatVector x = Lanes.load(t, at + Tile.FROM_CENTER_X);
+            FloatVector y = Lanes.load(t, at + Tile.FROM_CENTER_Y);
+            FloatVector z = Lanes.load(t, at + Tile.FROM_CENTER_Z);
             FloatVector inverse = Lanes.inverseRoot(x.fma(x, y.fma(y, z.mul(z))));
-            finish(t, at, x.mul(inverse), Tile.NORMAL_X, Tile.POINT_X, here);
-            finish(t, at, y.mul(inverse), Tile.NORMAL_Y, Tile.POINT_Y, here);
-            finish(t, at, z.mul(inverse), Tile.NORMAL_Z, Tile.POINT_Z, here);
+            FloatVector radius = Lanes.load(t, at + Tile.RADIUS);
+            finish(t, at, x.mul(inverse), radius, Tile.NORMAL_X, Tile.POINT_X, here);
+            finish(t, at, y.mul(inverse), radius, Tile.NORMAL_Y, Tile.POINT_Y, here);
+            finish(t, at, z.mul(inverse), radius, Tile.NORMAL_Z, Tile.POINT_Z, here);
         }
     }
 
-    /** One coordinate of the point met, seen from the sphere's centre. */
-    private static FloatVector fromCenter(float[] t, int at, int direction, int origin, int center) {
-        return Lanes.load(t, at + Tile.DISTANCE)
-                .fma(Lanes.load(t, at + direction), Lanes.load(t, at + origin))
-                .sub(Lanes.load(t, at + center));
-    }
-
-    private static void finish(float[] t, int at, FloatVector unit, int normal, int point, VectorMask<Float> here) {
+    private static void finish(
+            float[] t, int at, FloatVector unit, FloatVector radius, int normal, int point, VectorMask<Float> here) {
         FloatVector center = Lanes.load(t, at + normal);
-        Lanes.load(t, at + point)
-                .blend(unit.fma(Lanes.load(t, at + Tile.RADIUS), center), here)
-                .intoArray(t, at + point);
+        Lanes.load(t, at + point).blend(unit.fma(radius, center), here).intoArray(t, at + point);
         center.blend(unit, here).intoArray(t, at + normal);
     }
 }

@@ -64,6 +64,12 @@ final class Tile {
     static final int LIGHT_DISTANCE = 26 * SIZE;
     static final int NORMAL_DOT_LIGHT = 27 * SIZE;
 
+    /** The point met, seen from its sphere's centre; needed only until the light's direction is. */
+    static final int FROM_CENTER_X = TO_LIGHT_X;
+
+    static final int FROM_CENTER_Y = TO_LIGHT_Y;
+    static final int FROM_CENTER_Z = TO_LIGHT_Z;
+
     /** S, the visible part of the light. */
     static final int VISIBLE = 28 * SIZE;
 
@@ -72,7 +78,7 @@ final class Tile {
 
     static final int SPECULAR = 30 * SIZE;
 
-    /** Fractions of a texel from the upper left texel's centre. */
+    /** The sky's angles in radians, then fractions of a texel from the upper left texel's centre. */
     static final int SKY_TO_RIGHT = 31 * SIZE;
 
     static final int SKY_TO_BOTTOM = 32 * SIZE;

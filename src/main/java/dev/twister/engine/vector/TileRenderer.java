@@ -61,8 +61,9 @@ final class TileRenderer {
     }
 
     private void addSky(Drawing drawing) {
-        SkyDirection.findColumns(tile, drawing.sky);
-        SkyDirection.findRows(tile, drawing.sky);
+        SkyDirection.findAzimuths(tile);
+        SkyDirection.findElevations(tile);
+        SkyDirection.findTexels(tile, drawing.sky);
         SkyRadiance.blend(tile, drawing.sky);
         SkyRadiance.add(tile);
     }
@@ -71,6 +72,7 @@ final class TileRenderer {
         GroundSurface.findPoints(tile, drawing);
         GroundSurface.findColors(tile, drawing);
         SphereSurface.fetch(tile, drawing.bodies);
+        SphereSurface.findOffsets(tile);
         SphereSurface.findPoints(tile);
         LightDirection.find(tile, drawing.bodies);
         LightDirection.sort(tile, drawing.ambient);
