@@ -144,7 +144,7 @@ final class Hull {
         for (int at = 0; at < bodies.count; at += Lanes.COUNT) {
             long near = everything
                     ? ~0L >>> (64 - Lanes.COUNT)
-                    : touching(bodies, at).toLong();
+                    : touching(bodies, at);
             while (near != 0L) {
                 int body = at + Long.numberOfTrailingZeros(near);
                 near &= near - 1;
@@ -155,7 +155,8 @@ final class Hull {
         }
     }
 
-    private VectorMask<Float> touching(BodyColumns bodies, int at) {
+    /** One bit a body that may reach into the region. */
+    private long touching(BodyColumns bodies, int at) {
         FloatVector x = Lanes.load(bodies.x, at).sub(baseX);
         FloatVector y = Lanes.load(bodies.y, at).sub(baseY);
         FloatVector z = Lanes.load(bodies.z, at).sub(baseZ);
@@ -172,6 +173,7 @@ final class Hull {
                 .sub(along.mul(sine))
                 .compare(VectorOperators.LE, generous)
                 .and(along.neg().compare(VectorOperators.LE, generous))
-                .and(along.sub(generous).compare(VectorOperators.LE, end));
+                .and(along.sub(generous).compare(VectorOperators.LE, end))
+                .toLong();
     }
 }

@@ -1,7 +1,6 @@
 package dev.twister.engine.vector;
 
 import jdk.incubator.vector.FloatVector;
-import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
@@ -57,28 +56,27 @@ final class ShadowConics {
 
     /** Counts the samples that any of the candidates blocks. */
     static void countAny(ShadowScratch scratch, int count, float[] disc, int samples) {
+        float[] candidates = scratch.candidates;
         FloatVector blocked = Lanes.all(0f);
         for (int sample = 0; sample < samples; sample++) {
             FloatVector discX = Lanes.all(disc[2 * sample]);
             FloatVector discY = Lanes.all(disc[2 * sample + 1]);
-            VectorMask<Float> hit = conic(scratch.candidates, 0, discX, discY).compare(VectorOperators.LE, 0f);
-            for (int c = 1; c < count; c++) {
-                hit = hit.or(conic(scratch.candidates, c * ShadowScratch.STRIDE, discX, discY)
-                        .compare(VectorOperators.LE, 0f));
+            // The lowest conic, not a mask: masks do not live through a loop without becoming objects.
+            FloatVector lowest = Lanes.all(1f);
+            for (int c = 0; c < count; c++) {
+                int at = c * ShadowScratch.STRIDE;
+                FloatVector linear = Lanes.load(candidates, at + ShadowScratch.XX)
+                        .fma(discX, Lanes.load(candidates, at + ShadowScratch.X));
+                FloatVector inX = Lanes.load(candidates, at + ShadowScratch.XY)
+                        .fma(discY, linear)
+                        .fma(discX, Lanes.load(candidates, at + ShadowScratch.CONSTANT));
+                FloatVector conic = Lanes.load(candidates, at + ShadowScratch.YY)
+                        .fma(discY, Lanes.load(candidates, at + ShadowScratch.Y))
+                        .fma(discY, inX);
+                lowest = Lanes.smaller(lowest, conic);
             }
-            blocked = blocked.blend(blocked.add(1f), hit);
+            blocked = blocked.blend(blocked.add(1f), lowest.compare(VectorOperators.LE, 0f));
         }
         blocked.intoArray(scratch.frame, ShadowScratch.BLOCKED);
-    }
-
-    private static FloatVector conic(float[] candidates, int at, FloatVector discX, FloatVector discY) {
-        FloatVector linear =
-                Lanes.load(candidates, at + ShadowScratch.XX).fma(discX, Lanes.load(candidates, at + ShadowScratch.X));
-        FloatVector inX = Lanes.load(candidates, at + ShadowScratch.XY)
-                .fma(discY, linear)
-                .fma(discX, Lanes.load(candidates, at + ShadowScratch.CONSTANT));
-        return Lanes.load(candidates, at + ShadowScratch.YY)
-                .fma(discY, Lanes.load(candidates, at + ShadowScratch.Y))
-                .fma(discY, inX);
     }
 }

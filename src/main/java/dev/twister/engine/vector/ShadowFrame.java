@@ -76,18 +76,32 @@ final class ShadowFrame {
         FloatVector w = Lanes.load(candidates, to + ShadowScratch.ACROSS_W);
         FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
         float radiusSquared = radius * radius;
-        VectorMask<Float> shades = along.compare(VectorOperators.GT, -radius)
+        long shades = along.compare(VectorOperators.GT, -radius)
                 .and(along.sub(radius).compare(VectorOperators.LT, distance.mul(RELATIVE_MARGIN)))
                 .and(along.fma(along, u.fma(u, w.mul(w))).compare(VectorOperators.GT, radiusSquared))
                 .and(Lanes.load(t, at + Tile.HIT).compare(VectorOperators.NE, body))
-                .and(Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f));
-        // Where a line to the disc meets the sphere, it does so in front of the point: the point is outside, and the
-        // sphere's centre is in front of every plane through the point across such a line.
+                .and(Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f))
+                .toLong();
+        Lanes.all(-1f)
+                .blend(radiusSquared, VectorMask.fromLong(Lanes.FLOATS, shades))
+                .intoArray(candidates, to + ShadowScratch.RADIUS_SQUARED);
+        return (shades & ~between(t, at, radius, scratch, to)) == 0;
+    }
+
+    /**
+     * One bit a lane where every line to the disc that meets the sphere does so between the point, which is outside, and
+     * the disc: the centre is in front of every plane through the point across such a line, and the sphere before the
+     * disc.
+     */
+    private static long between(float[] t, int at, float radius, ShadowScratch scratch, int to) {
+        FloatVector along = Lanes.load(scratch.candidates, to + ShadowScratch.ALONG);
+        FloatVector u = Lanes.load(scratch.candidates, to + ShadowScratch.ACROSS_U);
+        FloatVector w = Lanes.load(scratch.candidates, to + ShadowScratch.ACROSS_W);
         FloatVector widest = u.fma(u, w.mul(w)).sqrt().mul(Lanes.load(scratch.frame, ShadowScratch.SCALE));
-        VectorMask<Float> between = along.mul(WITHIN)
+        FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
+        return along.mul(WITHIN)
                 .compare(VectorOperators.GT, widest)
-                .and(along.add(radius).compare(VectorOperators.LT, distance.mul(WITHIN)));
-        Lanes.all(-1f).blend(radiusSquared, shades).intoArray(candidates, to + ShadowScratch.RADIUS_SQUARED);
-        return !shades.andNot(between).anyTrue();
+                .and(along.add(radius).compare(VectorOperators.LT, distance.mul(WITHIN)))
+                .toLong();
     }
 }

@@ -12,21 +12,22 @@ final class ShadowRays {
     static void countAny(ShadowScratch scratch, int count, float[] distances, int at, float[] disc, int samples) {
         FloatVector blocked = Lanes.all(0f);
         for (int sample = 0; sample < samples; sample++) {
-            FloatVector scale = Lanes.load(scratch.frame, ShadowScratch.SCALE);
-            FloatVector x = scale.mul(disc[2 * sample]);
-            FloatVector y = scale.mul(disc[2 * sample + 1]);
-            VectorMask<Float> hit = blocks(scratch.candidates, 0, x, y, distances, at);
-            for (int c = 1; c < count; c++) {
-                hit = hit.or(blocks(scratch.candidates, c * ShadowScratch.STRIDE, x, y, distances, at));
+            long hit = 0;
+            for (int c = 0; c < count; c++) {
+                hit |= blocks(scratch, c * ShadowScratch.STRIDE, disc[2 * sample], disc[2 * sample + 1], distances, at);
             }
-            blocked = blocked.blend(blocked.add(1f), hit);
+            blocked = blocked.blend(blocked.add(1f), VectorMask.fromLong(Lanes.FLOATS, hit));
         }
         blocked.intoArray(scratch.frame, ShadowScratch.BLOCKED);
     }
 
-    private static VectorMask<Float> blocks(
-            float[] candidates, int from, FloatVector x, FloatVector y, float[] distances, int at) {
+    /** One bit a lane whose sample a candidate blocks. */
+    private static long blocks(ShadowScratch scratch, int from, float discX, float discY, float[] distances, int at) {
+        float[] candidates = scratch.candidates;
+        FloatVector scale = Lanes.load(scratch.frame, ShadowScratch.SCALE);
         FloatVector distance = Lanes.load(distances, at);
+        FloatVector x = scale.mul(discX);
+        FloatVector y = scale.mul(discY);
         FloatVector a = Lanes.load(candidates, from + ShadowScratch.ALONG);
         FloatVector u = Lanes.load(candidates, from + ShadowScratch.ACROSS_U);
         FloatVector w = Lanes.load(candidates, from + ShadowScratch.ACROSS_W);
@@ -44,6 +45,6 @@ final class ShadowRays {
         FloatVector beyondSquared = beyondA.fma(beyondA, beyondU.fma(beyondU, beyondW.mul(beyondW)));
         VectorMask<Float> before = along.compare(VectorOperators.LT, distance.mul(lengthSquared))
                 .or(beyondSquared.compare(VectorOperators.LT, radiusSquared));
-        return met.and(before).and(along.compare(VectorOperators.GT, 0f));
+        return met.and(before).and(along.compare(VectorOperators.GT, 0f)).toLong();
     }
 }

@@ -29,9 +29,10 @@ final class Shadows {
     }
 
     private void sample(Tile tile, Drawing drawing) {
+        ShadowCandidates.findDiscs(tile, drawing);
         for (int k = 0; k < tile.shadows.count; k++) {
             int at = tile.shadows.places[k];
-            if (ShadowCandidates.find(tile, at, drawing, tileCandidates, packetCandidates)) {
+            if (ShadowCandidates.find(tile, at, drawing.bodies, tileCandidates, packetCandidates)) {
                 ShadowFrame.findAxes(tile, at, drawing, scratch);
                 boolean between = ShadowFrame.placeAll(tile, at, drawing.bodies, packetCandidates, scratch);
                 if (between) {

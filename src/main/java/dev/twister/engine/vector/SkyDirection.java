@@ -17,20 +17,72 @@ final class SkyDirection {
 
     private SkyDirection() {}
 
-    /** Writes the angles about the vertical, in [-pi, pi], to the column of {@link Tile#SKY_TO_RIGHT}. */
+    /**
+     * Starts on the angles about the vertical: writes the smaller of |x| and |z| over the larger to the column of
+     * {@link Tile#SKY_TO_RIGHT}.
+     */
+    static void findAzimuthRatios(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.skies.count; k++) {
+            int at = tile.skies.places[k];
+            FloatVector x = Lanes.load(t, at + Tile.DIRECTION_X).abs();
+            FloatVector z = Lanes.load(t, at + Tile.DIRECTION_Z).abs();
+            VectorMask<Float> steep = z.compare(VectorOperators.GT, x);
+            FloatVector larger = Lanes.larger(x.blend(z, steep), Lanes.all(TINY));
+            z.blend(x, steep).div(larger).intoArray(t, at + Tile.SKY_TO_RIGHT);
+        }
+    }
+
+    /** The same for the angles above the horizon, to the column of {@link Tile#SKY_TO_BOTTOM}. */
+    static void findElevationRatios(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.skies.count; k++) {
+            int at = tile.skies.places[k];
+            FloatVector x = Lanes.load(t, at + Tile.DIRECTION_X);
+            FloatVector y = Lanes.load(t, at + Tile.DIRECTION_Y).abs();
+            FloatVector z = Lanes.load(t, at + Tile.DIRECTION_Z);
+            FloatVector level = x.fma(x, z.mul(z)).sqrt();
+            VectorMask<Float> steep = y.compare(VectorOperators.GT, level);
+            FloatVector larger = Lanes.larger(level.blend(y, steep), Lanes.all(TINY));
+            y.blend(level, steep).div(larger).intoArray(t, at + Tile.SKY_TO_BOTTOM);
+        }
+    }
+
+    /** Replaces a column's ratios, in [0, 1], by their arc tangents: the scalar kernel's polynomial. */
+    static void findArcTangents(Tile tile, int column) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.skies.count; k++) {
+            int at = tile.skies.places[k] + column;
+            FloatVector ratio = Lanes.load(t, at);
+            FloatVector s = ratio.mul(ratio);
+            FloatVector polynomial = Lanes.all(0.0029035176f);
+            polynomial = polynomial.fma(s, Lanes.all(-0.01628287f));
+            polynomial = polynomial.fma(s, Lanes.all(0.043039143f));
+            polynomial = polynomial.fma(s, Lanes.all(-0.07533658f));
+            polynomial = polynomial.fma(s, Lanes.all(0.106546685f));
+            polynomial = polynomial.fma(s, Lanes.all(-0.14207132f));
+            polynomial = polynomial.fma(s, Lanes.all(0.19993053f));
+            polynomial = polynomial.fma(s, Lanes.all(-0.33333093f));
+            ratio.fma(polynomial.mul(s), ratio).intoArray(t, at);
+        }
+    }
+
+    /** Turns the arc tangents into angles about the vertical, in [-pi, pi]. */
     static void findAzimuths(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.skies.count; k++) {
             int at = tile.skies.places[k];
             FloatVector x = Lanes.load(t, at + Tile.DIRECTION_X);
             FloatVector z = Lanes.load(t, at + Tile.DIRECTION_Z);
-            FloatVector quadrant = quadrant(z.abs(), x.abs());
+            FloatVector octant = Lanes.load(t, at + Tile.SKY_TO_RIGHT);
+            FloatVector quadrant =
+                    octant.blend(Lanes.all(HALF_PI).sub(octant), z.abs().compare(VectorOperators.GT, x.abs()));
             FloatVector half = quadrant.blend(Lanes.all(PI).sub(quadrant), x.compare(VectorOperators.LT, 0f));
             half.blend(half.neg(), z.compare(VectorOperators.LT, 0f)).intoArray(t, at + Tile.SKY_TO_RIGHT);
         }
     }
 
-    /** Writes the angles above the horizon, in [-pi / 2, pi / 2], to the column of {@link Tile#SKY_TO_BOTTOM}. */
+    /** Turns the arc tangents into angles above the horizon, in [-pi / 2, pi / 2]. */
     static void findElevations(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.skies.count; k++) {
@@ -38,7 +90,10 @@ final class SkyDirection {
             FloatVector x = Lanes.load(t, at + Tile.DIRECTION_X);
             FloatVector y = Lanes.load(t, at + Tile.DIRECTION_Y);
             FloatVector z = Lanes.load(t, at + Tile.DIRECTION_Z);
-            FloatVector quadrant = quadrant(y.abs(), x.fma(x, z.mul(z)).sqrt());
+            FloatVector level = x.fma(x, z.mul(z)).sqrt();
+            FloatVector octant = Lanes.load(t, at + Tile.SKY_TO_BOTTOM);
+            FloatVector quadrant =
+                    octant.blend(Lanes.all(HALF_PI).sub(octant), y.abs().compare(VectorOperators.GT, level));
             quadrant.blend(quadrant.neg(), y.compare(VectorOperators.LT, 0f)).intoArray(t, at + Tile.SKY_TO_BOTTOM);
         }
     }
@@ -64,29 +119,5 @@ final class SkyDirection {
             row.sub(Lanes.toFloats(top)).intoArray(t, at + Tile.SKY_TO_BOTTOM);
             top.mul(sky.stride()).add(left).intoArray(tile.texels, at);
         }
-    }
-
-    /** The angle of (x, y), both at least 0, in radians, in [0, pi / 2]. */
-    private static FloatVector quadrant(FloatVector y, FloatVector x) {
-        VectorMask<Float> steep = y.compare(VectorOperators.GT, x);
-        FloatVector larger = x.blend(y, steep);
-        FloatVector smaller = y.blend(x, steep);
-        FloatVector ratio = smaller.div(Lanes.larger(larger, Lanes.all(TINY)));
-        FloatVector octant = arcTangent(ratio);
-        return octant.blend(Lanes.all(HALF_PI).sub(octant), steep);
-    }
-
-    /** Of a ratio in [0, 1]: the scalar kernel's polynomial. */
-    private static FloatVector arcTangent(FloatVector ratio) {
-        FloatVector s = ratio.mul(ratio);
-        FloatVector polynomial = Lanes.all(0.0029035176f);
-        polynomial = polynomial.fma(s, Lanes.all(-0.01628287f));
-        polynomial = polynomial.fma(s, Lanes.all(0.043039143f));
-        polynomial = polynomial.fma(s, Lanes.all(-0.07533658f));
-        polynomial = polynomial.fma(s, Lanes.all(0.106546685f));
-        polynomial = polynomial.fma(s, Lanes.all(-0.14207132f));
-        polynomial = polynomial.fma(s, Lanes.all(0.19993053f));
-        polynomial = polynomial.fma(s, Lanes.all(-0.33333093f));
-        return ratio.fma(polynomial.mul(s), ratio);
     }
 }

@@ -17,9 +17,9 @@ final class SphereSurface {
         float[] t = tile.values;
         for (int k = 0; k < tile.spheres.count; k++) {
             int at = tile.spheres.places[k];
-            VectorMask<Float> rest = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.GT, Layout.PLANE);
-            while (rest.anyTrue()) {
-                int body = (int) t[at + Tile.HIT + rest.firstTrue()];
+            long rest = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.GT, Layout.PLANE).toLong();
+            while (rest != 0) {
+                int body = (int) t[at + Tile.HIT + Long.numberOfTrailingZeros(rest)];
                 VectorMask<Float> here = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, body);
                 set(t, at + Tile.NORMAL_X, bodies.x[body], here);
                 set(t, at + Tile.NORMAL_Y, bodies.y[body], here);
@@ -29,7 +29,7 @@ final class SphereSurface {
                 set(t, at + Tile.ALBEDO_GREEN, bodies.green[body], here);
                 set(t, at + Tile.ALBEDO_BLUE, bodies.blue[body], here);
                 set(t, at + Tile.REFLECTIVITY, bodies.reflectivity[body], here);
-                rest = rest.andNot(here);
+                rest &= ~here.toLong();
             }
         }
     }
@@ -43,16 +43,16 @@ final class SphereSurface {
         float[] t = tile.values;
         for (int k = 0; k < tile.spheres.count; k++) {
             int at = tile.spheres.places[k];
-            FloatVector distance = Lanes.load(t, at + Tile.DISTANCE);
-            findOffset(t, at, distance, Tile.DIRECTION_X, Tile.ORIGIN_X, Tile.NORMAL_X, Tile.FROM_CENTER_X);
-            findOffset(t, at, distance, Tile.DIRECTION_Y, Tile.ORIGIN_Y, Tile.NORMAL_Y, Tile.FROM_CENTER_Y);
-            findOffset(t, at, distance, Tile.DIRECTION_Z, Tile.ORIGIN_Z, Tile.NORMAL_Z, Tile.FROM_CENTER_Z);
+            findOffset(t, at, Tile.DIRECTION_X, Tile.ORIGIN_X, Tile.NORMAL_X, Tile.FROM_CENTER_X);
+            findOffset(t, at, Tile.DIRECTION_Y, Tile.ORIGIN_Y, Tile.NORMAL_Y, Tile.FROM_CENTER_Y);
+            findOffset(t, at, Tile.DIRECTION_Z, Tile.ORIGIN_Z, Tile.NORMAL_Z, Tile.FROM_CENTER_Z);
         }
     }
 
     private static void findOffset(
-            float[] t, int at, FloatVector distance, int direction, int origin, int center, int offset) {
-        distance.fma(Lanes.load(t, at + direction), Lanes.load(t, at + origin))
+            float[] t, int at, int direction, int origin, int center, int offset) {
+        Lanes.load(t, at + Tile.DISTANCE)
+                .fma(Lanes.load(t, at + direction), Lanes.load(t, at + origin))
                 .sub(Lanes.load(t, at + center))
                 .intoArray(t, at + offset);
     }

@@ -86,7 +86,12 @@ final class Tile {
     /** The body that the ray leaves. */
     static final int LEAVING = 33 * SIZE;
 
-    private static final int COLUMNS = 34;
+    /** Tangent and secant of the half angle of the light's disc, as seen from the surface. */
+    static final int DISC_TANGENT = 34 * SIZE;
+
+    static final int DISC_SECANT = 35 * SIZE;
+
+    private static final int COLUMNS = 36;
 
     /** The hit of a lane whose path ended before. */
     static final float ENDED = -2f;

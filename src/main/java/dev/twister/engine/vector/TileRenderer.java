@@ -61,6 +61,10 @@ final class TileRenderer {
     }
 
     private void addSky(Drawing drawing) {
+        SkyDirection.findAzimuthRatios(tile);
+        SkyDirection.findElevationRatios(tile);
+        SkyDirection.findArcTangents(tile, Tile.SKY_TO_RIGHT);
+        SkyDirection.findArcTangents(tile, Tile.SKY_TO_BOTTOM);
         SkyDirection.findAzimuths(tile);
         SkyDirection.findElevations(tile);
         SkyDirection.findTexels(tile, drawing.sky);
