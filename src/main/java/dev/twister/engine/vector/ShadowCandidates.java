@@ -42,6 +42,9 @@ final class ShadowCandidates {
             int body = candidates.bodies[c];
             long between = between(t, at, bodies, body);
             if (between != 0) {
+                between &= isOutside(t, at, bodies, body);
+            }
+            if (between != 0) {
                 found.add(body);
                 touched |= between;
                 dark |= between & hidesDisc(t, at, bodies, body);
@@ -61,7 +64,7 @@ final class ShadowCandidates {
                 .intoArray(t, at + Tile.SHADOW_OPEN);
     }
 
-    /** One bit an open lane where the sphere may meet the cone from the point to the disc, and the point is outside it. */
+    /** One bit a lane where the sphere may meet the cone from the point to the disc. */
     private static long between(float[] t, int at, BodyColumns bodies, int body) {
         float radius = bodies.radius[body];
         FloatVector x = Lanes.all(bodies.x[body]).sub(Lanes.load(t, at + Tile.POINT_X));
@@ -84,7 +87,17 @@ final class ShadowCandidates {
                 .and(across.compare(VectorOperators.LE, reach.mul(reach)))
                 .and(along.compare(VectorOperators.GT, -radius))
                 .and(along.sub(radius).compare(VectorOperators.LT, distance.mul(RELATIVE_MARGIN)))
-                .and(along.fma(along, across).compare(VectorOperators.GT, radius * radius))
+                .toLong();
+    }
+
+    /** One bit an open lane whose point neither lies on the sphere nor inside it. */
+    private static long isOutside(float[] t, int at, BodyColumns bodies, int body) {
+        float radius = bodies.radius[body];
+        FloatVector x = Lanes.all(bodies.x[body]).sub(Lanes.load(t, at + Tile.POINT_X));
+        FloatVector y = Lanes.all(bodies.y[body]).sub(Lanes.load(t, at + Tile.POINT_Y));
+        FloatVector z = Lanes.all(bodies.z[body]).sub(Lanes.load(t, at + Tile.POINT_Z));
+        return x.fma(x, y.fma(y, z.mul(z)))
+                .compare(VectorOperators.GT, radius * radius)
                 .and(Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f))
                 .and(Lanes.load(t, at + Tile.HIT).compare(VectorOperators.NE, body))
                 .toLong();

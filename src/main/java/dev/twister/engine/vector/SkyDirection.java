@@ -55,8 +55,7 @@ final class SkyDirection {
             int at = tile.skies.places[k] + column;
             FloatVector ratio = Lanes.load(t, at);
             FloatVector s = ratio.mul(ratio);
-            FloatVector polynomial = Lanes.all(0.0029035176f);
-            polynomial = polynomial.fma(s, Lanes.all(-0.01628287f));
+            FloatVector polynomial = s.fma(0.0029035176f, -0.01628287f);
             polynomial = polynomial.fma(s, Lanes.all(0.043039143f));
             polynomial = polynomial.fma(s, Lanes.all(-0.07533658f));
             polynomial = polynomial.fma(s, Lanes.all(0.106546685f));
