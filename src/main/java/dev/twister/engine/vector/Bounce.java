@@ -13,9 +13,9 @@ final class Bounce {
      * Adds {@code T * (lightColor * spec + (1 - k) * C * lit)} and leaves {@code T * k * lit}; lists the packets with a
      * lane that goes on as live.
      */
-    static void shade(Tile tile, BodyColumns bodies, float ambient, boolean last) {
+    static void shade(Tile tile, BodyColumns bodies, float ambient) {
         float[] t = tile.values;
-        float mirrorScale = last ? 0f : 1f / Layout.MAX_REFLECTIVITY;
+        float mirrorScale = tile.last ? 0f : 1f / Layout.MAX_REFLECTIVITY;
         tile.live.clear();
         for (int k = 0; k < tile.surfaces.count; k++) {
             int at = tile.surfaces.places[k];

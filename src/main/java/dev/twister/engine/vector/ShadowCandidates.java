@@ -27,13 +27,15 @@ final class ShadowCandidates {
     }
 
     /**
-     * Lists one packet's candidates in {@code found}. Makes the lanes wholly in the dark invisible, and leaves open only
+     * Lists one packet's candidates, out of its tile's. Makes the lanes wholly in the dark invisible, and leaves open only
      * those whose samples must be counted.
      *
      * @param at the packet's place
      * @return whether any lane is still open
      */
-    static boolean find(Tile tile, int at, BodyColumns bodies, BodyList candidates, BodyList found) {
+    static boolean find(Tile tile, int at, BodyColumns bodies, ShadowScratch scratch) {
+        BodyList candidates = scratch.tileCandidates;
+        BodyList found = scratch.candidates;
         float[] t = tile.values;
         found.clear();
         long touched = 0;

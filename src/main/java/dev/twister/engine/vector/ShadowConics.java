@@ -12,9 +12,9 @@ final class ShadowConics {
     private ShadowConics() {}
 
     /** Writes each candidate's conic over the unit disc. */
-    static void prepare(ShadowScratch scratch, int count) {
-        float[] candidates = scratch.candidates;
-        for (int c = 0; c < count; c++) {
+    static void prepare(ShadowScratch scratch) {
+        float[] candidates = scratch.facts;
+        for (int c = 0; c < scratch.candidates.count; c++) {
             int at = c * ShadowScratch.STRIDE;
             FloatVector scale = Lanes.load(scratch.frame, ShadowScratch.SCALE);
             FloatVector a = Lanes.load(candidates, at + ShadowScratch.ALONG).mul(scale);
@@ -36,7 +36,7 @@ final class ShadowConics {
 
     /** Counts the samples that one candidate blocks. */
     static void countOne(ShadowScratch scratch, float[] disc, int samples) {
-        float[] candidates = scratch.candidates;
+        float[] candidates = scratch.facts;
         FloatVector xx = Lanes.load(candidates, ShadowScratch.XX);
         FloatVector xy = Lanes.load(candidates, ShadowScratch.XY);
         FloatVector yy = Lanes.load(candidates, ShadowScratch.YY);
@@ -55,15 +55,15 @@ final class ShadowConics {
     }
 
     /** Counts the samples that any of the candidates blocks. */
-    static void countAny(ShadowScratch scratch, int count, float[] disc, int samples) {
-        float[] candidates = scratch.candidates;
+    static void countAny(ShadowScratch scratch, float[] disc, int samples) {
+        float[] candidates = scratch.facts;
         FloatVector blocked = Lanes.all(0f);
         for (int sample = 0; sample < samples; sample++) {
             FloatVector discX = Lanes.all(disc[2 * sample]);
             FloatVector discY = Lanes.all(disc[2 * sample + 1]);
             // The lowest conic, not a mask: masks do not live through a loop without becoming objects.
             FloatVector lowest = Lanes.all(1f);
-            for (int c = 0; c < count; c++) {
+            for (int c = 0; c < scratch.candidates.count; c++) {
                 int at = c * ShadowScratch.STRIDE;
                 FloatVector linear = Lanes.load(candidates, at + ShadowScratch.XX)
                         .fma(discX, Lanes.load(candidates, at + ShadowScratch.X));

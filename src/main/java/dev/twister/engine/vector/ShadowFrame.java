@@ -35,18 +35,15 @@ final class ShadowFrame {
                 .intoArray(frame, ShadowScratch.SCALE);
     }
 
-    /**
-     * Writes the candidates' places in the frame.
-     *
-     * @return whether each lies, as seen from every lane that it may shade, wholly between the point and the disc
-     */
-    static boolean placeAll(Tile tile, int at, BodyColumns bodies, BodyList found, ShadowScratch scratch) {
-        scratch.reserve(found.count);
+    /** Writes the candidates' places in the frame, and whether each lies wholly between. */
+    static void placeAll(Tile tile, int at, BodyColumns bodies, ShadowScratch scratch) {
+        BodyList found = scratch.candidates;
+        scratch.reserveFacts(found.count);
         boolean between = true;
         for (int c = 0; c < found.count; c++) {
             between &= place(tile, at, bodies, found.bodies[c], scratch, c * ShadowScratch.STRIDE);
         }
-        return between;
+        scratch.between = between;
     }
 
     private static boolean place(Tile tile, int at, BodyColumns bodies, int body, ShadowScratch scratch, int to) {
@@ -62,15 +59,15 @@ final class ShadowFrame {
         FloatVector w = x.fma(
                 Lanes.load(frame, ShadowScratch.W_X),
                 y.fma(Lanes.load(frame, ShadowScratch.W_Y), z.mul(Lanes.load(frame, ShadowScratch.W_Z))));
-        along.intoArray(scratch.candidates, to + ShadowScratch.ALONG);
-        u.intoArray(scratch.candidates, to + ShadowScratch.ACROSS_U);
-        w.intoArray(scratch.candidates, to + ShadowScratch.ACROSS_W);
+        along.intoArray(scratch.facts, to + ShadowScratch.ALONG);
+        u.intoArray(scratch.facts, to + ShadowScratch.ACROSS_U);
+        w.intoArray(scratch.facts, to + ShadowScratch.ACROSS_W);
         return limit(t, at, body, bodies.radius[body], scratch, to);
     }
 
     /** Writes the squared radius, or less than 0 in lanes that the sphere cannot shade. */
     private static boolean limit(float[] t, int at, int body, float radius, ShadowScratch scratch, int to) {
-        float[] candidates = scratch.candidates;
+        float[] candidates = scratch.facts;
         FloatVector along = Lanes.load(candidates, to + ShadowScratch.ALONG);
         FloatVector u = Lanes.load(candidates, to + ShadowScratch.ACROSS_U);
         FloatVector w = Lanes.load(candidates, to + ShadowScratch.ACROSS_W);
@@ -94,9 +91,9 @@ final class ShadowFrame {
      * disc.
      */
     private static long between(float[] t, int at, float radius, ShadowScratch scratch, int to) {
-        FloatVector along = Lanes.load(scratch.candidates, to + ShadowScratch.ALONG);
-        FloatVector u = Lanes.load(scratch.candidates, to + ShadowScratch.ACROSS_U);
-        FloatVector w = Lanes.load(scratch.candidates, to + ShadowScratch.ACROSS_W);
+        FloatVector along = Lanes.load(scratch.facts, to + ShadowScratch.ALONG);
+        FloatVector u = Lanes.load(scratch.facts, to + ShadowScratch.ACROSS_U);
+        FloatVector w = Lanes.load(scratch.facts, to + ShadowScratch.ACROSS_W);
         FloatVector widest = u.fma(u, w.mul(w)).sqrt().mul(Lanes.load(scratch.frame, ShadowScratch.SCALE));
         FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
         return along.mul(WITHIN)

@@ -9,11 +9,11 @@ final class ShadowRays {
     private ShadowRays() {}
 
     /** Counts the samples that any of the candidates blocks. */
-    static void countAny(ShadowScratch scratch, int count, float[] distances, int at, float[] disc, int samples) {
+    static void countAny(ShadowScratch scratch, float[] distances, int at, float[] disc, int samples) {
         FloatVector blocked = Lanes.all(0f);
         for (int sample = 0; sample < samples; sample++) {
             long hit = 0;
-            for (int c = 0; c < count; c++) {
+            for (int c = 0; c < scratch.candidates.count; c++) {
                 hit |= blocks(scratch, c * ShadowScratch.STRIDE, disc[2 * sample], disc[2 * sample + 1], distances, at);
             }
             blocked = blocked.blend(blocked.add(1f), VectorMask.fromLong(Lanes.FLOATS, hit));
@@ -23,7 +23,7 @@ final class ShadowRays {
 
     /** One bit a lane whose sample a candidate blocks. */
     private static long blocks(ShadowScratch scratch, int from, float discX, float discY, float[] distances, int at) {
-        float[] candidates = scratch.candidates;
+        float[] candidates = scratch.facts;
         FloatVector scale = Lanes.load(scratch.frame, ShadowScratch.SCALE);
         FloatVector distance = Lanes.load(distances, at);
         FloatVector x = scale.mul(discX);

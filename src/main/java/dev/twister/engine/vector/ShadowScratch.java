@@ -37,12 +37,31 @@ final class ShadowScratch {
     /** From one candidate to the next. */
     static final int STRIDE = 10 * Lanes.COUNT;
 
-    final float[] frame = new float[FRAME_LENGTH];
-    float[] candidates = new float[16 * STRIDE];
+    final Hull hull = new Hull();
 
-    void reserve(int count) {
-        if (candidates.length < count * STRIDE) {
-            candidates = new float[Integer.highestOneBit(count) * 2 * STRIDE];
+    /** Spheres between a tile's points and the light, and those between one packet's. */
+    final BodyList tileCandidates = new BodyList();
+
+    final BodyList candidates = new BodyList();
+
+    final float[] frame = new float[FRAME_LENGTH];
+
+    /** The facts of {@link #candidates}. */
+    float[] facts = new float[16 * STRIDE];
+
+    /** Whether each candidate lies wholly between the points that it may shade and the disc. */
+    boolean between;
+
+    /** Makes room for a frame's bodies. */
+    void reserveBodies(int most) {
+        tileCandidates.reserve(most);
+        candidates.reserve(most);
+    }
+
+    /** Makes room for the facts of so many candidates. */
+    void reserveFacts(int count) {
+        if (facts.length < count * STRIDE) {
+            facts = new float[2 * Integer.highestOneBit(count) * STRIDE];
         }
     }
 }

@@ -6,58 +6,60 @@ import jdk.incubator.vector.VectorOperators;
 
 /** The visible part of the light at the points of a tile. */
 final class Shadows {
-    private final Hull hull = new Hull();
-    private final BodyList tileCandidates = new BodyList();
-    private final BodyList packetCandidates = new BodyList();
-    private final ShadowScratch scratch = new ShadowScratch();
+    /** What is done for a packet with lanes neither in the light nor in the dark. */
+    private static final PacketStage[] SAMPLING = {
+        (tile, drawing, at) -> ShadowFrame.findAxes(tile, at, drawing, tile.shadow),
+        (tile, drawing, at) -> ShadowFrame.placeAll(tile, at, drawing.bodies, tile.shadow),
+        (tile, drawing, at) -> ShadowConics.prepare(tile.shadow),
+        (tile, drawing, at) -> count(tile, drawing, at),
+        (tile, drawing, at) -> finish(tile, drawing, at),
+    };
 
-    void reserve(int bodies) {
-        tileCandidates.reserve(bodies);
-        packetCandidates.reserve(bodies);
-    }
+    private Shadows() {}
 
-    void find(Tile tile, Drawing drawing) {
+    static void find(Tile tile, Drawing drawing) {
         if (tile.shadows.count > 0) {
             BodyColumns bodies = drawing.bodies;
+            Hull hull = tile.shadow.hull;
             hull.startAround(tile, tile.shadows, Tile.POINT_X, Tile.SHADOW_OPEN);
-            hull.endIn(bodies.x[Layout.LIGHT], bodies.y[Layout.LIGHT], bodies.z[Layout.LIGHT], drawing.discRadius);
-            hull.cull(bodies, Layout.FIRST_SPHERE, tileCandidates);
-            if (tileCandidates.count > 0) {
+            hull.endIn(
+                    bodies.x[Layout.LIGHT], bodies.y[Layout.LIGHT], bodies.z[Layout.LIGHT], drawing.discRadius);
+            hull.cull(bodies, Layout.FIRST_SPHERE, tile.shadow.tileCandidates);
+            if (tile.shadow.tileCandidates.count > 0) {
+                ShadowCandidates.findDiscs(tile, drawing);
                 sample(tile, drawing);
             }
         }
     }
 
-    private void sample(Tile tile, Drawing drawing) {
-        ShadowCandidates.findDiscs(tile, drawing);
+    private static void sample(Tile tile, Drawing drawing) {
         for (int k = 0; k < tile.shadows.count; k++) {
             int at = tile.shadows.places[k];
-            if (ShadowCandidates.find(tile, at, drawing.bodies, tileCandidates, packetCandidates)) {
-                ShadowFrame.findAxes(tile, at, drawing, scratch);
-                boolean between = ShadowFrame.placeAll(tile, at, drawing.bodies, packetCandidates, scratch);
-                if (between) {
-                    ShadowConics.prepare(scratch, packetCandidates.count);
+            if (ShadowCandidates.find(tile, at, drawing.bodies, tile.shadow)) {
+                for (PacketStage stage : SAMPLING) {
+                    stage.run(tile, drawing, at);
                 }
-                count(tile, at, drawing, between);
             }
         }
     }
 
-    /** Writes the visible parts of the open lanes. */
-    private void count(Tile tile, int at, Drawing drawing, boolean between) {
-        float[] t = tile.values;
+    private static void count(Tile tile, Drawing drawing, int at) {
         float[] disc = drawing.input.shadowDisc();
         int samples = drawing.shadowSamples;
-        int count = packetCandidates.count;
-        if (!between) {
-            ShadowRays.countAny(scratch, count, t, at + Tile.LIGHT_DISTANCE, disc, samples);
-        } else if (count == 1) {
-            ShadowConics.countOne(scratch, disc, samples);
+        if (!tile.shadow.between) {
+            ShadowRays.countAny(tile.shadow, tile.values, at + Tile.LIGHT_DISTANCE, disc, samples);
+        } else if (tile.shadow.candidates.count == 1) {
+            ShadowConics.countOne(tile.shadow, disc, samples);
         } else {
-            ShadowConics.countAny(scratch, count, disc, samples);
+            ShadowConics.countAny(tile.shadow, disc, samples);
         }
-        FloatVector blocked = Lanes.load(scratch.frame, ShadowScratch.BLOCKED);
-        FloatVector visible = Lanes.all(1f).sub(blocked.div(samples));
+    }
+
+    /** Writes the visible parts of the open lanes. */
+    private static void finish(Tile tile, Drawing drawing, int at) {
+        float[] t = tile.values;
+        FloatVector blocked = Lanes.load(tile.shadow.frame, ShadowScratch.BLOCKED);
+        FloatVector visible = Lanes.all(1f).sub(blocked.div(drawing.shadowSamples));
         Lanes.load(t, at + Tile.VISIBLE)
                 .blend(visible, Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f))
                 .intoArray(t, at + Tile.VISIBLE);

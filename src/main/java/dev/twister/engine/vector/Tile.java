@@ -129,6 +129,25 @@ final class Tile {
     final PacketList surfaces = new PacketList();
     final PacketList shadows = new PacketList();
 
+    /** The region that holds the live rays, and the bodies in it. */
+    final Hull rays = new Hull();
+
+    final BodyList candidates = new BodyList();
+
+    /** For one packet's shadows at a time. */
+    final ShadowScratch shadow = new ShadowScratch();
+
+    /** The first pixel's place in the frame. */
+    int left;
+
+    int top;
+
+    /** Which of the pixels' samples is drawn. */
+    int sample;
+
+    /** Whether no ray goes on from here. */
+    boolean last;
+
     final float[] placeX = PLACE_X;
     final float[] placeY = PLACE_Y;
 

@@ -11,13 +11,15 @@ final class TileOutput {
 
     private TileOutput() {}
 
-    /** Writes the packed pixels of the tile whose first pixel is at {@code (left, top)} of the frame. */
-    static void write(Tile tile, Frame frame, int left, int top) {
+    /** Writes the packed pixels. */
+    static void write(Tile tile, Frame frame) {
+        int left = tile.left;
+        int top = tile.top;
         boolean whole = left + Tile.SIDE <= frame.width() && top + Tile.SIDE <= frame.height();
         if (whole) {
             writeWhole(tile.argb, frame.argb(), top * frame.width() + left, frame.width());
         } else {
-            writePart(tile.argb, frame, left, top);
+            writePart(tile, frame);
         }
     }
 
@@ -27,22 +29,22 @@ final class TileOutput {
         }
     }
 
-    private static void writePart(int[] tile, Frame frame, int left, int top) {
+    private static void writePart(Tile tile, Frame frame) {
         for (int pixel = 0; pixel < Tile.SIZE; pixel++) {
-            int x = left + Tile.column(pixel);
-            int y = top + Tile.row(pixel);
+            int x = tile.left + Tile.column(pixel);
+            int y = tile.top + Tile.row(pixel);
             if (x < frame.width() && y < frame.height()) {
-                frame.argb()[y * frame.width() + x] = tile[pixel];
+                frame.argb()[y * frame.width() + x] = tile.argb[pixel];
             }
         }
     }
 
     /** Writes the linear colours, times {@code scale}. */
-    static void writeLinear(Tile tile, Frame frame, int left, int top, float scale) {
+    static void writeLinear(Tile tile, Frame frame, float scale) {
         float[] t = tile.values;
         for (int pixel = 0; pixel < Tile.SIZE; pixel++) {
-            int x = left + Tile.column(pixel);
-            int y = top + Tile.row(pixel);
+            int x = tile.left + Tile.column(pixel);
+            int y = tile.top + Tile.row(pixel);
             if (x < frame.width() && y < frame.height()) {
                 int to = 3 * (y * frame.width() + x);
                 frame.radiance()[to] = t[pixel + Tile.RED] * scale;

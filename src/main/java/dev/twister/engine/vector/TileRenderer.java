@@ -4,38 +4,89 @@ import dev.twister.kernel.Layout;
 
 /** Draws tiles, stage by stage; one for each thread. */
 final class TileRenderer {
+    private static final Stage[] START = {
+        (tile, drawing) -> ViewRays.start(tile, drawing),
+        (tile, drawing) -> ViewRays.place(tile, drawing.input.camera()),
+    };
+
+    private static final Stage[] HIT = {
+        (tile, drawing) -> tile.rays.holdRays(tile),
+        (tile, drawing) -> tile.rays.cull(drawing.bodies, Layout.LIGHT, tile.candidates),
+        (tile, drawing) -> NearestSphere.find(tile, drawing.bodies, tile.candidates),
+        (tile, drawing) -> GroundHit.find(tile, drawing.planeHeight, drawing.planeHalfSide),
+        (tile, drawing) -> HitSorting.sort(tile, drawing.bodies),
+    };
+
+    private static final Stage[] SKY = {
+        (tile, drawing) -> SkyDirection.findAzimuthRatios(tile),
+        (tile, drawing) -> SkyDirection.findElevationRatios(tile),
+        (tile, drawing) -> SkyDirection.findArcTangents(tile, Tile.SKY_TO_RIGHT),
+        (tile, drawing) -> SkyDirection.findArcTangents(tile, Tile.SKY_TO_BOTTOM),
+        (tile, drawing) -> SkyDirection.findAzimuths(tile),
+        (tile, drawing) -> SkyDirection.findElevations(tile),
+        (tile, drawing) -> SkyDirection.findTexels(tile, drawing.sky),
+        (tile, drawing) -> SkyRadiance.blend(tile, drawing.sky),
+        (tile, drawing) -> SkyRadiance.add(tile),
+    };
+
+    private static final Stage[] SURFACE = {
+        (tile, drawing) -> GroundSurface.findPoints(tile, drawing),
+        (tile, drawing) -> GroundSurface.findColors(tile, drawing),
+        (tile, drawing) -> SphereSurface.fetch(tile, drawing.bodies),
+        (tile, drawing) -> SphereSurface.findOffsets(tile),
+        (tile, drawing) -> SphereSurface.findPoints(tile),
+        (tile, drawing) -> LightDirection.find(tile, drawing.bodies),
+        (tile, drawing) -> LightDirection.sort(tile, drawing.ambient),
+        (tile, drawing) -> Shadows.find(tile, drawing),
+        (tile, drawing) -> Highlight.findCosines(tile),
+        (tile, drawing) -> Highlight.findStrengths(tile),
+        (tile, drawing) -> Bounce.shade(tile, drawing.bodies, drawing.ambient),
+        (tile, drawing) -> Bounce.reflect(tile),
+        (tile, drawing) -> Bounce.leave(tile),
+    };
+
+    private static final Stage[] NEXT_ORIGINS = {
+        (tile, drawing) -> tile.rays.startAround(tile, tile.live, Tile.ORIGIN_X, Tile.THROUGHPUT),
+    };
+
+    private static final Stage[] FINISH_PIXELS = {
+        (tile, drawing) -> ToneStage.map(tile, drawing.input.rayTracingProperties(), drawing.pixelSamples),
+        (tile, drawing) -> ToneStage.pack(tile),
+        (tile, drawing) -> TileOutput.write(tile, drawing.frame),
+    };
+
+    private static final Stage[] FINISH_RADIANCE = {
+        (tile, drawing) -> TileOutput.writeLinear(tile, drawing.frame, 1f / drawing.pixelSamples),
+    };
+
     private final Tile tile = new Tile();
-    private final Hull hull = new Hull();
-    private final BodyList candidates = new BodyList();
-    private final Shadows shadows = new Shadows();
 
     /** Makes room for a frame's bodies. */
     void reserve(int bodies) {
-        candidates.reserve(bodies);
-        shadows.reserve(bodies);
+        tile.candidates.reserve(bodies);
+        tile.shadow.reserveBodies(bodies);
     }
 
+    /** Draws the tile of that number, counted along the rows of tiles from the top left. */
     void draw(Drawing drawing, int number) {
-        int left = number % drawing.tilesAcross() * Tile.SIDE;
-        int top = number / drawing.tilesAcross() * Tile.SIDE;
-        listInside(drawing, left, top);
+        tile.left = number % drawing.tilesAcross() * Tile.SIDE;
+        tile.top = number / drawing.tilesAcross() * Tile.SIDE;
+        listInside(drawing);
         ViewRays.blacken(tile);
-        float[] offsets = drawing.input.pixelOffsets();
         for (int sample = 0; sample < drawing.pixelSamples; sample++) {
-            listInside(drawing, left, top);
-            float x = left + offsets[2 * sample];
-            float y = drawing.input.firstRow() + top + offsets[2 * sample + 1];
-            ViewRays.start(tile, drawing, x, y);
+            tile.sample = sample;
+            listInside(drawing);
+            Stage.runAll(START, tile, drawing);
             follow(drawing);
         }
-        finish(drawing, left, top);
+        Stage.runAll(drawing.frame.isLinear() ? FINISH_RADIANCE : FINISH_PIXELS, tile, drawing);
     }
 
     /** Lists the packets with a pixel of the frame in them. */
-    private void listInside(Drawing drawing, int left, int top) {
+    private void listInside(Drawing drawing) {
         tile.live.clear();
         for (int at = 0; at < Tile.SIZE; at += Lanes.COUNT) {
-            if (left + Tile.column(at) < drawing.width && top + Tile.row(at) < drawing.rows) {
+            if (tile.left + Tile.column(at) < drawing.width && tile.top + Tile.row(at) < drawing.rows) {
                 tile.live.add(at);
             }
         }
@@ -43,60 +94,24 @@ final class TileRenderer {
 
     private void follow(Drawing drawing) {
         float[] camera = drawing.input.camera();
-        ViewRays.place(tile, camera);
-        hull.startAt(
-                camera[Layout.CAMERA_POSITION], camera[Layout.CAMERA_POSITION + 1], camera[Layout.CAMERA_POSITION + 2]);
+        tile.rays.startAt(
+                camera[Layout.CAMERA_POSITION],
+                camera[Layout.CAMERA_POSITION + 1],
+                camera[Layout.CAMERA_POSITION + 2]);
         for (int bounce = 0; bounce <= drawing.bounceLimit && tile.live.count > 0; bounce++) {
+            tile.last = bounce == drawing.bounceLimit;
             if (bounce > 0) {
-                hull.startAround(tile, tile.live, Tile.ORIGIN_X, Tile.THROUGHPUT);
+                Stage.runAll(NEXT_ORIGINS, tile, drawing);
             }
-            hull.holdRays(tile);
-            hull.cull(drawing.bodies, Layout.LIGHT, candidates);
-            NearestSphere.find(tile, drawing.bodies, candidates);
-            GroundHit.find(tile, drawing.planeHeight, drawing.planeHalfSide);
-            HitSorting.sort(tile, drawing.bodies);
-            addSky(drawing);
-            addSurfaces(drawing, bounce == drawing.bounceLimit);
-        }
-    }
-
-    private void addSky(Drawing drawing) {
-        SkyDirection.findAzimuthRatios(tile);
-        SkyDirection.findElevationRatios(tile);
-        SkyDirection.findArcTangents(tile, Tile.SKY_TO_RIGHT);
-        SkyDirection.findArcTangents(tile, Tile.SKY_TO_BOTTOM);
-        SkyDirection.findAzimuths(tile);
-        SkyDirection.findElevations(tile);
-        SkyDirection.findTexels(tile, drawing.sky);
-        SkyRadiance.blend(tile, drawing.sky);
-        SkyRadiance.add(tile);
-    }
-
-    private void addSurfaces(Drawing drawing, boolean last) {
-        GroundSurface.findPoints(tile, drawing);
-        GroundSurface.findColors(tile, drawing);
-        SphereSurface.fetch(tile, drawing.bodies);
-        SphereSurface.findOffsets(tile);
-        SphereSurface.findPoints(tile);
-        LightDirection.find(tile, drawing.bodies);
-        LightDirection.sort(tile, drawing.ambient);
-        shadows.find(tile, drawing);
-        Highlight.findCosines(tile);
-        Highlight.findStrengths(tile);
-        Bounce.shade(tile, drawing.bodies, drawing.ambient, last);
-        Bounce.reflect(tile);
-        Bounce.leave(tile);
-    }
-
-    private void finish(Drawing drawing, int left, int top) {
-        float average = 1f / drawing.pixelSamples;
-        if (drawing.frame.isLinear()) {
-            TileOutput.writeLinear(tile, drawing.frame, left, top, average);
-        } else {
-            float[] properties = drawing.input.rayTracingProperties();
-            ToneStage.map(tile, properties, average * properties[Layout.EXPOSURE_SCALE]);
-            ToneStage.pack(tile);
-            TileOutput.write(tile, drawing.frame, left, top);
+            Stage.runAll(HIT, tile, drawing);
+            if (tile.skies.count > 0) {
+                Stage.runAll(SKY, tile, drawing);
+            }
+            if (tile.surfaces.count > 0) {
+                Stage.runAll(SURFACE, tile, drawing);
+            } else {
+                tile.live.clear();
+            }
         }
     }
 }

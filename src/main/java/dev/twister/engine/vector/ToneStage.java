@@ -14,8 +14,9 @@ final class ToneStage {
 
     private ToneStage() {}
 
-    /** @param scale of the sums of samples: exposure over their number */
-    static void map(Tile tile, float[] properties, float scale) {
+    /** Maps the sums of so many samples to [0, 1] and above. */
+    static void map(Tile tile, float[] properties, int samples) {
+        float scale = properties[Layout.EXPOSURE_SCALE] / samples;
         int operator = (int) properties[Layout.TONE_MAP];
         for (int column = Tile.RED; column <= Tile.BLUE; column += Tile.SIZE) {
             expose(tile.values, column, scale);

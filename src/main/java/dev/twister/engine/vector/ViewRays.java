@@ -7,14 +7,13 @@ import jdk.incubator.vector.FloatVector;
 final class ViewRays {
     private ViewRays() {}
 
-    /**
-     * @param x of the tile's first sample from the picture's left, in pixels
-     * @param y from the picture's top
-     */
-    static void start(Tile tile, Drawing drawing, float x, float y) {
+    /** The rays' directions, through the current samples. */
+    static void start(Tile tile, Drawing drawing) {
         float[] camera = drawing.input.camera();
+        float[] offsets = drawing.input.pixelOffsets();
         float step = drawing.viewportStep;
-        float left = x - drawing.width * 0.5f;
+        float left = tile.left + offsets[2 * tile.sample] - drawing.width * 0.5f;
+        float y = drawing.input.firstRow() + tile.top + offsets[2 * tile.sample + 1];
         float above = drawing.input.height() * 0.5f - y;
         float eye = camera[Layout.CAMERA_EYE_DISTANCE];
         float forwardX = eye * camera[Layout.CAMERA_FORWARD];
