@@ -64,9 +64,11 @@ final class Highlight {
         FloatVector whole = Lanes.toFloats(Lanes.truncated(exponent));
         boolean fractional = whole.compare(VectorOperators.NE, exponent).anyTrue();
         if (fractional) {
-            raiseToFraction(t, at);
+            findFraction(t, at);
+            raiseEach(t, at);
+            multiply(t, at);
         } else if (exponent.compare(VectorOperators.NE, first).anyTrue()) {
-            raiseEach(t, at, Lanes.all(1f));
+            raiseEach(t, at);
         } else {
             raiseAll(t, at, (int) first);
         }
@@ -85,8 +87,8 @@ final class Highlight {
         result.intoArray(t, at + Tile.SPECULAR);
     }
 
-    /** Each lane to its own whole power, times {@code factor}. */
-    private static void raiseEach(float[] t, int at, FloatVector factor) {
+    /** Each lane to its own power's whole part. */
+    private static void raiseEach(float[] t, int at) {
         FloatVector square = Lanes.load(t, at + Tile.SPECULAR);
         IntVector rest = Lanes.truncated(Lanes.load(t, at + Tile.REFLECTIVITY));
         FloatVector result = Lanes.all(1f);
@@ -96,11 +98,11 @@ final class Highlight {
             square = square.mul(square);
             rest = rest.lanewise(VectorOperators.LSHR, 1);
         }
-        result.mul(factor).intoArray(t, at + Tile.SPECULAR);
+        result.intoArray(t, at + Tile.SPECULAR);
     }
 
-    /** Each lane to its own power with a fraction: a square root for each of its binary digits. */
-    private static void raiseToFraction(float[] t, int at) {
+    /** Each lane to its own power's fraction, to a column of its own: a square root for each of its binary digits. */
+    private static void findFraction(float[] t, int at) {
         FloatVector exponent = Lanes.load(t, at + Tile.REFLECTIVITY);
         FloatVector rest = exponent.sub(Lanes.toFloats(Lanes.truncated(exponent)));
         FloatVector root = Lanes.load(t, at + Tile.SPECULAR);
@@ -114,6 +116,12 @@ final class Highlight {
             rest = rest.blend(rest.sub(1f), taken);
         }
         FloatVector last = rest.fma(root.sub(1f), Lanes.all(1f));
-        raiseEach(t, at, result.mul(last).blend(1f, whole));
+        result.mul(last).blend(1f, whole).intoArray(t, at + Tile.FRACTION_POWER);
+    }
+
+    private static void multiply(float[] t, int at) {
+        Lanes.load(t, at + Tile.SPECULAR)
+                .mul(Lanes.load(t, at + Tile.FRACTION_POWER))
+                .intoArray(t, at + Tile.SPECULAR);
     }
 }

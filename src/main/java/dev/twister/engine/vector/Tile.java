@@ -91,7 +91,10 @@ final class Tile {
 
     static final int DISC_SECANT = 35 * SIZE;
 
-    private static final int COLUMNS = 36;
+    /** A cosine to a reflectivity's fraction. */
+    static final int FRACTION_POWER = 36 * SIZE;
+
+    private static final int COLUMNS = 37;
 
     /** The hit of a lane whose path ended before. */
     static final float ENDED = -2f;
