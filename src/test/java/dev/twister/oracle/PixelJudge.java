@@ -19,8 +19,16 @@ public final class PixelJudge {
      * @throws AssertionError where a pixel differs without an excuse
      */
     public void judge(int[] actual, Scene scene, Skybox sky) {
+        judgeAgainst(new Oracle(scene, sky).picture(), actual, scene, sky);
+    }
+
+    /**
+     * Judges one picture by another's pixels; the oracle is asked for excuses only.
+     *
+     * @throws AssertionError where a pixel differs without an excuse
+     */
+    public void judgeAgainst(int[] expected, int[] actual, Scene scene, Skybox sky) {
         Oracle oracle = new Oracle(scene, sky);
-        int[] expected = oracle.picture();
         PictureDifference difference = PictureDifference.between(actual, expected);
         List<String> faults = new ArrayList<>();
         int width = scene.settings().width();
@@ -29,7 +37,7 @@ public final class PixelJudge {
             if (span.holds(actual[pixel])) {
                 excused++;
             } else {
-                faults.add("(%d, %d): %08x, but the oracle has %08x, in %08x to %08x when moved"
+                faults.add("(%d, %d): %08x, but %08x is expected, in %08x to %08x when moved"
                         .formatted(
                                 pixel % width,
                                 pixel / width,

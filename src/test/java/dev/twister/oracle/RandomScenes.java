@@ -31,21 +31,21 @@ public final class RandomScenes {
     private RandomScenes() {}
 
     /** Scenes of up to so many bounces. */
-    public static Arbitrary<RandomScene> upToBounces(int most) {
+    public static Arbitrary<LitScene> upToBounces(int most) {
         return Arbitraries.randomValue(random -> scene(random, random.nextInt(most + 1)));
     }
 
     /** Scenes of at least 4 bounces, up to the 8 that people use. */
-    public static Arbitrary<RandomScene> ofManyBounces() {
+    public static Arbitrary<LitScene> ofManyBounces() {
         return Arbitraries.randomValue(random -> scene(random, 4 + random.nextInt(5)));
     }
 
     /** Any scene, from one random source; for tests that do without jqwik. */
-    public static RandomScene scene(Random random, int bounces) {
+    public static LitScene scene(Random random, int bounces) {
         Plane plane = plane(random);
         List<Sphere> spheres = RandomSpheres.spheres(random, plane);
         Light light = light(random, plane, spheres);
-        return new RandomScene(
+        return new LitScene(
                 new Scene(
                         "",
                         "",
