@@ -40,6 +40,23 @@ final class FloatScene {
                 scene.settings());
     }
 
+    /** The same with all spheres larger by a factor. */
+    static Scene grown(Scene scene, double factor) {
+        return new Scene(
+                scene.name(),
+                scene.description(),
+                scene.camera(),
+                scene.light(),
+                scene.plane(),
+                scene.spheres().stream()
+                        .map(sphere -> new Sphere(
+                                sphere.position(), factor * sphere.radius(), sphere.color(), sphere.reflectivity()))
+                        .toList(),
+                scene.skybox(),
+                scene.ambient(),
+                scene.settings());
+    }
+
     private static Sphere rounded(Sphere sphere) {
         return new Sphere(rounded(sphere.position()), (float) sphere.radius(), rounded(sphere.color()), (float)
                 sphere.reflectivity());

@@ -12,6 +12,13 @@ public final class Oracle {
     /** The plastic number, the real root of x^3 = x + 1: of Roberts's R2 sequence. */
     private static final double PLASTIC = 1.324717957244746;
 
+    /** Two, four and sixteen roundings of a float either way. */
+    private static final double[] GROWTHS = {
+        1 - 0x1p-20, 1 - 0x1p-22, 1 - 0x1p-23, 1 + 0x1p-23, 1 + 0x1p-22, 1 + 0x1p-20
+    };
+
+    private final Scene rounded;
+    private final Skybox sky;
     private final OracleTracer tracer;
     private final OracleCamera camera;
     private final OracleTone tone;
@@ -21,7 +28,8 @@ public final class Oracle {
     private final int samplesPerPixel;
 
     public Oracle(Scene scene, Skybox sky) {
-        Scene rounded = FloatScene.of(scene);
+        rounded = FloatScene.of(scene);
+        this.sky = sky;
         width = scene.settings().width();
         height = scene.settings().height();
         samplesPerPixel = scene.settings().samplesPerPixel();
@@ -51,17 +59,30 @@ public final class Oracle {
     }
 
     /**
-     * Between what colours a pixel swings where its view rays are moved by a few roundings of a float: at an edge, or
-     * where mirrors amplify, far; elsewhere not at all.
+     * Between what colours a pixel swings where its samples' places, its view rays or the spheres' radii are changed by a
+     * few roundings of a float: at an edge, or where mirrors amplify, far; elsewhere not at all. The radii count where a
+     * sphere is large as a planet: beside its surface, distances are small differences of large numbers.
      */
     PixelSpan span(int column, int row) {
         Color lowest = Color.BLACK;
         Color highest = Color.BLACK;
-        for (Ray ray : viewRays(column, row)) {
-            Color low = tracer.color(ray);
+        double step = Math.ulp((float) Math.max(width, height));
+        List<Ray> rays = viewRays(column, row);
+        List<Ray> lefts = viewRays(column - step, row - step);
+        List<Ray> rights = viewRays(column + step, row + step);
+        for (int i = 0; i < rays.size(); i++) {
+            Color low = tracer.color(rays.get(i));
             Color high = low;
-            for (Ray moved : moves.of(ray)) {
+            List<Ray> movedRays = moves.of(rays.get(i));
+            movedRays.add(lefts.get(i));
+            movedRays.add(rights.get(i));
+            for (Ray moved : movedRays) {
                 Color color = tracer.color(moved);
+                low = low.min(color);
+                high = high.max(color);
+            }
+            for (double factor : GROWTHS) {
+                Color color = new OracleTracer(FloatScene.grown(rounded, factor), sky).color(rays.get(i));
                 low = low.min(color);
                 high = high.max(color);
             }
@@ -81,7 +102,7 @@ public final class Oracle {
     }
 
     /** One sample is the pixel's corner, more lie where the R2 sequence has them, rounded as engines are given them. */
-    private List<Ray> viewRays(int column, int row) {
+    private List<Ray> viewRays(double column, double row) {
         if (samplesPerPixel == 1) {
             return List.of(camera.ray(column, row));
         }

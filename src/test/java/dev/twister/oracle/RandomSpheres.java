@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 
-/** None, a few or many spheres: on the ground and in it, apart, touching, overlapping and inside one another. */
+/** None, a few or many spheres: on the ground and in it, apart, touching, overlapping, and large as a planet below. */
 final class RandomSpheres {
     private RandomSpheres() {}
 
@@ -26,6 +26,14 @@ final class RandomSpheres {
             double radius = between(random, 0.05, largest);
             spheres.add(new Sphere(
                     position(random, plane, spheres, radius),
+                    radius,
+                    RandomScenes.albedo(random),
+                    RandomScenes.reflectivity(random)));
+        }
+        if (random.nextInt(10) == 0) {
+            double radius = between(random, 20, 300);
+            spheres.add(new Sphere(
+                    new Vector3(between(random, -5, 5), plane.height() - radius + between(random, -1, 1), 0),
                     radius,
                     RandomScenes.albedo(random),
                     RandomScenes.reflectivity(random)));
