@@ -1,13 +1,55 @@
 package dev.twister.engine;
 
 import com.google.auto.service.AutoService;
+import dev.twister.image.Frame;
+import dev.twister.kernel.PixelKernel;
+import dev.twister.world.FrameInput;
 import java.util.List;
+import java.util.stream.IntStream;
 
-/** The engines that need nothing but the JVM. */
+/** The engines that need nothing but the JVM: the paper's two baselines, and the kernel without its shortcuts. */
 @AutoService(EngineProvider.class)
 public final class JvmEngines implements EngineProvider {
+    public static final String SEQUENTIAL = "sequential";
+    public static final String PARALLEL = "parallel";
+    public static final String PLAIN = "plain";
+
     @Override
     public List<EngineOffer> offers() {
-        return List.of();
+        int threads = Runtime.getRuntime().availableProcessors();
+        return List.of(
+                offer(SEQUENTIAL, "one thread of this JVM", "plain Java, one thread", JvmEngines::drawInTurn),
+                offer(
+                        PARALLEL,
+                        threads == 1 ? "one thread of this JVM" : threads + " threads of this JVM",
+                        "plain Java, a parallel stream over the rows",
+                        JvmEngines::drawInParallel),
+                offer(
+                        PLAIN,
+                        "one thread of this JVM",
+                        "the equations without any shortcut, one thread: slow, for comparison",
+                        JvmEngines::drawPlainly));
+    }
+
+    private static EngineOffer offer(String id, String device, String description, JvmEngine.Rows rows) {
+        return EngineOffer.working(id, device, description, () -> new JvmEngine(id, device, rows));
+    }
+
+    private static void drawInTurn(FrameInput input, Frame frame) {
+        for (int row = 0; row < frame.height(); row++) {
+            JvmKernel.drawRow(input, frame, row, PixelKernel.SHORTCUTS);
+        }
+    }
+
+    private static void drawInParallel(FrameInput input, Frame frame) {
+        IntStream.range(0, frame.height())
+                .parallel()
+                .forEach(row -> JvmKernel.drawRow(input, frame, row, PixelKernel.SHORTCUTS));
+    }
+
+    private static void drawPlainly(FrameInput input, Frame frame) {
+        for (int row = 0; row < frame.height(); row++) {
+            JvmKernel.drawRow(input, frame, row, PixelKernel.PLAIN);
+        }
     }
 }

@@ -1,0 +1,56 @@
+package dev.twister.kernel;
+
+/** Where a ray meets a body; directions are unit vectors, so that distances are in metres. */
+public final class Intersection {
+    /** The distance of what is not hit. */
+    public static final float MISS = 3.0e38f;
+
+    private Intersection() {}
+
+    /**
+     * Distance to the near side of a sphere; {@link #MISS} where the ray passes it, or where the near side is not in
+     * front. The discriminant comes from the ray's perpendicular distance to the centre, which keeps its digits where
+     * the sphere is small and far.
+     *
+     * @param x the centre, seen from the ray's origin
+     */
+    public static float sphere(
+            float x, float y, float z, float radius, float directionX, float directionY, float directionZ) {
+        float along = x * directionX + y * directionY + z * directionZ;
+        float acrossX = x - along * directionX;
+        float acrossY = y - along * directionY;
+        float acrossZ = z - along * directionZ;
+        float halfChordSquared = radius * radius - (acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ);
+        float distance = MISS;
+        if (halfChordSquared >= 0f) {
+            float near = along - (float) Math.sqrt(halfChordSquared);
+            distance = near > 0f ? near : MISS;
+        }
+        return distance;
+    }
+
+    /**
+     * Distance to the square ground, from above or below, its border inside; {@link #MISS} elsewhere.
+     *
+     * @param height the plane's, in metres
+     * @param size the square's side, in metres
+     */
+    public static float plane(
+            float height,
+            float size,
+            float originX,
+            float originY,
+            float originZ,
+            float directionX,
+            float directionY,
+            float directionZ) {
+        float distance = MISS;
+        if (directionY != 0f) {
+            float along = (height - originY) / directionY;
+            float farther = Math.max(Math.abs(originX + along * directionX), Math.abs(originZ + along * directionZ));
+            int inside = (farther <= 0.5f * size ? 1 : 0) & (along > 0f ? 1 : 0);
+            distance = inside != 0 ? along : MISS;
+        }
+        return distance;
+    }
+}

@@ -1,0 +1,194 @@
+package dev.twister.kernel;
+
+/**
+ * The visible part of the light's disc, exactly as {@link PlainShadow} has it but for rounding, and much sooner.
+ *
+ * <p>Everything is seen in a frame with the surface point at its origin: A towards the light's centre at distance D, U
+ * and W the disc's axes. A shadow ray then goes through (D, x, y), with (x, y) the sample's place on the disc, and a
+ * sphere at (a, u, w) meets its line where the perpendicular distance is at most the radius:
+ * {@code |(a, u, w) x (D, x, y)|^2 <= radius^2 * |(D, x, y)|^2}. With x' = x / D, y' = y / D, p = u - a x' and q = w - a y'
+ * that is {@code (p y' - q x')^2 + p^2 + q^2 <= radius^2 * (1 + x'^2 + y'^2)}: no square root, and small differences of
+ * large numbers only where they cancel exactly.
+ *
+ * <p>Spheres that cannot meet the cone from the point to the disc are left out first; most points have none left.
+ */
+public final class SoftShadow {
+    /** How many candidates a point remembers; the others, in their order, are tested anew at each sample. */
+    private static final int REMEMBERED = 16;
+
+    /** Floats a remembered candidate: a, u, w, radius squared. */
+    private static final int STRIDE = 4;
+
+    /** The length of the scratch array that {@link #visible} wants. */
+    public static final int SCRATCH_LENGTH = REMEMBERED * STRIDE;
+
+    /** Culling must err on one side only: this much is added to a reach, so that rounding never drops a blocker. */
+    private static final float RELATIVE_MARGIN = 1.0005f;
+
+    private static final float ABSOLUTE_MARGIN = 1.0e-5f;
+
+    /** And this much is asked more of a sphere that is to hide the whole disc without a look at the samples. */
+    private static final float UMBRA_MARGIN = 0.999f;
+
+    private SoftShadow() {}
+
+    /**
+     * S in [0, 1]: 1 - blocked / samples.
+     *
+     * @param pointX the surface point
+     * @param own the body it lies on
+     * @param axisX A, a unit vector towards the light's centre
+     * @param distance D, in metres
+     * @param discRadius twice the light's radius: where the sunflower's rim is
+     * @param shadowDisc the unit sunflower, {@code float[2 * samples]}
+     * @param candidates scratch of {@link #SCRATCH_LENGTH} floats
+     */
+    public static float visible(
+            float pointX,
+            float pointY,
+            float pointZ,
+            int own,
+            float axisX,
+            float axisY,
+            float axisZ,
+            float distance,
+            float discRadius,
+            int samples,
+            float[] shadowDisc,
+            float[] bodyPositions,
+            float[] bodySizes,
+            int bodies,
+            float[] candidates) {
+        float acrossSquared = axisY * axisY + axisZ * axisZ;
+        float scale = KernelMath.inverseRoot(acrossSquared > 0f ? acrossSquared : axisX * axisX);
+        float uX = 0f;
+        float uY = acrossSquared > 0f ? axisZ * scale : 0f;
+        float uZ = acrossSquared > 0f ? -axisY * scale : axisX * scale;
+        float wX = uY * axisZ - uZ * axisY;
+        float wY = uZ * axisX - uX * axisZ;
+        float wZ = uX * axisY - uY * axisX;
+
+        float inverseDistance = distance > 0f ? 1f / distance : 0f;
+        float sampleScale = discRadius * inverseDistance;
+        float rimX = shadowDisc[2 * samples - 2];
+        float rimY = shadowDisc[2 * samples - 1];
+        float slope = sampleScale * (float) Math.sqrt(rimX * rimX + rimY * rimY);
+        float slant = (float) Math.sqrt(1f + slope * slope);
+
+        int count = 0;
+        int next = bodies;
+        int umbra = 0;
+        for (int body = Layout.FIRST_SPHERE; body < bodies && umbra == 0; body++) {
+            if (body != own) {
+                float x = bodyPositions[3 * body] - pointX;
+                float y = bodyPositions[3 * body + 1] - pointY;
+                float z = bodyPositions[3 * body + 2] - pointZ;
+                float radius = bodySizes[body];
+                float a = x * axisX + y * axisY + z * axisZ;
+                float u = uY * y + uZ * z;
+                float w = wX * x + wY * y + wZ * z;
+                float across = u * u + w * w;
+                float radiusSquared = radius * radius;
+                float reach = (a * slope + radius * slant) * RELATIVE_MARGIN
+                        + ABSOLUTE_MARGIN * (Math.abs(a) + distance + radius);
+                int between = (a + radius > 0f ? 1 : 0)
+                        & (a - radius < distance * RELATIVE_MARGIN ? 1 : 0)
+                        & (reach > 0f ? 1 : 0)
+                        & (across <= reach * reach ? 1 : 0);
+                if (between != 0) {
+                    if (a * a + across > radiusSquared) {
+                        umbra = hidesDisc(a, across, radius, distance, slope, slant);
+                        if (count < REMEMBERED) {
+                            candidates[STRIDE * count] = a;
+                            candidates[STRIDE * count + 1] = u;
+                            candidates[STRIDE * count + 2] = w;
+                            candidates[STRIDE * count + 3] = radiusSquared;
+                        } else {
+                            next = Math.min(next, body);
+                        }
+                        count = count + 1;
+                    }
+                }
+            }
+        }
+
+        float visible = 1f;
+        if (umbra != 0) {
+            visible = 0f;
+        }
+        int toSample = umbra == 0 ? count : 0;
+        if (toSample > 0) {
+            int remembered = Math.min(count, REMEMBERED);
+            int blocked = 0;
+            for (int sample = 0; sample < samples; sample++) {
+                float x = shadowDisc[2 * sample] * sampleScale;
+                float y = shadowDisc[2 * sample + 1] * sampleScale;
+                int hit = 0;
+                for (int candidate = 0; candidate < remembered && hit == 0; candidate++) {
+                    hit = blocks(
+                            candidates[STRIDE * candidate],
+                            candidates[STRIDE * candidate + 1],
+                            candidates[STRIDE * candidate + 2],
+                            candidates[STRIDE * candidate + 3],
+                            x,
+                            y,
+                            distance);
+                }
+                for (int body = next; body < bodies && hit == 0; body++) {
+                    if (body != own) {
+                        float toX = bodyPositions[3 * body] - pointX;
+                        float toY = bodyPositions[3 * body + 1] - pointY;
+                        float toZ = bodyPositions[3 * body + 2] - pointZ;
+                        hit = blocks(
+                                toX * axisX + toY * axisY + toZ * axisZ,
+                                uY * toY + uZ * toZ,
+                                wX * toX + wY * toY + wZ * toZ,
+                                bodySizes[body] * bodySizes[body],
+                                x,
+                                y,
+                                distance);
+                    }
+                }
+                blocked = blocked + hit;
+            }
+            visible = 1f - (float) blocked / samples;
+        }
+        return visible;
+    }
+
+    /**
+     * 1 where a sphere blocks the shadow ray through (1, x, y) * distance: its line is met, and the near side lies
+     * between the point and the sample. A point inside the sphere does not see it.
+     */
+    private static int blocks(float a, float u, float w, float radiusSquared, float x, float y, float distance) {
+        float p = u - a * x;
+        float q = w - a * y;
+        float moment = p * y - q * x;
+        float lengthSquared = 1f + x * x + y * y;
+        int blocks = 0;
+        if (moment * moment + p * p + q * q <= radiusSquared * lengthSquared) {
+            float along = a + x * u + y * w;
+            float beyondA = distance - a;
+            float beyondU = distance * x - u;
+            float beyondW = distance * y - w;
+            float beyondSquared = beyondA * beyondA + beyondU * beyondU + beyondW * beyondW;
+            int before = (along < distance * lengthSquared ? 1 : 0) | (beyondSquared < radiusSquared ? 1 : 0);
+            int outside = a * a + u * u + w * w > radiusSquared ? 1 : 0;
+            blocks = (along > 0f ? 1 : 0) & before & outside;
+        }
+        return blocks;
+    }
+
+    /**
+     * 1 where the sphere surely hides the whole disc: it lies wholly between point and disc, and the cone of the disc
+     * lies inside the sphere's cone, {@code sin(theta + alpha) <= radius / distance of the centre}, with theta between
+     * A and the centre and alpha the disc's half angle, both together below a right angle.
+     */
+    private static int hidesDisc(float a, float across, float radius, float distance, float slope, float slant) {
+        float perpendicular = (float) Math.sqrt(across);
+        return (a - radius > 0f ? 1 : 0)
+                & (a + radius < distance * UMBRA_MARGIN ? 1 : 0)
+                & (a > perpendicular * slope ? 1 : 0)
+                & (perpendicular + a * slope <= radius * slant * UMBRA_MARGIN ? 1 : 0);
+    }
+}
