@@ -1,0 +1,148 @@
+package dev.twister.scene;
+
+import dev.twister.scene.LocatedValue.ArrayValue;
+import dev.twister.scene.LocatedValue.FlagValue;
+import dev.twister.scene.LocatedValue.NullValue;
+import dev.twister.scene.LocatedValue.NumberValue;
+import dev.twister.scene.LocatedValue.ObjectValue;
+import dev.twister.scene.LocatedValue.TextValue;
+import java.util.ArrayList;
+import java.util.List;
+import tools.jackson.core.JacksonException;
+import tools.jackson.core.JsonParser;
+import tools.jackson.core.JsonToken;
+import tools.jackson.core.ObjectReadContext;
+import tools.jackson.core.StreamReadConstraints;
+import tools.jackson.core.exc.StreamConstraintsException;
+import tools.jackson.core.json.JsonFactory;
+import tools.jackson.core.json.JsonReadFeature;
+
+/**
+ * Turns JSON text into {@link LocatedValue}s. The limits keep a hostile file from taking all memory; no scene comes near
+ * them.
+ */
+final class LocatedTree {
+    /** The deepest value of a scene lies 4 levels down. */
+    private static final int MAX_DEPTH = 16;
+
+    private static final int MAX_FIELDS = 64;
+
+    /** A sphere is 11 values; the largest file could hold 33 million. */
+    private static final int MAX_VALUES = 8_000_000;
+
+    private static final int MAX_TOKEN_LENGTH = 100_000;
+
+    private final SourceText source;
+    private final JsonParser parser;
+    private int values;
+
+    private LocatedTree(SourceText source, JsonParser parser) {
+        this.source = source;
+        this.parser = parser;
+    }
+
+    /**
+     * Parses the whole text.
+     *
+     * @throws SceneException if the text is not one JSON object (RFC 8259), or goes beyond a limit
+     */
+    static LocatedValue parse(SourceText source) {
+        StreamReadConstraints constraints = StreamReadConstraints.builder()
+                .maxStringLength(MAX_TOKEN_LENGTH)
+                .maxNameLength(MAX_TOKEN_LENGTH)
+                .build();
+        JsonFactory factory = JsonFactory.builder()
+                .streamReadConstraints(constraints)
+                // Taken here only to be refused with its JSON path, as a number out of range.
+                .enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS)
+                .build();
+        try (JsonParser parser =
+                factory.createParser(ObjectReadContext.empty(), source.characters(), 0, source.length())) {
+            return new LocatedTree(source, parser).document();
+        } catch (StreamConstraintsException e) {
+            throw source.failure(offset(e), "a number, a name or a string here is too long");
+        } catch (JacksonException e) {
+            throw source.failure(offset(e), "not valid JSON: " + SyntaxMessage.of(e));
+        }
+    }
+
+    private LocatedValue document() {
+        JsonToken first = parser.nextToken();
+        if (first == null) {
+            throw source.failure(source.length(), "the file holds only white space, but must hold a JSON object");
+        }
+        JsonPath.Root root = new JsonPath.Root();
+        if (first != JsonToken.START_OBJECT) {
+            throw source.failure(
+                    offset(), "the file starts with " + source.excerpt(offset()) + ", but must hold a JSON object");
+        }
+        LocatedValue document = value(first, root, 0);
+        // The parser stands on the closing brace. Whatever follows may be no JSON at all, so the parser is not asked.
+        int rest = source.skipWhiteSpace(offset() + 1);
+        if (rest < source.length()) {
+            throw source.failure(rest, "the scene has ended, but " + source.excerpt(rest) + " follows");
+        }
+        return document;
+    }
+
+    private LocatedValue value(JsonToken token, JsonPath path, int depth) {
+        values++;
+        if (values > MAX_VALUES) {
+            throw source.failure(offset(), "a scene file may hold at most " + MAX_VALUES + " values");
+        }
+        int offset = offset();
+        return switch (token) {
+            case START_OBJECT -> object(offset, path, deeper(depth));
+            case START_ARRAY -> array(offset, path, deeper(depth));
+            case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> new NumberValue(offset, parser.getDoubleValue());
+            case VALUE_STRING -> new TextValue(offset, parser.getString());
+            case VALUE_TRUE -> new FlagValue(offset, true);
+            case VALUE_FALSE -> new FlagValue(offset, false);
+            case VALUE_NULL -> new NullValue(offset);
+            default -> throw source.failure(offset, "not valid JSON");
+        };
+    }
+
+    private int deeper(int depth) {
+        if (depth == MAX_DEPTH) {
+            throw source.failure(offset(), "objects and arrays are nested more than " + MAX_DEPTH + " deep");
+        }
+        return depth + 1;
+    }
+
+    private ObjectValue object(int offset, JsonPath path, int depth) {
+        List<String> names = new ArrayList<>();
+        List<LocatedValue> members = new ArrayList<>();
+        while (parser.nextToken() != JsonToken.END_OBJECT) {
+            String name = parser.currentName();
+            JsonPath.Field place = new JsonPath.Field(path, name);
+            int earlier = names.indexOf(name);
+            if (earlier >= 0) {
+                int line = source.line(members.get(earlier).offset());
+                throw source.failure(offset(), place + " is given twice, first on line " + line);
+            }
+            if (names.size() == MAX_FIELDS) {
+                throw source.failure(offset(), path + " has more than " + MAX_FIELDS + " fields");
+            }
+            names.add(name);
+            members.add(value(parser.nextToken(), place, depth));
+        }
+        return new ObjectValue(offset, List.copyOf(names), List.copyOf(members));
+    }
+
+    private ArrayValue array(int offset, JsonPath path, int depth) {
+        List<LocatedValue> items = new ArrayList<>();
+        for (JsonToken token = parser.nextToken(); token != JsonToken.END_ARRAY; token = parser.nextToken()) {
+            items.add(value(token, new JsonPath.Item(path, items.size()), depth));
+        }
+        return new ArrayValue(offset, List.copyOf(items));
+    }
+
+    private int offset() {
+        return (int) parser.currentTokenLocation().getCharOffset();
+    }
+
+    private static long offset(JacksonException failure) {
+        return failure.getLocation() == null ? 0 : failure.getLocation().getCharOffset();
+    }
+}

@@ -1,0 +1,22 @@
+package dev.twister.scene;
+
+import java.util.List;
+
+/** A JSON value that knows where in the text it starts, in characters from 0. */
+sealed interface LocatedValue {
+    int offset();
+
+    /** Names are distinct; {@code values.get(i)} belongs to {@code names.get(i)}. */
+    record ObjectValue(int offset, List<String> names, List<LocatedValue> values) implements LocatedValue {}
+
+    record ArrayValue(int offset, List<LocatedValue> items) implements LocatedValue {}
+
+    /** The nearest double; infinite where the text overflows one, and NaN where it says so. */
+    record NumberValue(int offset, double number) implements LocatedValue {}
+
+    record TextValue(int offset, String text) implements LocatedValue {}
+
+    record FlagValue(int offset, boolean flag) implements LocatedValue {}
+
+    record NullValue(int offset) implements LocatedValue {}
+}

@@ -1,0 +1,26 @@
+package dev.twister.scene;
+
+/** Rounds what a generator makes, so that its files stay small and a person can read them. */
+final class Rounding {
+    private static final double STEPS = 10_000;
+
+    private Rounding() {}
+
+    /** To 4 decimals. */
+    static double of(double number) {
+        // Adding 0 turns -0.0 into 0.0.
+        return Math.rint(number * STEPS) / STEPS + 0.0;
+    }
+
+    static Vector3 of(Vector3 vector) {
+        return new Vector3(of(vector.x()), of(vector.y()), of(vector.z()));
+    }
+
+    static Rgb of(Rgb color) {
+        return new Rgb(of(color.red()), of(color.green()), of(color.blue()));
+    }
+
+    static Sphere of(Sphere sphere) {
+        return new Sphere(of(sphere.position()), of(sphere.radius()), of(sphere.color()), of(sphere.reflectivity()));
+    }
+}

@@ -1,0 +1,98 @@
+package dev.twister.scene;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.UUID;
+import java.util.stream.Collectors;
+import java.util.stream.StreamSupport;
+
+/** Writes scene files that {@link SceneReader} reads back to an equal scene. */
+public final class SceneWriter {
+    private SceneWriter() {}
+
+    /**
+     * Writes a scene, whole or not at all: an existing file is replaced only once the new one is safely on the disk. The
+     * same scene gives the same bytes. The skybox is written relative to the file's folder, where it can be; it need not
+     * be there.
+     *
+     * @param file a file in an existing folder
+     * @throws SceneException if a value of the scene is out of range, or the file cannot be written; the message is one
+     *     line
+     */
+    public static void write(Scene scene, Path file) {
+        String name = file.toString();
+        if (Files.exists(file) && !Files.isRegularFile(file)) {
+            throw failure(name, "is a folder or a device, but must be a file");
+        }
+        Path folder = file.toAbsolutePath().resolveSibling("");
+        String text = SceneText.of(scene, relative(scene.skybox(), folder));
+        check(text, name, folder);
+        try {
+            replace(file, text.getBytes(StandardCharsets.UTF_8));
+        } catch (NoSuchFileException e) {
+            throw failure(name, "there is no folder to write it in");
+        } catch (AccessDeniedException e) {
+            throw failure(name, "permission denied");
+        } catch (IOException e) {
+            throw failure(name, SourceFile.reason(e));
+        }
+    }
+
+    // The reader has the rules; to ask it is surer than to have them twice.
+    private static void check(String text, String name, Path folder) {
+        int bytes = text.getBytes(StandardCharsets.UTF_8).length;
+        if (bytes > SourceFile.MAX_BYTES) {
+            throw failure(
+                    name, "the scene takes " + bytes + " bytes; a scene file may have at most " + SourceFile.MAX_BYTES);
+        }
+        SourceText source = new SourceText(name + " (not written)", text.toCharArray(), text.length());
+        SceneDocument.parse(source, folder, (_, _) -> {});
+    }
+
+    private static void replace(Path file, byte[] bytes) throws IOException {
+        // A link stays a link: what it points to is replaced.
+        Path target = Files.exists(file) ? file.toRealPath() : file.toAbsolutePath();
+        Path temporary = target.resolveSibling("." + UUID.randomUUID() + ".tmp");
+        try {
+            try (FileChannel channel =
+                    FileChannel.open(temporary, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE)) {
+                ByteBuffer buffer = ByteBuffer.wrap(bytes);
+                while (buffer.hasRemaining()) {
+                    channel.write(buffer);
+                }
+                channel.force(true);
+            }
+            Files.move(temporary, target, StandardCopyOption.ATOMIC_MOVE);
+        } finally {
+            Files.deleteIfExists(temporary);
+        }
+    }
+
+    // Forward slashes, so that a scene made on one system reads on every other.
+    private static String relative(Path skybox, Path folder) {
+        Path absolute = skybox.toAbsolutePath().normalize();
+        Path shown;
+        try {
+            shown = folder.normalize().relativize(absolute);
+        } catch (IllegalArgumentException e) {
+            // On another drive, which no relative path reaches.
+            shown = absolute;
+        }
+        String names = StreamSupport.stream(shown.spliterator(), false)
+                .map(Path::toString)
+                .collect(Collectors.joining("/"));
+        return shown.isAbsolute() ? shown.getRoot().toString().replace('\\', '/') + names : names;
+    }
+
+    private static SceneException failure(String name, String what) {
+        return SourceFile.failure(name, "cannot be written: " + what);
+    }
+}

@@ -1,0 +1,20 @@
+package dev.twister.scene;
+
+import java.util.regex.Pattern;
+import tools.jackson.core.JacksonException;
+
+/** The JSON parser's complaint in a person's words: without the parser's own settings and its copy of the place. */
+final class SyntaxMessage {
+    private static final Pattern ANY_VALUE =
+            Pattern.compile("(a valid value )?\\(JSON String, Number .*", Pattern.DOTALL);
+    private static final Pattern PARSER_MATTERS = Pattern.compile(
+            "(: enable `| \\(start marker at | \\(for \\w+ starting at | \\(not recognized ).*", Pattern.DOTALL);
+
+    private SyntaxMessage() {}
+
+    static String of(JacksonException failure) {
+        String message = String.valueOf(failure.getOriginalMessage());
+        String plain = PARSER_MATTERS.matcher(message).replaceFirst("");
+        return Excerpt.sentence(ANY_VALUE.matcher(plain).replaceFirst("a value"));
+    }
+}

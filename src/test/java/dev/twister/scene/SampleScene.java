@@ -1,0 +1,54 @@
+package dev.twister.scene;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/** A valid scene file's text, for tests to spoil, and the folder that it can be read in. */
+final class SampleScene {
+    static final String TEXT = """
+            {
+              "$schema": "scene.schema.json",
+              "version": 1,
+              "name": "Sample",
+              "description": "Every field is here.",
+              "camera": {"position": [0, -5, -15], "yaw": 0, "pitch": 7, "fieldOfView": 50},
+              "light": {"position": [0, 0, 0], "radius": 1.2, "color": [1, 1, 1]},
+              "plane": {"size": 48, "height": -9.75, "colors": [[0.4, 0.4, 0.4], [0.2, 0.2, 0.2]], "reflectivity": 32},
+              "skybox": "sky.hdr",
+              "shading": {"ambient": 0.25},
+              "rendering": {"width": 640, "height": 360, "shadowSamples": 16, "bounces": 2, "samplesPerPixel": 4, "exposure": -0.5, "toneMap": "aces", "srgb": true},
+              "spheres": [
+                {"position": [-4, -8, 0], "radius": 1.75, "color": [1, 0, 0], "reflectivity": 24},
+                {"position": [0, -8, 0], "radius": 1.5, "color": [0, 1, 0], "reflectivity": 36}
+              ]
+            }
+            """;
+
+    private SampleScene() {}
+
+    /** The text with its one occurrence of a part replaced. */
+    static String with(String part, String replacement) {
+        if (TEXT.split(java.util.regex.Pattern.quote(part), -1).length != 2) {
+            throw new IllegalArgumentException("not exactly once in the sample: " + part);
+        }
+        return TEXT.replace(part, replacement);
+    }
+
+    /** Puts a scene file and the skybox that the sample names into a folder. */
+    static Path put(Path folder, byte[] bytes) {
+        try {
+            Files.createDirectories(folder);
+            Files.write(folder.resolve("sky.hdr"), new byte[0]);
+            return Files.write(folder.resolve("scene.json"), bytes);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    static Path put(Path folder, String text) {
+        return put(folder, text.getBytes(StandardCharsets.UTF_8));
+    }
+}
