@@ -1,0 +1,45 @@
+package dev.twister.image;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+
+/** Writes linear radiance as a Radiance RGBE file ({@code .hdr}). */
+public final class HdrWriter {
+    private HdrWriter() {}
+
+    /**
+     * Writes a Radiance picture, rows from the top, each run length coded where the format allows it (widths of 8 to
+     * 32767 pixels) and flat elsewhere; whole or not at all. What is read back, as {@code m * 2^(e - 136)}, lies within
+     * 1/256 of a pixel's largest channel of what was written. NaN and negative channels become 0, a pixel whose largest
+     * channel is below 2^-128 becomes black, and channels are cut at 255 * 2^119, the largest the format holds.
+     *
+     * @param width pixels in a row, 1 or more
+     * @param height rows, 1 or more
+     * @param radiance {@code 3 * width * height} floats: red, green, blue of each pixel, row by row from the top
+     * @throws IllegalArgumentException where the array does not have that length
+     * @throws IOException as {@link WholeFile#write}
+     */
+    public static void write(Path file, int width, int height, float[] radiance) throws IOException {
+        if (width < 1 || height < 1 || radiance.length != 3L * width * height) {
+            throw new IllegalArgumentException("a picture of " + width + " x " + height + " pixels needs "
+                    + 3L * width * height + " floats, not " + radiance.length);
+        }
+        String header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + height + " +X " + width + "\n";
+        WholeFile.write(file, out -> {
+            out.write(header.getBytes(StandardCharsets.US_ASCII));
+            byte[] row = new byte[Math.multiplyExact(4, width)];
+            RgbeRunLengths runLengths = new RgbeRunLengths(width);
+            for (int y = 0; y < height; y++) {
+                for (int x = 0; x < width; x++) {
+                    RgbeCodec.encode(radiance, 3 * (y * width + x), row, 4 * x);
+                }
+                if (RgbeRunLengths.fits(width)) {
+                    runLengths.write(row, out);
+                } else {
+                    out.write(row);
+                }
+            }
+        });
+    }
+}

@@ -1,0 +1,54 @@
+package dev.twister.image;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
+import java.awt.image.DirectColorModel;
+import java.awt.image.Raster;
+import java.awt.image.WritableRaster;
+import java.io.IOException;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+
+/** Writes 8-bit pixels as a PNG file. */
+public final class PngWriter {
+    private static final int RED_MASK = 0xff0000;
+    private static final int GREEN_MASK = 0x00ff00;
+    private static final int BLUE_MASK = 0x0000ff;
+
+    private PngWriter() {}
+
+    /**
+     * Writes an opaque 24-bit RGB picture, whole or not at all. The array is read in place, not copied, and the file is
+     * streamed, so a picture of 16384 x 16384 needs next to no memory besides its array.
+     *
+     * @param width pixels in a row, 1 or more
+     * @param height rows, 1 or more
+     * @param argb {@code width * height} ints, 0xAARRGGBB, row by row from the top; alpha is ignored
+     * @throws IllegalArgumentException where the array does not have that length
+     * @throws IOException as {@link WholeFile#write}
+     */
+    public static void write(Path file, int width, int height, int[] argb) throws IOException {
+        if (width < 1 || height < 1 || argb.length != (long) width * height) {
+            throw new IllegalArgumentException("a picture of " + width + " x " + height + " pixels needs "
+                    + (long) width * height + " ints, not " + argb.length);
+        }
+        WritableRaster raster = Raster.createPackedRaster(
+                new DataBufferInt(argb, argb.length),
+                width,
+                height,
+                width,
+                new int[] {RED_MASK, GREEN_MASK, BLUE_MASK},
+                null);
+        BufferedImage image =
+                new BufferedImage(new DirectColorModel(24, RED_MASK, GREEN_MASK, BLUE_MASK), raster, false, null);
+        WholeFile.write(file, out -> {
+            // Not ImageIO's stream of choice, which spools the picture through a file in the temporary folder.
+            try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
+                if (!ImageIO.write(image, "png", stream)) {
+                    throw new IOException("this Java runtime has no PNG writer");
+                }
+            }
+        });
+    }
+}

@@ -1,0 +1,42 @@
+package dev.twister.image;
+
+/** Floats to shared-exponent texels (Ward, "Real Pixels", Graphics Gems II, 1991), rounded to nearest. */
+final class RgbeCodec {
+    private static final double LARGEST = 255 * 0x1p119;
+    private static final double SMALLEST = 0x1p-128;
+
+    private RgbeCodec() {}
+
+    /**
+     * Encodes one texel. A texel that is not black has a largest mantissa of 128 or more, so that no texel of a flat row
+     * looks like a run length code, (1, 1, 1, n) or (2, 2, n, n).
+     *
+     * @param radiance red, green, blue from index {@code from} on; any values
+     * @param rgbe receives three mantissas and the exponent from index {@code to} on
+     */
+    static void encode(float[] radiance, int from, byte[] rgbe, int to) {
+        double red = representable(radiance[from]);
+        double green = representable(radiance[from + 1]);
+        double blue = representable(radiance[from + 2]);
+        double largest = Math.max(red, Math.max(green, blue));
+        if (largest < SMALLEST) {
+            rgbe[to] = 0;
+            rgbe[to + 1] = 0;
+            rgbe[to + 2] = 0;
+            rgbe[to + 3] = 0;
+            return;
+        }
+        int exponent = Math.getExponent(largest) + 1;
+        if (Math.rint(Math.scalb(largest, 8 - exponent)) > 255) {
+            exponent++;
+        }
+        rgbe[to] = (byte) Math.rint(Math.scalb(red, 8 - exponent));
+        rgbe[to + 1] = (byte) Math.rint(Math.scalb(green, 8 - exponent));
+        rgbe[to + 2] = (byte) Math.rint(Math.scalb(blue, 8 - exponent));
+        rgbe[to + 3] = (byte) (exponent + 128);
+    }
+
+    private static double representable(float channel) {
+        return channel > 0 ? Math.min(channel, LARGEST) : 0;
+    }
+}

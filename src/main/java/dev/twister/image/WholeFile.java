@@ -1,0 +1,77 @@
+package dev.twister.image;
+
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.UUID;
+
+/** Writes a file whole or not at all: whoever looks at its path sees the old content or the new, never a part. */
+public final class WholeFile {
+    private static final int BUFFER_BYTES = 1 << 16;
+
+    /** What a file is to hold. */
+    @FunctionalInterface
+    public interface Content {
+        /** Writes everything to a buffered stream, which it need not close. */
+        void writeTo(OutputStream out) throws IOException;
+    }
+
+    private WholeFile() {}
+
+    /**
+     * Streams the content into a temporary file in the target's own folder and moves it into place, replacing what was
+     * there. A failure of any kind leaves the target as it was and no temporary file behind. A symbolic link stays and
+     * the file it leads to is replaced; a device or a pipe is written to directly.
+     *
+     * @throws IOException naming the target and the cause: no such folder, the target is a folder, no permission, or
+     *     whatever the disk or the content reported
+     */
+    public static void write(Path target, Content content) throws IOException {
+        if (Files.isDirectory(target)) {
+            throw new IOException("cannot write " + target + ": it is a folder");
+        }
+        if (Files.exists(target) && !Files.isRegularFile(target)) {
+            // A move would replace the device itself, /dev/null for one.
+            try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(target), BUFFER_BYTES)) {
+                content.writeTo(out);
+            }
+            return;
+        }
+        Path place = Files.exists(target) ? target.toRealPath() : target.toAbsolutePath();
+        Path folder = place.getParent();
+        if (folder == null || !Files.isDirectory(folder)) {
+            throw new IOException("cannot write " + target + ": there is no folder " + folder);
+        }
+        // Not Files.createTempFile: its files are readable by their owner only, and the finished file would stay so.
+        Path temporary = folder.resolve("." + UUID.randomUUID() + ".tmp");
+        try {
+            try (OutputStream out = new BufferedOutputStream(
+                    Files.newOutputStream(temporary, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),
+                    BUFFER_BYTES)) {
+                content.writeTo(out);
+            }
+            moveIntoPlace(temporary, place);
+        } catch (AccessDeniedException denied) {
+            throw new IOException("cannot write " + target + ": no permission in the folder " + folder, denied);
+        } catch (IOException failure) {
+            throw new IOException("cannot write " + target + ": " + failure.getMessage(), failure);
+        } finally {
+            // Moved away by now unless something failed.
+            Files.deleteIfExists(temporary);
+        }
+    }
+
+    private static void moveIntoPlace(Path temporary, Path place) throws IOException {
+        try {
+            Files.move(temporary, place, StandardCopyOption.ATOMIC_MOVE);
+        } catch (AtomicMoveNotSupportedException notHere) {
+            Files.move(temporary, place, StandardCopyOption.REPLACE_EXISTING);
+        }
+    }
+}

@@ -1,0 +1,44 @@
+package dev.twister.sky;
+
+/**
+ * What a daylight sky depends on.
+ *
+ * @param sunElevationDegrees of the sun's centre above the horizon, 0 to 90
+ * @param sunAzimuthDegrees where the sun stands: 0 straight ahead of the default camera (+z), 90 to its right (+x); any
+ *     finite number
+ * @param turbidity how hazy the air is: 2 very clear, 3 clear, 6 hazy, 10 nearly fog; 2 to 10
+ * @param cloudCover 0 a clear sky, 1 an even layer of cloud that hides the sun; between the two a mixture
+ * @param groundAlbedo the part of the light that the ground reflects, 0 to 1; grass and soil about 0.2
+ */
+public record Daylight(
+        double sunElevationDegrees,
+        double sunAzimuthDegrees,
+        double turbidity,
+        double cloudCover,
+        double groundAlbedo) {
+    private static final double USUAL_GROUND_ALBEDO = 0.2;
+
+    /** @throws IllegalArgumentException where a value is outside its range, naming it and the range */
+    public Daylight {
+        check("sun elevation in degrees", sunElevationDegrees, 0, 90);
+        if (!Double.isFinite(sunAzimuthDegrees)) {
+            throw new IllegalArgumentException(
+                    "the sun azimuth in degrees is " + sunAzimuthDegrees + "; any finite number");
+        }
+        check("turbidity", turbidity, 2, 10);
+        check("cloud cover", cloudCover, 0, 1);
+        check("ground albedo", groundAlbedo, 0, 1);
+    }
+
+    /** A cloudless sky over grass and soil. */
+    public static Daylight clear(double sunElevationDegrees, double sunAzimuthDegrees, double turbidity) {
+        return new Daylight(sunElevationDegrees, sunAzimuthDegrees, turbidity, 0, USUAL_GROUND_ALBEDO);
+    }
+
+    private static void check(String name, double value, double least, double most) {
+        // Written so that NaN fails too.
+        if (!(value >= least && value <= most)) {
+            throw new IllegalArgumentException("the " + name + " is " + value + "; " + least + " to " + most);
+        }
+    }
+}

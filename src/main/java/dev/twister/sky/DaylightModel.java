@@ -1,0 +1,78 @@
+package dev.twister.sky;
+
+/** The light of sky and ground in any direction, without the sun's disc, in kcd/m². */
+final class DaylightModel {
+    /** How high above the ground the haze begins to swallow it: optical thickness of the air straight down. */
+    private static final double HAZE_BELOW = 0.03;
+
+    /** Directions of the sums over the sky: fine enough for a smooth function, few enough to cost nothing. */
+    private static final int SUM_COLUMNS = 128;
+
+    private static final int SUM_ROWS = 64;
+
+    private final PreethamSky clearSky;
+    private final Direction sun;
+    private final double cloudCover;
+    private final double cloudZenithLuminance;
+    private final Colour ground;
+    private final double meanSkyLuminance;
+
+    DaylightModel(Daylight daylight, Sun sun) {
+        double elevation = StrictMath.toRadians(daylight.sunElevationDegrees());
+        this.clearSky = new PreethamSky(Math.PI / 2 - elevation, daylight.turbidity());
+        this.sun = sun.direction();
+        this.cloudCover = daylight.cloudCover();
+        this.cloudZenithLuminance = cloudZenithLuminance(elevation);
+
+        Colour sunlight = sun.radiance().times((1 - cloudCover) * Sun.SOLID_ANGLE * StrictMath.sin(elevation));
+        Colour irradiance = sunlight;
+        double luminance = 0;
+        for (int row = 0; row < SUM_ROWS / 2; row++) {
+            double solidAngle = Equirectangular.solidAngle(row, SUM_COLUMNS, SUM_ROWS);
+            double rowElevation = Equirectangular.elevation(row, SUM_ROWS);
+            for (int column = 0; column < SUM_COLUMNS; column++) {
+                Direction direction = Direction.of(rowElevation, Equirectangular.longitude(column, SUM_COLUMNS));
+                Colour light = sky(direction).times(solidAngle);
+                irradiance = irradiance.plus(light.times(direction.y()));
+                luminance += light.luminance();
+            }
+        }
+        meanSkyLuminance = luminance / (2 * Math.PI);
+        ground = irradiance.times(daylight.groundAlbedo() / Math.PI);
+    }
+
+    /** The mean over the upper half, each direction counting the same. */
+    double meanSkyLuminance() {
+        return meanSkyLuminance;
+    }
+
+    Colour radiance(Direction direction) {
+        return direction.y() >= 0 ? sky(direction) : groundInHaze(direction);
+    }
+
+    private Colour sky(Direction direction) {
+        Colour clear = clearSky.radiance(direction.y(), direction.dot(sun));
+        return clear.mixedWith(Colour.grey(cloudLuminance(direction.y())), cloudCover);
+    }
+
+    /** The standard overcast sky, three times as bright overhead as on the horizon (Moon and Spencer 1942, CIE). */
+    private double cloudLuminance(double cosTheta) {
+        return cloudZenithLuminance * (1 + 2 * cosTheta) / 3;
+    }
+
+    /** Luminance of an overcast sky straight up, in kcd/m² (Krochmann 1963, DIN 5034). */
+    private static double cloudZenithLuminance(double sunElevation) {
+        return 0.123 + 8.6 * StrictMath.sin(sunElevation);
+    }
+
+    /** A dull ground lit by sun and sky, behind ever more haze of the horizon's colour the flatter one looks at it. */
+    private Colour groundInHaze(Direction direction) {
+        double horizontal = StrictMath.sqrt(Math.max(0, 1 - direction.y() * direction.y()));
+        // Straight down there is no direction on the horizon, and next to no haze either.
+        Direction horizon = horizontal > 0
+                ? new Direction(direction.x() / horizontal, 0, direction.z() / horizontal)
+                : new Direction(0, 0, 1);
+        double seen = StrictMath.exp(HAZE_BELOW / direction.y());
+        return sky(horizon).mixedWith(ground, seen);
+    }
+}

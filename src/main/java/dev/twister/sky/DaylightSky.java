@@ -1,0 +1,63 @@
+package dev.twister.sky;
+
+import java.util.stream.IntStream;
+
+/**
+ * Draws daylight panoramas: the clear sky of Preetham et al. 1999, the CIE's overcast sky, the sun's disc at its real size
+ * and a hazy ground. Computed with {@link StrictMath}, so that every machine draws the same floats.
+ */
+public final class DaylightSky {
+    /** What the mean of the sky becomes, the sun's disc aside: mid tones of a picture at exposure 0. */
+    private static final double MEAN_SKY_RADIANCE = 0.4;
+
+    private DaylightSky() {}
+
+    /** A cloudless sky; see {@link #panorama(int, int, Daylight)}. */
+    public static Skybox panorama(
+            int width, int height, double sunElevationDegrees, double sunAzimuthDegrees, double turbidity) {
+        return panorama(width, height, Daylight.clear(sunElevationDegrees, sunAzimuthDegrees, turbidity));
+    }
+
+    /**
+     * Draws a panorama, scaled so that the sky's mean luminance is 0.4 whatever the hour; the sun, drawn with the light its
+     * disc really has in proportion, is thousands of times brighter.
+     *
+     * @param width 1 to 16384 texels
+     * @param height 1 to 8192 texels
+     * @throws IllegalArgumentException where the size is outside its range
+     */
+    public static Skybox panorama(int width, int height, Daylight daylight) {
+        if (width < 1 || height < 1 || width > SkyboxLimits.WIDTH || height > SkyboxLimits.HEIGHT) {
+            throw new IllegalArgumentException("a panorama of " + width + " x " + height + " texels; 1 x 1 to "
+                    + SkyboxLimits.WIDTH + " x " + SkyboxLimits.HEIGHT + " can be drawn");
+        }
+        Sun sun = new Sun(
+                StrictMath.toRadians(daylight.sunElevationDegrees()),
+                StrictMath.toRadians(daylight.sunAzimuthDegrees()),
+                daylight.turbidity());
+        DaylightModel model = new DaylightModel(daylight, sun);
+        double scale = MEAN_SKY_RADIANCE / model.meanSkyLuminance();
+
+        float[] radiance = new float[3 * width * height];
+        IntStream.range(0, height).parallel().forEach(row -> drawRow(model, scale, row, width, height, radiance));
+        Colour disc = sun.radiance().times(scale * (1 - daylight.cloudCover()));
+        SunDisc.add(sun.direction(), disc, width, height, radiance);
+        return new Skybox(width, height, radiance);
+    }
+
+    private static void drawRow(DaylightModel model, double scale, int row, int width, int height, float[] radiance) {
+        double elevation = Equirectangular.elevation(row, height);
+        double up = StrictMath.sin(elevation);
+        double horizontal = StrictMath.cos(elevation);
+        for (int column = 0; column < width; column++) {
+            double longitude = Equirectangular.longitude(column, width);
+            Direction direction =
+                    new Direction(horizontal * StrictMath.cos(longitude), up, horizontal * StrictMath.sin(longitude));
+            Colour light = model.radiance(direction).times(scale);
+            int target = 3 * (row * width + column);
+            radiance[target] = (float) light.red();
+            radiance[target + 1] = (float) light.green();
+            radiance[target + 2] = (float) light.blue();
+        }
+    }
+}

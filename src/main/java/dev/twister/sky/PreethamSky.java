@@ -1,0 +1,83 @@
+package dev.twister.sky;
+
+/**
+ * The clear sky of Preetham, Shirley and Smits, "A Practical Analytic Model for Daylight" (SIGGRAPH 1999), appendix A.2:
+ * luminance in kcd/m² and CIE chromaticity in any direction above the horizon.
+ */
+final class PreethamSky {
+    private final Perez luminanceShape;
+    private final Perez xShape;
+    private final Perez yShape;
+    private final double luminanceFactor;
+    private final double xFactor;
+    private final double yFactor;
+
+    /**
+     * @param sunZenithAngle the sun's angle from the zenith in radians, 0 to pi / 2
+     * @param turbidity 2 to 10
+     */
+    PreethamSky(double sunZenithAngle, double turbidity) {
+        double t = turbidity;
+        luminanceShape = new Perez(
+                0.17872 * t - 1.46303,
+                -0.35540 * t + 0.42749,
+                -0.02266 * t + 5.32505,
+                0.12064 * t - 2.57705,
+                -0.06696 * t + 0.37027);
+        xShape = new Perez(
+                -0.01925 * t - 0.25922,
+                -0.06651 * t + 0.00081,
+                -0.00041 * t + 0.21247,
+                -0.06409 * t - 0.89887,
+                -0.00325 * t + 0.04517);
+        yShape = new Perez(
+                -0.01669 * t - 0.26078,
+                -0.09495 * t + 0.00921,
+                -0.00792 * t + 0.21023,
+                -0.04405 * t - 1.65369,
+                -0.01092 * t + 0.05291);
+        double cosSun = StrictMath.cos(sunZenithAngle);
+        luminanceFactor = zenithLuminance(sunZenithAngle, t) / luminanceShape.relative(1, cosSun, sunZenithAngle);
+        xFactor = zenithX(sunZenithAngle, t) / xShape.relative(1, cosSun, sunZenithAngle);
+        yFactor = zenithY(sunZenithAngle, t) / yShape.relative(1, cosSun, sunZenithAngle);
+    }
+
+    /** Linear sRGB radiance in kcd/m², colours beyond the gamut cut at 0. */
+    Colour radiance(double cosTheta, double cosGamma) {
+        double gamma = StrictMath.acos(Math.clamp(cosGamma, -1, 1));
+        return Colour.ofChromaticity(
+                xFactor * xShape.relative(cosTheta, cosGamma, gamma),
+                yFactor * yShape.relative(cosTheta, cosGamma, gamma),
+                luminanceFactor * luminanceShape.relative(cosTheta, cosGamma, gamma));
+    }
+
+    /** Luminance straight up, in kcd/m². */
+    static double zenithLuminance(double sunZenithAngle, double turbidity) {
+        double chi = (4.0 / 9 - turbidity / 120) * (Math.PI - 2 * sunZenithAngle);
+        return (4.0453 * turbidity - 4.9710) * StrictMath.tan(chi) - 0.2155 * turbidity + 2.4192;
+    }
+
+    private static double zenithX(double angle, double turbidity) {
+        return quadratic(
+                turbidity,
+                cubic(angle, 0.00166, -0.00375, 0.00209, 0),
+                cubic(angle, -0.02903, 0.06377, -0.03202, 0.00394),
+                cubic(angle, 0.11693, -0.21196, 0.06052, 0.25886));
+    }
+
+    private static double zenithY(double angle, double turbidity) {
+        return quadratic(
+                turbidity,
+                cubic(angle, 0.00275, -0.00610, 0.00317, 0),
+                cubic(angle, -0.04214, 0.08970, -0.04153, 0.00516),
+                cubic(angle, 0.15346, -0.26756, 0.06670, 0.26688));
+    }
+
+    private static double cubic(double x, double third, double second, double first, double constant) {
+        return ((third * x + second) * x + first) * x + constant;
+    }
+
+    private static double quadratic(double x, double second, double first, double constant) {
+        return (second * x + first) * x + constant;
+    }
+}

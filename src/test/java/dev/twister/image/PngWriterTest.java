@@ -1,0 +1,43 @@
+package dev.twister.image;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Random;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class PngWriterTest {
+    @TempDir
+    Path folder;
+
+    @ParameterizedTest
+    @CsvSource({"1, 1", "17, 3", "3, 17", "256, 200", "5000, 1"})
+    void readsBackOpaqueAndEqual(int width, int height) throws IOException {
+        int[] pixels = new Random(width).ints((long) width * height).toArray();
+        Path file = folder.resolve("picture.png");
+        PngWriter.write(file, width, height, pixels);
+
+        BufferedImage image = ImageIO.read(file.toFile());
+        assertThat(image.getWidth()).isEqualTo(width);
+        assertThat(image.getHeight()).isEqualTo(height);
+        assertThat(image.getColorModel().hasAlpha()).isFalse();
+        int[] read = image.getRGB(0, 0, width, height, null, 0, width);
+        for (int i = 0; i < read.length; i++) {
+            assertThat(read[i]).isEqualTo(pixels[i] | 0xff000000);
+        }
+    }
+
+    @Test
+    void refusesAnArrayOfAnotherSize() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> PngWriter.write(folder.resolve("x.png"), 4, 4, new int[15]))
+                .withMessage("a picture of 4 x 4 pixels needs 16 ints, not 15");
+    }
+}

@@ -1,0 +1,113 @@
+package dev.twister.image;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class WholeFileTest {
+    @TempDir
+    Path folder;
+
+    @Test
+    void writesAndReplaces() throws IOException {
+        Path file = folder.resolve("report.json");
+        WholeFile.write(file, out -> out.write(ascii("first, and longer")));
+        WholeFile.write(file, out -> out.write(ascii("second")));
+        assertThat(file).hasContent("second");
+        assertThat(names()).containsExactly("report.json");
+    }
+
+    @Test
+    void aFailureOfTheDiskLeavesTheOldFileAndNoOther() throws IOException {
+        Path file = Files.writeString(folder.resolve("old.txt"), "old");
+        assertThatThrownBy(() -> WholeFile.write(file, out -> {
+                    out.write(ascii("half of"));
+                    throw new IOException("No space left on device");
+                }))
+                .isInstanceOf(IOException.class)
+                .hasMessage("cannot write " + file + ": No space left on device");
+        assertThat(file).hasContent("old");
+        assertThat(names()).containsExactly("old.txt");
+    }
+
+    @Test
+    void aFailureOfTheProgramLeavesNothing() throws IOException {
+        assertThatThrownBy(() -> WholeFile.write(folder.resolve("new.txt"), out -> {
+                    throw new IllegalStateException("a bug");
+                }))
+                .isInstanceOf(IllegalStateException.class);
+        assertThat(names()).isEmpty();
+    }
+
+    @Test
+    void saysThatTheFolderIsMissing() {
+        Path missing = folder.resolve("no such folder");
+        assertThatThrownBy(() -> WholeFile.write(missing.resolve("x.png"), out -> out.write(1)))
+                .isInstanceOf(IOException.class)
+                .hasMessage("cannot write " + missing.resolve("x.png") + ": there is no folder " + missing);
+    }
+
+    @Test
+    void saysThatTheTargetIsAFolder() {
+        assertThatThrownBy(() -> WholeFile.write(folder, out -> out.write(1)))
+                .isInstanceOf(IOException.class)
+                .hasMessage("cannot write " + folder + ": it is a folder");
+    }
+
+    @Test
+    void saysThatThePermissionIsMissing() throws IOException {
+        Assumptions.assumeTrue(Files.getFileStore(folder).supportsFileAttributeView("posix"));
+        Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("r-xr-xr-x"));
+        try {
+            Assumptions.assumeFalse(Files.isWritable(folder), "root may write anywhere");
+            assertThatThrownBy(() -> WholeFile.write(folder.resolve("x.png"), out -> out.write(1)))
+                    .isInstanceOf(IOException.class)
+                    .hasMessageContaining("no permission in the folder");
+        } finally {
+            Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwxr-xr-x"));
+        }
+    }
+
+    @Test
+    void followsALink() throws IOException {
+        Path file = Files.writeString(folder.resolve("real.txt"), "old");
+        Path link;
+        try {
+            link = Files.createSymbolicLink(folder.resolve("link.txt"), file);
+        } catch (IOException | UnsupportedOperationException noLinksHere) {
+            Assumptions.abort("no symbolic links here");
+            return;
+        }
+        WholeFile.write(link, out -> out.write(ascii("new")));
+        assertThat(link).isSymbolicLink();
+        assertThat(file).hasContent("new");
+    }
+
+    @Test
+    void writesADeviceWithoutReplacingIt() throws IOException {
+        Path device = Path.of("/dev/null");
+        Assumptions.assumeTrue(Files.exists(device));
+        WholeFile.write(device, out -> out.write(ascii("gone")));
+        assertThat(Files.isRegularFile(device)).isFalse();
+    }
+
+    private List<String> names() throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(file -> file.getFileName().toString()).toList();
+        }
+    }
+
+    private static byte[] ascii(String text) {
+        return text.getBytes(StandardCharsets.US_ASCII);
+    }
+}
