@@ -14,7 +14,6 @@ final class JvmKernel {
         float[] scratch = new float[SoftShadow.SCRATCH_LENGTH];
         int output = frame.isLinear() ? PixelKernel.LINEAR : PixelKernel.ARGB;
         int width = input.width();
-        int bodies = input.bodies();
         for (int column = 0; column < width; column++) {
             PixelKernel.draw(
                     column,
@@ -33,7 +32,6 @@ final class JvmKernel {
                     input.shadowDisc(),
                     input.pixelOffsets(),
                     scratch,
-                    bodies,
                     shortcuts,
                     output);
         }

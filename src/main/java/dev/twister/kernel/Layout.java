@@ -2,13 +2,17 @@ package dev.twister.kernel;
 
 /** Where each fact stands in the kernel's arrays; the only place that says so. */
 public final class Layout {
-    /** {@code int[] dimensions}: width and height of the whole picture, and the rows of it that are drawn. */
+    /** {@code int[] dimensions}: width and height of the whole picture, the rows of it that are drawn, the bodies. */
     public static final int WIDTH = 0;
 
     public static final int HEIGHT = 1;
     public static final int FIRST_ROW = 2;
     public static final int ROWS = 3;
-    public static final int DIMENSIONS_LENGTH = 4;
+
+    /** How many bodies there are: light, plane and spheres. */
+    public static final int BODIES = 4;
+
+    public static final int DIMENSIONS_LENGTH = 5;
 
     /** {@code float[] camera}: position, then the directions right, up and forward, then the eye's distance. */
     public static final int CAMERA_POSITION = 0;

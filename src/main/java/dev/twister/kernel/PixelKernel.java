@@ -44,11 +44,11 @@ public final class PixelKernel {
             float[] shadowDisc,
             float[] pixelOffsets,
             float[] scratch,
-            int bodies,
             int shortcuts,
             int output) {
         int width = dimensions[Layout.WIDTH];
         int height = dimensions[Layout.HEIGHT];
+        int bodies = dimensions[Layout.BODIES];
         int skyWidth = skyboxDimensions[Layout.SKYBOX_WIDTH];
         int skyHeight = skyboxDimensions[Layout.SKYBOX_HEIGHT];
         int shadowSamples = (int) rayTracingProperties[Layout.SHADOW_SAMPLES];

@@ -2,8 +2,6 @@ package dev.twister.sky;
 
 /** Linear sRGB light, in whatever unit its maker says. */
 record Colour(double red, double green, double blue) {
-    static final Colour BLACK = new Colour(0, 0, 0);
-
     static Colour grey(double luminance) {
         return new Colour(luminance, luminance, luminance);
     }

@@ -2,8 +2,14 @@ package dev.twister.sky;
 
 /** The light of sky and ground in any direction, without the sun's disc, in kcd/m². */
 final class DaylightModel {
-    /** How high above the ground the haze begins to swallow it: optical thickness of the air straight down. */
-    private static final double HAZE_BELOW = 0.03;
+    /** How soon the haze swallows the ground towards the horizon; it hides half of it at 3 degrees below. */
+    private static final double HAZE = 0.002;
+
+    /** The hue of soil and dry grass, of luminance 1. */
+    private static final Colour SOIL = new Colour(1.15, 0.98, 0.75);
+
+    /** Optical thickness of a cloud cover of 0.5. */
+    private static final double THICKNESS_OF_HALF_COVER = 10;
 
     /** Directions of the sums over the sky: fine enough for a smooth function, few enough to cost nothing. */
     private static final int SUM_COLUMNS = 128;
@@ -24,8 +30,8 @@ final class DaylightModel {
         this.cloudCover = daylight.cloudCover();
         this.cloudZenithLuminance = cloudZenithLuminance(elevation);
 
-        Colour sunlight = sun.radiance().times((1 - cloudCover) * Sun.SOLID_ANGLE * StrictMath.sin(elevation));
-        Colour irradiance = sunlight;
+        Colour irradiance =
+                sun.radiance().times(sunThroughCloud(cloudCover) * Sun.SOLID_ANGLE * StrictMath.sin(elevation));
         double luminance = 0;
         for (int row = 0; row < SUM_ROWS / 2; row++) {
             double solidAngle = Equirectangular.solidAngle(row, SUM_COLUMNS, SUM_ROWS);
@@ -38,12 +44,17 @@ final class DaylightModel {
             }
         }
         meanSkyLuminance = luminance / (2 * Math.PI);
-        ground = irradiance.times(daylight.groundAlbedo() / Math.PI);
+        ground = irradiance.times(SOIL).times(daylight.groundAlbedo() / Math.PI);
     }
 
     /** The mean over the upper half, each direction counting the same. */
     double meanSkyLuminance() {
         return meanSkyLuminance;
+    }
+
+    /** The part of the sun's light that gets through a layer of cloud, whose thickness grows without bound as it closes. */
+    static double sunThroughCloud(double cloudCover) {
+        return cloudCover < 1 ? StrictMath.exp(-THICKNESS_OF_HALF_COVER * cloudCover / (1 - cloudCover)) : 0;
     }
 
     Colour radiance(Direction direction) {
@@ -68,11 +79,11 @@ final class DaylightModel {
     /** A dull ground lit by sun and sky, behind ever more haze of the horizon's colour the flatter one looks at it. */
     private Colour groundInHaze(Direction direction) {
         double horizontal = StrictMath.sqrt(Math.max(0, 1 - direction.y() * direction.y()));
-        // Straight down there is no direction on the horizon, and next to no haze either.
+        // Straight down there is no direction on the horizon, and no haze either.
         Direction horizon = horizontal > 0
                 ? new Direction(direction.x() / horizontal, 0, direction.z() / horizontal)
                 : new Direction(0, 0, 1);
-        double seen = StrictMath.exp(HAZE_BELOW / direction.y());
+        double seen = StrictMath.exp(HAZE * (1 - 1 / (direction.y() * direction.y())));
         return sky(horizon).mixedWith(ground, seen);
     }
 }

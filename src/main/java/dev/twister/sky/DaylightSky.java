@@ -40,7 +40,7 @@ public final class DaylightSky {
 
         float[] radiance = new float[3 * width * height];
         IntStream.range(0, height).parallel().forEach(row -> drawRow(model, scale, row, width, height, radiance));
-        Colour disc = sun.radiance().times(scale * (1 - daylight.cloudCover()));
+        Colour disc = sun.radiance().times(scale * DaylightModel.sunThroughCloud(daylight.cloudCover()));
         SunDisc.add(sun.direction(), disc, width, height, radiance);
         return new Skybox(width, height, radiance);
     }

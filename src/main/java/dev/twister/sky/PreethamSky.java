@@ -2,15 +2,22 @@ package dev.twister.sky;
 
 /**
  * The clear sky of Preetham, Shirley and Smits, "A Practical Analytic Model for Daylight" (SIGGRAPH 1999), appendix A.2:
- * luminance in kcd/m² and CIE chromaticity in any direction above the horizon.
+ * luminance in kcd/m² and colour in any direction above the horizon.
+ *
+ * <p>Of the chromaticity only x is the paper's; y follows from it by the CIE's daylight locus, {@code y = -3 x^2 + 2.87 x -
+ * 0.275} (CIE 15). The paper's own fit of y strays from the colours daylight has: pink at a noon's horizon, green at an
+ * evening's.
  */
 final class PreethamSky {
+    /** Where the locus is kept from running into colours that no sky has. */
+    private static final double BLUEST_X = 0.23;
+
+    private static final double REDDEST_X = 0.48;
+
     private final Perez luminanceShape;
     private final Perez xShape;
-    private final Perez yShape;
     private final double luminanceFactor;
     private final double xFactor;
-    private final double yFactor;
 
     /**
      * @param sunZenithAngle the sun's angle from the zenith in radians, 0 to pi / 2
@@ -30,25 +37,17 @@ final class PreethamSky {
                 -0.00041 * t + 0.21247,
                 -0.06409 * t - 0.89887,
                 -0.00325 * t + 0.04517);
-        yShape = new Perez(
-                -0.01669 * t - 0.26078,
-                -0.09495 * t + 0.00921,
-                -0.00792 * t + 0.21023,
-                -0.04405 * t - 1.65369,
-                -0.01092 * t + 0.05291);
         double cosSun = StrictMath.cos(sunZenithAngle);
         luminanceFactor = zenithLuminance(sunZenithAngle, t) / luminanceShape.relative(1, cosSun, sunZenithAngle);
         xFactor = zenithX(sunZenithAngle, t) / xShape.relative(1, cosSun, sunZenithAngle);
-        yFactor = zenithY(sunZenithAngle, t) / yShape.relative(1, cosSun, sunZenithAngle);
     }
 
     /** Linear sRGB radiance in kcd/m², colours beyond the gamut cut at 0. */
     Colour radiance(double cosTheta, double cosGamma) {
         double gamma = StrictMath.acos(Math.clamp(cosGamma, -1, 1));
-        return Colour.ofChromaticity(
-                xFactor * xShape.relative(cosTheta, cosGamma, gamma),
-                yFactor * yShape.relative(cosTheta, cosGamma, gamma),
-                luminanceFactor * luminanceShape.relative(cosTheta, cosGamma, gamma));
+        double x = Math.clamp(xFactor * xShape.relative(cosTheta, cosGamma, gamma), BLUEST_X, REDDEST_X);
+        double y = (2.870 - 3.000 * x) * x - 0.275;
+        return Colour.ofChromaticity(x, y, luminanceFactor * luminanceShape.relative(cosTheta, cosGamma, gamma));
     }
 
     /** Luminance straight up, in kcd/m². */
@@ -63,14 +62,6 @@ final class PreethamSky {
                 cubic(angle, 0.00166, -0.00375, 0.00209, 0),
                 cubic(angle, -0.02903, 0.06377, -0.03202, 0.00394),
                 cubic(angle, 0.11693, -0.21196, 0.06052, 0.25886));
-    }
-
-    private static double zenithY(double angle, double turbidity) {
-        return quadratic(
-                turbidity,
-                cubic(angle, 0.00275, -0.00610, 0.00317, 0),
-                cubic(angle, -0.04214, 0.08970, -0.04153, 0.00516),
-                cubic(angle, 0.15346, -0.26756, 0.06670, 0.26688));
     }
 
     private static double cubic(double x, double third, double second, double first, double constant) {

@@ -7,7 +7,7 @@ public enum ShippedSky {
     /** The sun low and to the right of the default view. */
     SUNSET("sunset.hdr", new Daylight(4, 35, 4, 0, 0.2)),
     /** An even grey, without shadows to speak of. */
-    OVERCAST("overcast.hdr", new Daylight(40, -140, 5, 0.94, 0.2));
+    OVERCAST("overcast.hdr", new Daylight(40, -140, 4, 0.92, 0.2));
 
     /** Texels around the horizon of every shipped panorama. */
     public static final int WIDTH = 1024;

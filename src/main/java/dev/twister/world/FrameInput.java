@@ -8,7 +8,7 @@ import dev.twister.kernel.Layout;
  * <p>No array changes once it is in a snapshot: a world that moves on makes new ones and keeps those that still hold.
  * So an engine may know by the array's identity that what it holds (on a device, say) is still right.
  *
- * @param dimensions {@code int[4]}: width and height of the picture in pixels, first row and number of rows to draw
+ * @param dimensions {@code int[5]}: width and height of the picture in pixels, first row and number of rows to draw, bodies
  * @param camera {@code float[13]}: position, right, up, forward, eye distance
  * @param rayTracingProperties {@code float[10]}
  * @param bodyPositions {@code float[3 * bodies]}: centres; the plane's is (0, height, 0)

@@ -103,6 +103,7 @@ public final class World {
         dimensions[Layout.WIDTH] = settings.width();
         dimensions[Layout.HEIGHT] = settings.height();
         dimensions[Layout.ROWS] = settings.height();
+        dimensions[Layout.BODIES] = bodySizes.length;
         return dimensions;
     }
 

@@ -1,0 +1,152 @@
+package dev.twister.sky;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.twister.image.HdrWriter;
+import dev.twister.image.PngWriter;
+import java.awt.Transparency;
+import java.awt.color.ColorSpace;
+import java.awt.image.BufferedImage;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.IndexColorModel;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class SkyboxReaderTest {
+    /** sRGB 188 of 255 is linear 0.5029. */
+    private static final float HALF = 0.50289f;
+
+    @TempDir
+    Path folder;
+
+    @Test
+    void readsWhatTheHdrWriterWrote() throws IOException {
+        float[] radiance = {1, 2, 4, 0, 0, 0, 1000, 500, 248};
+        Path file = folder.resolve("named.png");
+        HdrWriter.write(file, 3, 1, radiance);
+        assertThat(SkyboxReader.read(file).radiance()).containsExactly(radiance);
+    }
+
+    @Test
+    void readsBothWaysTheHdrWriterWrites() throws IOException {
+        for (int width : new int[] {7, 8, 500, 32768}) {
+            float[] radiance = new float[3 * width * 2];
+            for (int i = 0; i < radiance.length; i++) {
+                radiance[i] = i / 60 % 3 == 0 ? 0.5f : (i * 37 % 256) / 64f;
+            }
+            Path file = folder.resolve(width + ".hdr");
+            HdrWriter.write(file, width, 2, radiance);
+            if (width > SkyboxLimits.WIDTH) {
+                assertThatThrownBy(() -> SkyboxReader.read(file))
+                        .hasMessage(file + ": 32768 x 2 texels; 1 x 1 to 16384 x 8192 are allowed");
+                assertThat(Files.size(file)).isGreaterThan(4L * width * 2);
+            } else {
+                float[] read = SkyboxReader.read(file).radiance();
+                for (int i = 0; i < read.length; i++) {
+                    assertThat(read[i]).isCloseTo(radiance[i], within(4 / 256f));
+                }
+            }
+        }
+    }
+
+    @Test
+    void makesSrgbLinear() throws IOException {
+        Path file = folder.resolve("sky.hdr");
+        PngWriter.write(file, 2, 1, new int[] {0xffbc00, 0x0a0000});
+        assertRadiance(file, 1, HALF, 0, 10 / 255f / 12.92f, 0, 0);
+    }
+
+    @Test
+    void readsGreyAsSrgb() throws IOException {
+        BufferedImage grey = new BufferedImage(1, 1, BufferedImage.TYPE_BYTE_GRAY);
+        grey.getRaster().setSample(0, 0, 0, 188);
+        assertRadiance(png(grey), HALF, HALF, HALF);
+        BufferedImage deep = new BufferedImage(1, 1, BufferedImage.TYPE_USHORT_GRAY);
+        deep.getRaster().setSample(0, 0, 0, 188 * 257);
+        assertRadiance(png(deep), HALF, HALF, HALF);
+    }
+
+    @Test
+    void readsSixteenBitsAtFullDepth() throws IOException {
+        ComponentColorModel model = new ComponentColorModel(
+                ColorSpace.getInstance(ColorSpace.CS_sRGB), false, false, Transparency.OPAQUE, DataBuffer.TYPE_USHORT);
+        BufferedImage image = new BufferedImage(model, model.createCompatibleWritableRaster(2, 1), false, null);
+        image.getRaster().setPixel(0, 0, new int[] {65535, 30000, 1});
+        image.getRaster().setPixel(1, 0, new int[] {30001, 188 * 257, 0});
+        float[] read = SkyboxReader.read(png(image)).radiance();
+        assertThat(read[1]).isEqualTo((float) LinearImage.linear(30000 / 65535.0));
+        assertThat(read[2]).isEqualTo((float) (1 / 65535.0 / 12.92));
+        assertThat(read[3]).isGreaterThan(read[1]);
+        assertThat(read[4]).isCloseTo(HALF, within(1e-4f));
+    }
+
+    @Test
+    void readsPalettes() throws IOException {
+        byte[] reds = {0, (byte) 188, (byte) 255, 0};
+        byte[] zeros = new byte[4];
+        BufferedImage image =
+                new BufferedImage(4, 1, BufferedImage.TYPE_BYTE_INDEXED, new IndexColorModel(2, 4, reds, zeros, zeros));
+        for (int i = 0; i < 4; i++) {
+            image.getRaster().setSample(i, 0, 0, i);
+        }
+        assertRadiance(png(image), 0, 0, 0, HALF, 0, 0, 1, 0, 0, 0, 0, 0);
+    }
+
+    @Test
+    void putsTransparentTexelsOverBlack() throws IOException {
+        BufferedImage image = new BufferedImage(2, 1, BufferedImage.TYPE_INT_ARGB);
+        image.setRGB(0, 0, 0x00ffffff);
+        image.setRGB(1, 0, 0x33ffffff);
+        assertRadiance(png(image), 0, 0, 0, 0.2f, 0.2f, 0.2f);
+    }
+
+    @Test
+    void readsJpeg() throws IOException {
+        BufferedImage image = new BufferedImage(16, 8, BufferedImage.TYPE_INT_RGB);
+        for (int i = 0; i < 128; i++) {
+            image.setRGB(i % 16, i / 16, 0xbcbcbc);
+        }
+        Path file = folder.resolve("sky.jpg");
+        ImageIO.write(image, "jpeg", file.toFile());
+        Skybox sky = SkyboxReader.read(file);
+        assertThat(sky.width()).isEqualTo(16);
+        assertThat(sky.radiance()[0]).isCloseTo(HALF, within(0.01f));
+
+        byte[] whole = Files.readAllBytes(file);
+        Files.write(file, Arrays.copyOf(whole, whole.length - 4));
+        assertThatThrownBy(() -> SkyboxReader.read(file)).isInstanceOf(SkyException.class);
+    }
+
+    @Test
+    void saysWhatIsWrongWithTheFile() throws IOException {
+        Path missing = folder.resolve("missing.hdr");
+        assertThatThrownBy(() -> SkyboxReader.read(missing))
+                .isInstanceOf(SkyException.class)
+                .hasMessage(missing + ": there is no such file");
+        assertThatThrownBy(() -> SkyboxReader.read(folder))
+                .hasMessage(folder + ": not a file but a folder or a device");
+        Path empty = Files.write(folder.resolve("empty.hdr"), new byte[0]);
+        assertThatThrownBy(() -> SkyboxReader.read(empty))
+                .hasMessage(empty + ": an empty file; Radiance (#?RADIANCE or #?RGBE), PNG and JPEG are read");
+        Path text = Files.writeString(folder.resolve("text.hdr"), "hello");
+        assertThatThrownBy(() -> SkyboxReader.read(text)).hasMessageContaining("not a panorama by its first bytes");
+    }
+
+    private Path png(BufferedImage image) throws IOException {
+        Path file = folder.resolve("image.png");
+        assertThat(ImageIO.write(image, "png", file.toFile())).isTrue();
+        return file;
+    }
+
+    private static void assertRadiance(Path file, float... expected) {
+        assertThat(SkyboxReader.read(file).radiance()).containsExactly(expected, within(1e-4f));
+    }
+}

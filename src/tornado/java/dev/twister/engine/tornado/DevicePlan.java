@@ -1,0 +1,180 @@
+package dev.twister.engine.tornado;
+
+import dev.twister.engine.EngineException;
+import dev.twister.image.Frame;
+import dev.twister.image.FrameTimes;
+import dev.twister.kernel.PixelKernel;
+import dev.twister.scene.RenderSettings;
+import dev.twister.world.FrameInput;
+import java.util.Arrays;
+import uk.ac.manchester.tornado.api.GridScheduler;
+import uk.ac.manchester.tornado.api.TaskGraph;
+import uk.ac.manchester.tornado.api.TornadoExecutionPlan;
+import uk.ac.manchester.tornado.api.TornadoExecutionResult;
+import uk.ac.manchester.tornado.api.TornadoProfilerResult;
+import uk.ac.manchester.tornado.api.WorkerGrid2D;
+import uk.ac.manchester.tornado.api.common.TornadoDevice;
+import uk.ac.manchester.tornado.api.enums.DataTransferMode;
+import uk.ac.manchester.tornado.api.enums.ProfilerMode;
+import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
+
+/**
+ * The kernel compiled for one device and one size of picture, with its buffers there. The skybox and the bodies' looks
+ * go to the device once; camera, properties, positions and the small sample tables each frame; only pixels come back.
+ */
+final class DevicePlan implements AutoCloseable {
+    private static final String GRAPH = "twister";
+    private static final String TASK = "draw";
+    private static final int NOT_DRAWN = 0;
+    private static final int[] NO_PIXELS = new int[1];
+    private static final float[] NO_RADIANCE = new float[1];
+
+    private final FrameInput fixed;
+    private final boolean linear;
+    private final int[] pixels;
+    private final float[] radiance;
+    private final int[] dimensions;
+    private final float[] camera;
+    private final float[] rayTracingProperties;
+    private final float[] bodyPositions;
+    private final float[] shadowDisc = new float[2 * RenderSettings.MAX_SHADOW_SAMPLES];
+    private final float[] pixelOffsets = new float[2 * RenderSettings.MAX_SAMPLES_PER_PIXEL];
+    private final TornadoExecutionPlan plan;
+    private boolean proven;
+
+    DevicePlan(TornadoDevice device, FrameInput input, boolean linear) {
+        fixed = input;
+        this.linear = linear;
+        int count = Math.multiplyExact(input.width(), input.rows());
+        pixels = linear ? NO_PIXELS.clone() : new int[count];
+        radiance = linear ? new float[Math.multiplyExact(3, count)] : NO_RADIANCE.clone();
+        if (linear) {
+            Arrays.fill(radiance, Float.NaN);
+        }
+        dimensions = input.dimensions().clone();
+        camera = input.camera().clone();
+        rayTracingProperties = input.rayTracingProperties().clone();
+        bodyPositions = input.bodyPositions().clone();
+        TaskGraph graph = new TaskGraph(GRAPH)
+                .transferToDevice(
+                        DataTransferMode.FIRST_EXECUTION,
+                        pixels,
+                        radiance,
+                        input.bodySizes(),
+                        input.bodyColors(),
+                        input.bodyReflectivities(),
+                        input.skybox(),
+                        input.skyboxDimensions())
+                .transferToDevice(
+                        DataTransferMode.EVERY_EXECUTION,
+                        dimensions,
+                        camera,
+                        rayTracingProperties,
+                        bodyPositions,
+                        shadowDisc,
+                        pixelOffsets)
+                .task(
+                        TASK,
+                        TornadoKernel::draw,
+                        pixels,
+                        radiance,
+                        dimensions,
+                        camera,
+                        rayTracingProperties,
+                        bodyPositions,
+                        input.bodySizes(),
+                        input.bodyColors(),
+                        input.bodyReflectivities(),
+                        input.skybox(),
+                        input.skyboxDimensions(),
+                        shadowDisc,
+                        pixelOffsets,
+                        input.width(),
+                        input.rows(),
+                        linear ? PixelKernel.LINEAR : PixelKernel.ARGB)
+                .transferToHost(DataTransferMode.EVERY_EXECUTION, linear ? radiance : pixels);
+        plan = new TornadoExecutionPlan(graph.snapshot());
+        plan.withDevice(device)
+                .withGridScheduler(new GridScheduler(GRAPH + "." + TASK, new WorkerGrid2D(input.width(), input.rows())))
+                .withProfiler(ProfilerMode.SILENT);
+    }
+
+    /** Whether what is on the device and compiled still holds for this frame. */
+    @SuppressWarnings("ReferenceEquality") // a snapshot never changes an array: another array is what tells of a change
+    boolean fits(FrameInput input, Frame frame) {
+        return input.width() == fixed.width()
+                && input.rows() == fixed.rows()
+                && frame.isLinear() == linear
+                && input.bodyPositions().length == bodyPositions.length
+                && input.skybox() == fixed.skybox()
+                && input.skyboxDimensions() == fixed.skyboxDimensions()
+                && input.bodySizes() == fixed.bodySizes()
+                && input.bodyColors() == fixed.bodyColors()
+                && input.bodyReflectivities() == fixed.bodyReflectivities();
+    }
+
+    /**
+     * Draws a frame on the device.
+     *
+     * @throws EngineException where the device did not run the kernel, whatever TornadoVM says
+     */
+    FrameTimes draw(FrameInput input, Frame frame) {
+        long start = System.nanoTime();
+        put(input.camera(), camera);
+        put(input.rayTracingProperties(), rayTracingProperties);
+        put(input.bodyPositions(), bodyPositions);
+        put(input.shadowDisc(), shadowDisc);
+        put(input.pixelOffsets(), pixelOffsets);
+        System.arraycopy(input.dimensions(), 0, dimensions, 0, dimensions.length);
+        TornadoExecutionResult result = plan.execute();
+        TornadoProfilerResult profile = result.getProfilerResult();
+        requireKernelRan(profile);
+        if (linear) {
+            System.arraycopy(radiance, 0, frame.radiance(), 0, radiance.length);
+        } else {
+            System.arraycopy(pixels, 0, frame.argb(), 0, pixels.length);
+        }
+        return new FrameTimes(
+                System.nanoTime() - start,
+                profile.getDeviceKernelTime(),
+                profile.getDeviceWriteTime(),
+                profile.getDeviceReadTime());
+    }
+
+    /**
+     * TornadoVM and drivers can fail without an exception: no time spent in the kernel, nothing read back, or pixels
+     * left as they were. Those are looked for in a plan's first frame, which starts out poisoned.
+     */
+    private void requireKernelRan(TornadoProfilerResult profile) {
+        if (profile.getDeviceKernelTime() <= 0 || profile.getTotalBytesCopyOut() <= 0) {
+            throw new EngineException("the device ran no kernel: TornadoVM reports " + profile.getDeviceKernelTime()
+                    + " ns of kernel time and " + profile.getTotalBytesCopyOut() + " bytes read back");
+        }
+        if (!proven) {
+            for (int pixel : pixels) {
+                if (pixel == NOT_DRAWN && !linear) {
+                    throw new EngineException("the device left pixels undrawn; its driver may have refused the grid of "
+                            + fixed.width() + " x " + fixed.rows());
+                }
+            }
+            if (linear && Float.isNaN(radiance[0]) && Float.isNaN(radiance[radiance.length - 1])) {
+                throw new EngineException("the device left the picture undrawn");
+            }
+            proven = true;
+        }
+    }
+
+    private static void put(float[] from, float[] to) {
+        System.arraycopy(from, 0, to, 0, from.length);
+    }
+
+    @Override
+    public void close() {
+        try {
+            plan.freeDeviceMemory();
+            plan.close();
+        } catch (TornadoExecutionPlanException e) {
+            throw new EngineException("the device's buffers could not be given back: " + e.getMessage(), e);
+        }
+    }
+}

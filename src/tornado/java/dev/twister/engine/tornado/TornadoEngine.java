@@ -1,0 +1,57 @@
+package dev.twister.engine.tornado;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineException;
+import dev.twister.engine.FrameFit;
+import dev.twister.image.Frame;
+import dev.twister.world.FrameInput;
+import java.util.Optional;
+import uk.ac.manchester.tornado.api.common.TornadoDevice;
+import uk.ac.manchester.tornado.api.exceptions.TornadoBailoutRuntimeException;
+import uk.ac.manchester.tornado.api.exceptions.TornadoRuntimeException;
+
+/** Draws on a device of TornadoVM's. The first frame of a size takes seconds: TornadoVM compiles the kernel then. */
+final class TornadoEngine implements Engine {
+    private final String id;
+    private final String name;
+    private final TornadoDevice device;
+    private Optional<DevicePlan> plan = Optional.empty();
+
+    TornadoEngine(String id, String name, TornadoDevice device) {
+        this.id = id;
+        this.name = name;
+        this.device = device;
+    }
+
+    @Override
+    public String id() {
+        return id;
+    }
+
+    @Override
+    public String device() {
+        return name;
+    }
+
+    @Override
+    public void render(FrameInput input, Frame frame) {
+        FrameFit.check(input, frame);
+        try {
+            if (plan.filter(current -> current.fits(input, frame)).isEmpty()) {
+                close();
+                plan = Optional.of(new DevicePlan(device, input, frame.isLinear()));
+            }
+            frame.setTimes(plan.orElseThrow().draw(input, frame));
+        } catch (TornadoBailoutRuntimeException e) {
+            throw new EngineException("TornadoVM could not compile the kernel for " + name + ": " + e.getMessage(), e);
+        } catch (TornadoRuntimeException e) {
+            throw new EngineException("TornadoVM failed on " + name + ": " + e.getMessage(), e);
+        }
+    }
+
+    @Override
+    public void close() {
+        plan.ifPresent(DevicePlan::close);
+        plan = Optional.empty();
+    }
+}

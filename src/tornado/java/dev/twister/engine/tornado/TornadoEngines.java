@@ -1,0 +1,55 @@
+package dev.twister.engine.tornado;
+
+import com.google.auto.service.AutoService;
+import dev.twister.engine.EngineOffer;
+import dev.twister.engine.EngineProvider;
+import dev.twister.engine.Engines;
+import java.util.ArrayList;
+import java.util.List;
+import uk.ac.manchester.tornado.api.TornadoBackend;
+import uk.ac.manchester.tornado.api.TornadoRuntime;
+import uk.ac.manchester.tornado.api.common.TornadoDevice;
+import uk.ac.manchester.tornado.api.runtime.TornadoRuntimeProvider;
+
+/** An engine for each device of each backend that TornadoVM finds here. */
+@AutoService(EngineProvider.class)
+public final class TornadoEngines implements EngineProvider {
+    private static final String DESCRIPTION = "the kernel compiled by TornadoVM for a device";
+
+    @Override
+    public List<EngineOffer> offers() {
+        try {
+            List<EngineOffer> offers = devices();
+            return offers.isEmpty()
+                    ? List.of(impossible(
+                            "TornadoVM finds no device. Install a driver (OpenCL: your GPU's, or PoCL for the"
+                                    + " CPU: apt install pocl-opencl-icd)"))
+                    : offers;
+        } catch (RuntimeException | LinkageError e) {
+            return List.of(impossible(
+                    "TornadoVM does not start in this JVM (" + e.getClass().getSimpleName() + ": " + e.getMessage()
+                            + "). Start with scripts/twister, which gives the JVM the SDK's options"));
+        }
+    }
+
+    private static List<EngineOffer> devices() {
+        TornadoOptions.set();
+        TornadoRuntime runtime = TornadoRuntimeProvider.getTornadoRuntime();
+        List<EngineOffer> offers = new ArrayList<>();
+        for (int driver = 0; driver < runtime.getNumBackends(); driver++) {
+            TornadoBackend backend = runtime.getBackend(driver);
+            for (int index = 0; index < backend.getNumDevices(); index++) {
+                TornadoDevice device = backend.getDevice(index);
+                String id = Engines.TORNADO_PREFIX + ":" + driver + ":" + index;
+                String name =
+                        device.getPhysicalDevice().getDeviceName().strip() + " (" + device.getTornadoVMBackend() + ")";
+                offers.add(EngineOffer.working(id, name, DESCRIPTION, () -> new TornadoEngine(id, name, device)));
+            }
+        }
+        return offers;
+    }
+
+    private static EngineOffer impossible(String obstacle) {
+        return EngineOffer.impossible(Engines.TORNADO_PREFIX, "any OpenCL, PTX or CUDA device", DESCRIPTION, obstacle);
+    }
+}

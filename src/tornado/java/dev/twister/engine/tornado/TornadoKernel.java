@@ -1,0 +1,61 @@
+package dev.twister.engine.tornado;
+
+import dev.twister.kernel.PixelKernel;
+import dev.twister.kernel.SoftShadow;
+import uk.ac.manchester.tornado.api.annotations.Parallel;
+
+/** What TornadoVM compiles. */
+final class TornadoKernel {
+    private TornadoKernel() {}
+
+    /**
+     * All pixels of a band, one work-item each. The scalars are compiled in as constants; whatever changes from frame
+     * to frame is in the arrays, which are {@link dev.twister.world.FrameInput}'s.
+     *
+     * @param pixels {@code int[width * rows]} where the output is ARGB, else one int
+     * @param radiance {@code float[3 * width * rows]} where the output is LINEAR, else one float
+     * @param output one of {@link PixelKernel}'s
+     */
+    static void draw(
+            int[] pixels,
+            float[] radiance,
+            int[] dimensions,
+            float[] camera,
+            float[] rayTracingProperties,
+            float[] bodyPositions,
+            float[] bodySizes,
+            float[] bodyColors,
+            float[] bodyReflectivities,
+            float[] skybox,
+            int[] skyboxDimensions,
+            float[] shadowDisc,
+            float[] pixelOffsets,
+            int width,
+            int rows,
+            int output) {
+        for (@Parallel int row = 0; row < rows; row++) {
+            for (@Parallel int column = 0; column < width; column++) {
+                float[] scratch = new float[SoftShadow.SCRATCH_LENGTH];
+                PixelKernel.draw(
+                        column,
+                        row,
+                        pixels,
+                        radiance,
+                        dimensions,
+                        camera,
+                        rayTracingProperties,
+                        bodyPositions,
+                        bodySizes,
+                        bodyColors,
+                        bodyReflectivities,
+                        skybox,
+                        skyboxDimensions,
+                        shadowDisc,
+                        pixelOffsets,
+                        scratch,
+                        PixelKernel.SHORTCUTS,
+                        output);
+            }
+        }
+    }
+}

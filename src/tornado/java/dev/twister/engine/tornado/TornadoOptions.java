@@ -1,0 +1,20 @@
+package dev.twister.engine.tornado;
+
+import java.util.Map;
+
+/** What TornadoVM must be told before its classes are loaded. */
+final class TornadoOptions {
+    private static final Map<String, String> OPTIONS = Map.of(
+            // A kernel that does not compile is an error, never a silent run of the Java code.
+            "tornado.recover.bailout", "False",
+            // Without these two the kernel's helpers are left out of the device's code.
+            "tornado.compiler.fullInlining", "True",
+            "jdk.graal.MethodInlineBailoutLimit", "1000000");
+
+    private TornadoOptions() {}
+
+    /** Sets each as a system property, over whatever it was. */
+    static void set() {
+        OPTIONS.forEach(System::setProperty);
+    }
+}

@@ -1,0 +1,5 @@
+/**
+ * The TornadoVM engine: the kernel under two parallel loops, and the plan that schedules it. Built where an SDK is
+ * found. Leans on the kernel, the engine package, and TornadoVM's API.
+ */
+package dev.twister.engine.tornado;
