@@ -45,7 +45,7 @@ class SceneFilePropertyTest {
 
     private static byte[] spoilt(Random random, int changes) {
         byte[] bytes = SampleScene.TEXT.getBytes(StandardCharsets.UTF_8);
-        for (int i = 0; i < changes; i++) {
+        for (int i = 0; i < changes && bytes.length > 0; i++) {
             int place = random.nextInt(bytes.length);
             switch (random.nextInt(5)) {
                 case 0 -> bytes[place] = (byte) random.nextInt(256);

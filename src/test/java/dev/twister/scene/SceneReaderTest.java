@@ -106,8 +106,7 @@ class SceneReaderTest {
 
     @Test
     void refusesTooManyFields() {
-        String fields = "\"a\": 0, ".repeat(1);
-        StringBuilder many = new StringBuilder(fields);
+        StringBuilder many = new StringBuilder();
         for (int i = 0; i < 100; i++) {
             many.append("\"a").append(i).append("\": 0, ");
         }
@@ -120,13 +119,13 @@ class SceneReaderTest {
     void refusesATooLongNumberAndString() {
         assertThat(message(SampleScene.put(folder, SampleScene.with("1.5", "1." + "5".repeat(2000)))))
                 .endsWith(": a number, a name or a string here is too long");
-        assertThat(message(SampleScene.put(folder, SampleScene.with("Sample", "x".repeat(200_000)))))
+        assertThat(message(SampleScene.put(folder, SampleScene.with("\"Sample\"", "\"" + "x".repeat(200_000) + "\""))))
                 .endsWith(": a number, a name or a string here is too long");
     }
 
     @Test
     void shortensAndEscapesWhatTheFileSays() {
-        assertThat(message(SampleScene.put(folder, SampleScene.with("Sample", "x".repeat(5000)))))
+        assertThat(message(SampleScene.put(folder, SampleScene.with("\"Sample\"", "\"" + "x".repeat(5000) + "\""))))
                 .endsWith("$.name is a string of 5000 characters, \"" + "x".repeat(40)
                         + "...\", but must be a string of 0 to 200 characters, none of them a control character");
         assertThat(message(SampleScene.put(
@@ -186,7 +185,7 @@ class SceneReaderTest {
         assertThat(message(SampleScene.put(folder, cut)))
                 .endsWith("scene.json:2:2: is not UTF-8 text: the byte 0xC3 fits no character");
 
-        assertThat(message(SampleScene.put(folder, SampleScene.TEXT.getBytes(StandardCharsets.UTF_16BE))))
+        assertThat(message(SampleScene.put(folder, SampleScene.TEXT.getBytes(StandardCharsets.UTF_16))))
                 .contains("is not UTF-8 text");
         assertThat(message(SampleScene.put(folder, new byte[1000]))).contains("scene.json:1:1: not valid JSON");
     }
