@@ -39,6 +39,7 @@ exit /b %ERRORLEVEL%
 if defined jdk exit /b 0
 if not exist "%~1\bin\javac.exe" exit /b 0
 if not exist "%~1\release" exit /b 0
+set "major=0"
 for /f "tokens=2 delims==." %%V in ('findstr /b "JAVA_VERSION=" "%~1\release"') do set "major=%%~V"
 rem The release file quotes the whole version, so that its first part begins with a quote.
 set "major=%major:"=%"
@@ -62,6 +63,16 @@ rem The TornadoVM engine's classes must not stay where there is no SDK any more.
 if exist "%target%\classes" rmdir /s /q "%target%\classes"
 if exist "%target%\maven-status" rmdir /s /q "%target%\maven-status"
 if not exist "%target%" mkdir "%target%"
+if not defined sdk goto prepared
+rem The SDK's own argument file has the current folder on its module path: a stray jar there would stop the JVM.
+powershell -NoProfile -Command "(Get-Content -LiteralPath (Join-Path $env:sdk 'tornado-argfile')) -replace '^(--module-path[ =]\x22?)\.;', '$1' | Set-Content -Encoding ascii -LiteralPath $env:sdk_arguments"
+"%jdk%\bin\java" "@%sdk_arguments%" "@%TWISTER_HOME%\scripts\tornado.options" -version >nul 2>&1
+if errorlevel 1 (
+    del "%sdk_arguments%"
+    echo twister: the TornadoVM SDK in %sdk% does not run on the JDK in %jdk%. Set JAVA_HOME to the JDK that the SDK is made for, or install an SDK made for this one 1>&2
+    exit /b 1
+)
+:prepared
 rem The sources' state is that of now, whatever is edited while the build runs.
 >"%stamp%.new" echo sdk [%sdk%] jdk [%jdk%]
 pushd "%TWISTER_HOME%"
@@ -74,15 +85,5 @@ if errorlevel 1 (
     exit /b 1
 )
 popd
-if not defined sdk goto built
-rem The SDK's own argument file has the current folder on its module path: a stray jar there would stop the JVM.
-powershell -NoProfile -Command "(Get-Content -LiteralPath (Join-Path $env:sdk 'tornado-argfile')) -replace '^(--module-path[ =]\"?)\.;', '$1' | Set-Content -Encoding ascii -LiteralPath $env:sdk_arguments"
-"%jdk%\bin\java" "@%sdk_arguments%" "@%TWISTER_HOME%\scripts\tornado.options" -version >nul 2>&1
-if errorlevel 1 (
-    del "%sdk_arguments%"
-    echo twister: the TornadoVM SDK in %sdk% does not run on the JDK in %jdk%. Set JAVA_HOME to the JDK that the SDK is made for, or install an SDK made for this one 1>&2
-    exit /b 1
-)
-:built
 move /y "%stamp%.new" "%stamp%" >nul
 exit /b 0

@@ -85,7 +85,7 @@ final class BenchmarkCommand implements Callable<Integer> {
 
     @Option(
             names = "--quick",
-            description = "Minutes on a small machine: 720p and 1080p, 5 frames after 5, 10 seconds each.")
+            description = "Minutes on a small machine: 720p and 1080p, 5 frames after 20, 10 seconds each.")
     private boolean quick;
 
     @Option(names = "--warmup", paramLabel = "N", description = "Frames before the measured ones; 100 where not said.")
@@ -136,7 +136,7 @@ final class BenchmarkCommand implements Callable<Integer> {
                 plannedSizes(),
                 shading.shadowSamplesOr(classic ? CLASSIC_SHADOW_SAMPLES : SHADOW_SAMPLES),
                 shading.bouncesOr(classic ? CLASSIC_BOUNCES : BOUNCES),
-                Ranges.check("--warmup", warmup.orElse(quick ? 5 : 100), 0, MAX_FRAMES),
+                Ranges.check("--warmup", warmup.orElse(quick ? 20 : 100), 0, MAX_FRAMES),
                 Ranges.check("--frames", frames.orElse(quick ? 5 : 10), 1, MAX_FRAMES),
                 Ranges.check("--max-seconds", maxSeconds.orElse(quick ? 10.0 : 30.0), MIN_SECONDS, MAX_SECONDS));
     }
