@@ -14,7 +14,7 @@ public final class ToneMapping {
     private ToneMapping() {}
 
     /** 0 to 255 for one channel of linear radiance. */
-    static int quantized(float radiance, float exposureScale, int operator, float srgb) {
+    public static int quantized(float radiance, float exposureScale, int operator, float srgb) {
         float exposed = Math.min(Math.max(radiance * exposureScale, 0f), BRIGHTEST);
         float mapped = Math.min(operated(exposed, operator), 1f);
         float shown = srgb > 0f ? srgbEncoded(mapped) : mapped;

@@ -7,12 +7,10 @@ import dev.twister.kernel.PixelKernel;
 import dev.twister.scene.RenderSettings;
 import dev.twister.world.FrameInput;
 import java.util.Arrays;
-import uk.ac.manchester.tornado.api.GridScheduler;
 import uk.ac.manchester.tornado.api.TaskGraph;
 import uk.ac.manchester.tornado.api.TornadoExecutionPlan;
 import uk.ac.manchester.tornado.api.TornadoExecutionResult;
 import uk.ac.manchester.tornado.api.TornadoProfilerResult;
-import uk.ac.manchester.tornado.api.WorkerGrid2D;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
 import uk.ac.manchester.tornado.api.enums.DataTransferMode;
 import uk.ac.manchester.tornado.api.enums.ProfilerMode;
@@ -42,7 +40,7 @@ final class DevicePlan implements AutoCloseable {
     private final TornadoExecutionPlan plan;
     private boolean proven;
 
-    DevicePlan(TornadoDevice device, FrameInput input, boolean linear) {
+    DevicePlan(TornadoDevice device, FrameInput input, boolean linear, DrawTask kernel) {
         fixed = input;
         this.linear = linear;
         int count = Math.multiplyExact(input.width(), input.rows());
@@ -75,7 +73,7 @@ final class DevicePlan implements AutoCloseable {
                         pixelOffsets)
                 .task(
                         TASK,
-                        TornadoKernel::draw,
+                        kernel,
                         pixels,
                         radiance,
                         dimensions,
@@ -94,9 +92,7 @@ final class DevicePlan implements AutoCloseable {
                         linear ? PixelKernel.LINEAR : PixelKernel.ARGB)
                 .transferToHost(DataTransferMode.EVERY_EXECUTION, linear ? radiance : pixels);
         plan = new TornadoExecutionPlan(graph.snapshot());
-        plan.withDevice(device)
-                .withGridScheduler(new GridScheduler(GRAPH + "." + TASK, new WorkerGrid2D(input.width(), input.rows())))
-                .withProfiler(ProfilerMode.SILENT);
+        plan.withDevice(device).withProfiler(ProfilerMode.SILENT);
     }
 
     /** Whether what is on the device and compiled still holds for this frame. */

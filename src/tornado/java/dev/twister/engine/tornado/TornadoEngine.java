@@ -15,12 +15,18 @@ final class TornadoEngine implements Engine {
     private final String id;
     private final String name;
     private final TornadoDevice device;
+    private final DrawTask kernel;
     private Optional<DevicePlan> plan = Optional.empty();
 
     TornadoEngine(String id, String name, TornadoDevice device) {
+        this(id, name, device, DeviceKernel.DRAW);
+    }
+
+    TornadoEngine(String id, String name, TornadoDevice device, DrawTask kernel) {
         this.id = id;
         this.name = name;
         this.device = device;
+        this.kernel = kernel;
     }
 
     @Override
@@ -39,7 +45,7 @@ final class TornadoEngine implements Engine {
         try {
             if (plan.filter(current -> current.fits(input, frame)).isEmpty()) {
                 close();
-                plan = Optional.of(new DevicePlan(device, input, frame.isLinear()));
+                plan = Optional.of(new DevicePlan(device, input, frame.isLinear(), kernel));
             }
             frame.setTimes(plan.orElseThrow().draw(input, frame));
         } catch (TornadoBailoutRuntimeException e) {
@@ -47,6 +53,11 @@ final class TornadoEngine implements Engine {
         } catch (TornadoRuntimeException e) {
             throw new EngineException("TornadoVM failed on " + name + ": " + e.getMessage(), e);
         }
+    }
+
+    /** What is compiled and on the device now; another frame that fits it is drawn by the same. */
+    Optional<DevicePlan> plan() {
+        return plan;
     }
 
     @Override
