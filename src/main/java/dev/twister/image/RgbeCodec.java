@@ -27,13 +27,15 @@ final class RgbeCodec {
             return;
         }
         int exponent = Math.getExponent(largest) + 1;
-        if (Math.rint(Math.scalb(largest, 8 - exponent)) > 255) {
-            exponent++;
-        }
-        rgbe[to] = (byte) Math.rint(Math.scalb(red, 8 - exponent));
-        rgbe[to + 1] = (byte) Math.rint(Math.scalb(green, 8 - exponent));
-        rgbe[to + 2] = (byte) Math.rint(Math.scalb(blue, 8 - exponent));
+        rgbe[to] = mantissa(red, exponent);
+        rgbe[to + 1] = mantissa(green, exponent);
+        rgbe[to + 2] = mantissa(blue, exponent);
         rgbe[to + 3] = (byte) (exponent + 128);
+    }
+
+    /** Cut at 255, not carried into the exponent: that would double the error of the other two, beyond a part in 256. */
+    private static byte mantissa(double channel, int exponent) {
+        return (byte) Math.min(255, Math.rint(Math.scalb(channel, 8 - exponent)));
     }
 
     private static double representable(float channel) {

@@ -1,5 +1,6 @@
 package dev.twister.scene;
 
+import dev.twister.scene.LocatedValue.Member;
 import dev.twister.scene.LocatedValue.ObjectValue;
 import java.util.List;
 import java.util.Optional;
@@ -9,18 +10,15 @@ import java.util.stream.Stream;
 record Fields(Place object, ObjectValue value) {
     /** Refuses a field that is in neither list, and the lack of a required one. */
     Fields check(List<String> required, List<String> optional) {
-        for (int i = 0; i < value.names().size(); i++) {
-            String name = value.names().get(i);
-            if (!required.contains(name) && !optional.contains(name)) {
-                throw unknown(name, value.values().get(i).offset(), required, optional);
+        for (Member member : value.members()) {
+            if (!required.contains(member.name()) && !optional.contains(member.name())) {
+                throw unknown(member, required, optional);
             }
         }
         for (String name : required) {
-            if (!value.names().contains(name)) {
-                throw object.source()
-                        .failure(
-                                value.offset(),
-                                path(name) + " is missing; required here: " + String.join(", ", required));
+            if (find(name).isEmpty()) {
+                throw failure(
+                        value.offset(), path(name) + " is missing; required here: " + String.join(", ", required));
             }
         }
         return this;
@@ -31,11 +29,12 @@ record Fields(Place object, ObjectValue value) {
     }
 
     Optional<Place> find(String name) {
-        int index = value.names().indexOf(name);
-        return index < 0
-                ? Optional.empty()
-                : Optional.of(
-                        new Place(object.source(), path(name), value.values().get(index)));
+        for (Member member : value.members()) {
+            if (member.name().equals(name)) {
+                return Optional.of(new Place(object.source(), path(name), member.value()));
+            }
+        }
+        return Optional.empty();
     }
 
     /** A field that {@link #check} has required. */
@@ -47,16 +46,19 @@ record Fields(Place object, ObjectValue value) {
         return new JsonPath.Field(object.path(), name);
     }
 
-    private SceneException unknown(String name, int offset, List<String> required, List<String> optional) {
+    private SceneException unknown(Member member, List<String> required, List<String> optional) {
         List<String> allowed =
                 Stream.concat(required.stream(), optional.stream()).toList();
-        String guess = NearestName.of(name, allowed)
+        String guess = NearestName.of(member.name(), allowed)
                 .map(nearest -> " (did you mean \"" + nearest + "\"?)")
                 .orElse("");
-        return object.source()
-                .failure(
-                        offset,
-                        object.path() + " has an unknown field " + Excerpt.quoted(name) + guess + "; allowed here: "
-                                + String.join(", ", allowed));
+        return failure(
+                member.offset(),
+                object.path() + " has an unknown field " + Excerpt.quoted(member.name()) + guess + "; allowed here: "
+                        + String.join(", ", allowed));
+    }
+
+    private SceneException failure(int offset, String what) {
+        return object.source().failure(offset, what);
     }
 }

@@ -2,6 +2,7 @@ package dev.twister.scene;
 
 import dev.twister.scene.LocatedValue.ArrayValue;
 import dev.twister.scene.LocatedValue.FlagValue;
+import dev.twister.scene.LocatedValue.Member;
 import dev.twister.scene.LocatedValue.NullValue;
 import dev.twister.scene.LocatedValue.NumberValue;
 import dev.twister.scene.LocatedValue.ObjectValue;
@@ -59,14 +60,20 @@ final class LocatedTree {
         try (JsonParser parser =
                 factory.createParser(ObjectReadContext.empty(), source.characters(), 0, source.length())) {
             return new LocatedTree(source, parser).document();
-        } catch (StreamConstraintsException e) {
-            throw source.failure(offset(e), "a number, a name or a string here is too long");
-        } catch (JacksonException e) {
-            throw source.failure(offset(e), "not valid JSON: " + SyntaxMessage.of(e));
         }
     }
 
     private LocatedValue document() {
+        try {
+            return wholeText();
+        } catch (StreamConstraintsException e) {
+            throw source.failure(reached(), "a number, a name or a string here is too long");
+        } catch (JacksonException e) {
+            throw source.failure(place(e), "not valid JSON: " + SyntaxMessage.of(e));
+        }
+    }
+
+    private LocatedValue wholeText() {
         JsonToken first = parser.nextToken();
         if (first == null) {
             throw source.failure(source.length(), "the file holds only white space, but must hold a JSON object");
@@ -111,23 +118,23 @@ final class LocatedTree {
     }
 
     private ObjectValue object(int offset, JsonPath path, int depth) {
-        List<String> names = new ArrayList<>();
-        List<LocatedValue> members = new ArrayList<>();
+        List<Member> members = new ArrayList<>();
         while (parser.nextToken() != JsonToken.END_OBJECT) {
             String name = parser.currentName();
             JsonPath.Field place = new JsonPath.Field(path, name);
-            int earlier = names.indexOf(name);
-            if (earlier >= 0) {
-                int line = source.line(members.get(earlier).offset());
-                throw source.failure(offset(), place + " is given twice, first on line " + line);
+            int nameOffset = offset();
+            for (Member earlier : members) {
+                if (earlier.name().equals(name)) {
+                    throw source.failure(
+                            nameOffset, place + " is given twice, first on line " + source.line(earlier.offset()));
+                }
             }
-            if (names.size() == MAX_FIELDS) {
-                throw source.failure(offset(), path + " has more than " + MAX_FIELDS + " fields");
+            if (members.size() == MAX_FIELDS) {
+                throw source.failure(nameOffset, path + " has more than " + MAX_FIELDS + " fields");
             }
-            names.add(name);
-            members.add(value(parser.nextToken(), place, depth));
+            members.add(new Member(nameOffset, name, value(parser.nextToken(), place, depth)));
         }
-        return new ObjectValue(offset, List.copyOf(names), List.copyOf(members));
+        return new ObjectValue(offset, List.copyOf(members));
     }
 
     private ArrayValue array(int offset, JsonPath path, int depth) {
@@ -142,7 +149,12 @@ final class LocatedTree {
         return (int) parser.currentTokenLocation().getCharOffset();
     }
 
-    private static long offset(JacksonException failure) {
-        return failure.getLocation() == null ? 0 : failure.getLocation().getCharOffset();
+    private long place(JacksonException failure) {
+        return failure.getLocation() == null ? reached() : failure.getLocation().getCharOffset();
+    }
+
+    // How far the parser has come, which a broken limit does not say itself.
+    private long reached() {
+        return parser.currentLocation().getCharOffset();
     }
 }

@@ -6,8 +6,11 @@ import java.util.List;
 sealed interface LocatedValue {
     int offset();
 
-    /** Names are distinct; {@code values.get(i)} belongs to {@code names.get(i)}. */
-    record ObjectValue(int offset, List<String> names, List<LocatedValue> values) implements LocatedValue {}
+    /** A field of an object; the offset is its name's. */
+    record Member(int offset, String name, LocatedValue value) {}
+
+    /** The members' names are distinct. */
+    record ObjectValue(int offset, List<Member> members) implements LocatedValue {}
 
     record ArrayValue(int offset, List<LocatedValue> items) implements LocatedValue {}
 

@@ -3,12 +3,17 @@ package dev.twister.scene;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import tools.jackson.core.io.JsonStringEncoder;
 
 /** A scene as JSON text: fields in a fixed order, one line a part and one line a sphere. */
 final class SceneText {
     private static final double MAX_EXACT_LONG = 1e15;
+
+    /** A pattern sees a pair as one character, so this matches halves only. */
+    private static final Pattern LONE_SURROGATE = Pattern.compile("\\p{Cs}");
 
     private SceneText() {}
 
@@ -111,6 +116,11 @@ final class SceneText {
     private static String string(String text) {
         StringBuilder quoted = new StringBuilder("\"");
         JsonStringEncoder.getInstance().quoteAsString(text, quoted);
-        return quoted.append('"').toString();
+        return LONE_SURROGATE.matcher(quoted.append('"')).replaceAll(SceneText::escape);
+    }
+
+    // UTF-8 has no half of a character; JSON's escapes do.
+    private static String escape(MatchResult surrogate) {
+        return "\\\\u%04x".formatted((int) surrogate.group().charAt(0));
     }
 }

@@ -7,9 +7,6 @@ import java.util.stream.IntStream;
  * and a hazy ground. Computed with {@link StrictMath}, so that every machine draws the same floats.
  */
 public final class DaylightSky {
-    /** What the mean of the sky becomes, the sun's disc aside: mid tones of a picture at exposure 0. */
-    private static final double MEAN_SKY_RADIANCE = 0.4;
-
     private DaylightSky() {}
 
     /** A cloudless sky; see {@link #panorama(int, int, Daylight)}. */
@@ -19,8 +16,8 @@ public final class DaylightSky {
     }
 
     /**
-     * Draws a panorama, scaled so that the sky's mean luminance is 0.4 whatever the hour; the sun, drawn with the light its
-     * disc really has in proportion, is thousands of times brighter.
+     * Draws a panorama, scaled so that the sky's mean luminance is what is asked for, whatever the hour; the sun, drawn
+     * with the light its disc really has in proportion, is thousands of times brighter.
      *
      * @param width 1 to 16384 texels
      * @param height 1 to 8192 texels
@@ -36,10 +33,13 @@ public final class DaylightSky {
                 StrictMath.toRadians(daylight.sunAzimuthDegrees()),
                 daylight.turbidity());
         DaylightModel model = new DaylightModel(daylight, sun);
-        double scale = MEAN_SKY_RADIANCE / model.meanSkyLuminance();
+        double scale = daylight.meanSkyRadiance() / model.meanSkyLuminance();
 
         float[] radiance = new float[3 * width * height];
         IntStream.range(0, height).parallel().forEach(row -> drawRow(model, scale, row, width, height, radiance));
+        if (!daylight.sunDisc()) {
+            return new Skybox(width, height, radiance);
+        }
         Colour disc = sun.radiance().times(scale * DaylightModel.sunThroughCloud(daylight.cloudCover()));
         SunDisc.add(sun.direction(), disc, width, height, radiance);
         return new Skybox(width, height, radiance);

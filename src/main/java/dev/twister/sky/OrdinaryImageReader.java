@@ -6,6 +6,7 @@ import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Locale;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
@@ -58,9 +59,14 @@ final class OrdinaryImageReader {
                     unreadable);
         }
         // libjpeg fills what is missing with grey and only warns.
-        if (warnings.stream().anyMatch(warning -> warning.contains("Premature end"))) {
+        if (warnings.stream().anyMatch(OrdinaryImageReader::saysTruncated)) {
             throw new IOException("the " + format + " ends before its last texel");
         }
         return image;
+    }
+
+    private static boolean saysTruncated(String warning) {
+        String words = warning.toLowerCase(Locale.ROOT);
+        return words.contains("premature end") || words.contains("truncated");
     }
 }

@@ -31,9 +31,9 @@ class RgbeCodecTest {
     }
 
     @Test
-    void roundsUpIntoTheNextExponent() {
-        assertThat(readBack(0.9999f, 0, 0)).containsExactly(1, 0, 0);
-        assertThat(readBack(255.9f, 3, 0)).containsExactly(256, 4, 0);
+    void roundsNextToAPowerOfTwoWithoutLosingTheOtherChannels() {
+        assertThat(readBack(255.9f, 3, 0)).containsExactly(255, 3, 0);
+        assertThat(readBack(256, 3, 0)).containsExactly(256, 4, 0);
     }
 
     @Test

@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.regex.Pattern;
 
 /** A valid scene file's text, for tests to spoil, and the folder that it can be read in. */
 final class SampleScene {
@@ -31,7 +32,7 @@ final class SampleScene {
 
     /** The text with its one occurrence of a part replaced. */
     static String with(String part, String replacement) {
-        if (TEXT.split(java.util.regex.Pattern.quote(part), -1).length != 2) {
+        if (TEXT.split(Pattern.quote(part), -1).length != 2) {
             throw new IllegalArgumentException("not exactly once in the sample: " + part);
         }
         return TEXT.replace(part, replacement);

@@ -182,7 +182,7 @@ class RadianceReaderTest {
         byte[] texels = new byte[4 * width * height];
         byte[] texel = new byte[4];
         for (int at = 0; at < texels.length; at += 4) {
-            if (at / 4 >= width && random.nextInt(3) == 0 || at == 0) {
+            if (at == 0 || (at / 4 >= width && random.nextInt(3) == 0)) {
                 random.nextBytes(texel);
                 texel[0] |= (byte) 0x80;
                 texel[3] = random.nextInt(5) == 0 ? 0 : (byte) (100 + random.nextInt(60));

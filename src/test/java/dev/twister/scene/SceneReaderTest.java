@@ -1,0 +1,198 @@
+package dev.twister.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
+
+import java.io.IOException;
+import java.io.RandomAccessFile;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import org.assertj.core.api.Assumptions;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.FieldSource;
+
+class SceneReaderTest {
+    static final List<SpoiltScenes.Spoilt> SPOILT = SpoiltScenes.ALL;
+
+    @TempDir
+    Path folder;
+
+    @Test
+    void readsEveryField() {
+        Scene scene = SceneReader.read(SampleScene.put(folder, SampleScene.TEXT));
+
+        assertThat(scene)
+                .isEqualTo(new Scene(
+                        "Sample",
+                        "Every field is here.",
+                        new Camera(new Vector3(0, -5, -15), 0, 7, 50),
+                        new Light(new Vector3(0, 0, 0), 1.2, new Rgb(1, 1, 1)),
+                        new Plane(48, -9.75, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32),
+                        List.of(
+                                new Sphere(new Vector3(-4, -8, 0), 1.75, new Rgb(1, 0, 0), 24),
+                                new Sphere(new Vector3(0, -8, 0), 1.5, new Rgb(0, 1, 0), 36)),
+                        folder.resolve("sky.hdr"),
+                        0.25,
+                        new RenderSettings(640, 360, 16, 2, 4, -0.5, ToneMap.ACES, true)));
+    }
+
+    @Test
+    void fillsInWhatIsOptional() {
+        String text = SampleScene.TEXT.replaceAll("(?m)^  \"(\\$schema|name|description|shading|rendering)\".*\n", "");
+
+        Scene scene = SceneReader.read(SampleScene.put(folder, text));
+
+        assertThat(scene.name()).isEmpty();
+        assertThat(scene.description()).isEmpty();
+        assertThat(scene.ambient()).isEqualTo(Scene.DEFAULT_AMBIENT);
+        assertThat(scene.settings()).isEqualTo(RenderSettings.DEFAULT);
+    }
+
+    @Test
+    void takesWholeNumbersHoweverTheyAreWritten() {
+        String text =
+                SampleScene.with("\"width\": 640", "\"width\": 6.4e2").replace("\"version\": 1", "\"version\": 1.0");
+
+        assertThat(SceneReader.read(SampleScene.put(folder, text)).settings().width())
+                .isEqualTo(640);
+    }
+
+    @Test
+    void takesAByteOrderMarkAndAnyLineEnds() {
+        Path file = SampleScene.put(folder, "\uFEFF" + SampleScene.TEXT.replace("\n", "\r\n"));
+
+        assertThat(SceneReader.read(file).name()).isEqualTo("Sample");
+    }
+
+    @ParameterizedTest
+    @FieldSource("SPOILT")
+    void saysWhereAndWhatIsWrong(SpoiltScenes.Spoilt spoilt) {
+        Path file = SampleScene.put(folder, spoilt.text());
+
+        assertThatThrownBy(() -> SceneReader.read(file))
+                .isInstanceOf(SceneException.class)
+                .hasMessage(file + ":" + spoilt.message());
+    }
+
+    @Test
+    void countsLinesAsEditorsDo() {
+        for (String lineEnd : List.of("\n", "\r\n", "\r")) {
+            Path file = SampleScene.put(
+                    folder, SampleScene.with("\"pitch\": 7", "\"pitch\": 91").replace("\n", lineEnd));
+
+            assertThat(message(file)).startsWith(file + ":6:59: ");
+        }
+    }
+
+    @Test
+    void refusesADocumentThatIsNoObject() {
+        assertThat(message(SampleScene.put(folder, "[1, 2]")))
+                .endsWith("scene.json:1:1: the file starts with \"[1, 2]\", but must hold a JSON object");
+        assertThat(message(SampleScene.put(folder, " \n ")))
+                .endsWith("scene.json:2:2: the file holds only white space, but must hold a JSON object");
+    }
+
+    @Test
+    void refusesAbsurdNesting() {
+        assertThat(message(SampleScene.put(folder, SampleScene.with("1.5", "[".repeat(100_000)))))
+                .endsWith("scene.json:14:53: objects and arrays are nested more than 16 deep");
+    }
+
+    @Test
+    void refusesTooManyFields() {
+        StringBuilder many = new StringBuilder();
+        for (int i = 0; i < 100; i++) {
+            many.append("\"a").append(i).append("\": 0, ");
+        }
+
+        assertThat(message(SampleScene.put(folder, SampleScene.with("\"yaw\"", many + "\"yaw\""))))
+                .contains("$.camera has more than 64 fields");
+    }
+
+    @Test
+    void refusesATooLongNumberAndString() {
+        assertThat(message(SampleScene.put(folder, SampleScene.with("1.5", "1." + "5".repeat(2000)))))
+                .endsWith(": a number, a name or a string here is too long");
+        assertThat(message(SampleScene.put(folder, SampleScene.with("\"Sample\"", "\"" + "x".repeat(200_000) + "\""))))
+                .endsWith(": a number, a name or a string here is too long");
+    }
+
+    @Test
+    void shortensAndEscapesWhatTheFileSays() {
+        assertThat(message(SampleScene.put(folder, SampleScene.with("\"Sample\"", "\"" + "x".repeat(5000) + "\""))))
+                .endsWith("$.name is a string of 5000 characters, \"" + "x".repeat(40)
+                        + "...\", but must be a string of 0 to 200 characters, none of them a control character");
+        assertThat(message(SampleScene.put(
+                        folder, SampleScene.with("\"yaw\"", "\"\\u001b[31m" + "x".repeat(300) + "\": 2, \"yaw\""))))
+                .endsWith("$.camera has an unknown field \"\\u001b[31m" + "x".repeat(35)
+                        + "...\"; allowed here: position, yaw, pitch, fieldOfView");
+    }
+
+    @Test
+    void refusesASkyboxThatIsNotThere() {
+        assertThat(message(SampleScene.put(folder, SampleScene.with("sky.hdr", "../noon.hdr"))))
+                .endsWith("scene.json:9:13: $.skybox names a file that is not there: "
+                        + folder.resolveSibling("noon.hdr"));
+        assertThat(message(SampleScene.put(folder, SampleScene.with("sky.hdr", "."))))
+                .endsWith("scene.json:9:13: $.skybox names a folder, but must name a picture: " + folder);
+    }
+
+    @Test
+    void refusesWhatIsNoFile() {
+        Path missing = folder.resolve("none.json");
+        assertThat(message(missing)).isEqualTo(missing + ": there is no such file");
+        assertThat(message(folder)).isEqualTo(folder + ": is a folder, but must be a scene file");
+    }
+
+    @Test
+    void refusesAnEmptyFile() {
+        Path file = SampleScene.put(folder, "");
+        assertThat(message(file)).isEqualTo(file + ": the file is empty (0 bytes)");
+    }
+
+    @Test
+    void refusesAHugeFileUnread() throws IOException {
+        Path file = folder.resolve("huge.json");
+        try (RandomAccessFile sparse = new RandomAccessFile(file.toFile(), "rw")) {
+            sparse.setLength(1L << 30);
+        }
+        assertThat(message(file))
+                .isEqualTo(file + ": has 1073741824 bytes; a scene file may have at most 67108864 bytes (64 MiB)");
+    }
+
+    @Test
+    void refusesAnUnreadableFile() {
+        Path file = SampleScene.put(folder, SampleScene.TEXT);
+        // The superuser may read everything.
+        Assumptions.assumeThat(file.toFile().setReadable(false) && !Files.isReadable(file))
+                .isTrue();
+        assertThat(message(file)).isEqualTo(file + ": cannot be read: permission denied");
+    }
+
+    @Test
+    void refusesBinaryFilesAndBadText() {
+        byte[] png = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+        assertThat(message(SampleScene.put(folder, png)))
+                .endsWith("scene.json:1:1: is not UTF-8 text: the byte 0x89 fits no character");
+
+        byte[] cut = Arrays.copyOf("{\n\"é".getBytes(StandardCharsets.UTF_8), 4);
+        assertThat(message(SampleScene.put(folder, cut)))
+                .endsWith("scene.json:2:2: is not UTF-8 text: the byte 0xC3 fits no character");
+
+        assertThat(message(SampleScene.put(folder, SampleScene.TEXT.getBytes(StandardCharsets.UTF_16))))
+                .contains("is not UTF-8 text");
+        assertThat(message(SampleScene.put(folder, new byte[1000]))).contains("scene.json:1:1: not valid JSON");
+    }
+
+    private static String message(Path file) {
+        SceneException refusal = catchThrowableOfType(SceneException.class, () -> SceneReader.read(file));
+        assertThat(refusal).as("the refusal of " + file).isNotNull();
+        return refusal.getMessage();
+    }
+}

@@ -1,0 +1,94 @@
+package dev.twister.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class SceneWriterTest {
+    @TempDir
+    Path folder;
+
+    @Test
+    void writesOneLineAPartAndOneASphere() throws IOException {
+        Path file = folder.resolve("out.json");
+
+        SceneWriter.write(scene(24), file);
+
+        assertThat(file).hasContent("""
+                {
+                  "version": 1,
+                  "name": "A \"name\"",
+                  "description": "",
+                  "camera": {"position": [0, -5, -15.5], "yaw": -0.0, "pitch": 7, "fieldOfView": 50},
+                  "light": {"position": [0, 0, 0], "radius": 1.0E-5, "color": [1, 1, 1]},
+                  "plane": {"size": 48, "height": -9.75, "colors": [[0.4, 0.4, 0.4], [0.2, 0.2, 0.2]], "reflectivity": 32},
+                  "skybox": "../skyboxes/day.hdr",
+                  "shading": {"ambient": 0.2},
+                  "rendering": {"width": 1280, "height": 720, "shadowSamples": 200, "bounces": 3, "samplesPerPixel": 1, "exposure": 0, "toneMap": "clamp", "srgb": false},
+                  "spheres": [
+                    {"position": [-8, -8, 0], "radius": 1.75, "color": [1, 0.123456789, 1], "reflectivity": 24}
+                  ]
+                }
+                """.replace("\"A \"name\"\"", "\"A \\\"name\\\"\""));
+        assertThat(names()).containsExactly("out.json");
+    }
+
+    @Test
+    void replacesAFileAndLeavesNothingElse() throws IOException {
+        Path file = Files.writeString(folder.resolve("out.json"), "old");
+
+        SceneWriter.write(scene(24), file);
+
+        assertThat(Files.readString(file)).startsWith("{\n  \"version\": 1");
+        assertThat(names()).containsExactly("out.json");
+    }
+
+    @Test
+    void keepsTheOldFileWhereTheSceneIsInvalid() throws IOException {
+        Path file = Files.writeString(folder.resolve("out.json"), "old");
+
+        assertThatThrownBy(() -> SceneWriter.write(scene(Double.NaN), file))
+                .isInstanceOf(SceneException.class)
+                .hasMessage(file
+                        + " (not written):12:93: $.spheres[0].reflectivity is NaN, but must be a number from 0 to 128");
+        assertThat(file).hasContent("old");
+        assertThat(names()).containsExactly("out.json");
+    }
+
+    @Test
+    void refusesAFolderAndALackOfOne() {
+        assertThatThrownBy(() -> SceneWriter.write(scene(24), folder))
+                .isInstanceOf(SceneException.class)
+                .hasMessage(folder + ": cannot be written: is a folder or a device, but must be a file");
+        Path lost = folder.resolve("none").resolve("out.json");
+        assertThatThrownBy(() -> SceneWriter.write(scene(24), lost))
+                .isInstanceOf(SceneException.class)
+                .hasMessage(lost + ": cannot be written: there is no folder to write it in");
+    }
+
+    private List<String> names() throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(file -> file.getFileName().toString()).toList();
+        }
+    }
+
+    private Scene scene(double reflectivity) {
+        return new Scene(
+                "A \"name\"",
+                "",
+                new Camera(new Vector3(0, -5, -15.5), -0.0, 7, 50),
+                new Light(new Vector3(0, 0, 0), 0.00001, new Rgb(1, 1, 1)),
+                new Plane(48, -9.75, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32),
+                List.of(new Sphere(new Vector3(-8, -8, 0), 1.75, new Rgb(1, 0.123456789, 1), reflectivity)),
+                folder.resolveSibling("skyboxes").resolve("day.hdr"),
+                0.2,
+                RenderSettings.DEFAULT);
+    }
+}

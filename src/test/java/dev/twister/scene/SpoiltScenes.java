@@ -1,0 +1,351 @@
+package dev.twister.scene;
+
+import java.util.List;
+
+/** The sample scene, spoilt in one place at a time, and what the reader has to say of each. */
+final class SpoiltScenes {
+    /**
+     * One way to spoil the sample.
+     *
+     * @param schemaSees whether the JSON Schema refuses it too: it sees neither syntax, nor duplicates, nor the disk
+     * @param message what follows the file's name and a colon
+     */
+    record Spoilt(String name, boolean schemaSees, String part, String replacement, String message) {
+        String text() {
+            return SampleScene.with(part, replacement);
+        }
+
+        @Override
+        public String toString() {
+            return name;
+        }
+    }
+
+    static final List<Spoilt> ALL = List.of(
+            new Spoilt(
+                    "not JSON",
+                    false,
+                    "{\n  \"$schema\"",
+                    "hello\n  \"$schema\"",
+                    "1:1: not valid JSON: Unrecognized token 'hello': was expecting a value"),
+            new Spoilt(
+                    "unquoted name",
+                    false,
+                    "\"yaw\": 0",
+                    "yaw: 0",
+                    "6:40: not valid JSON: Unexpected character ('y' (code 121)): was expecting double-quote to start property name"),
+            new Spoilt(
+                    "missing colon",
+                    false,
+                    "\"yaw\": 0",
+                    "\"yaw\" 0",
+                    "6:46: not valid JSON: Unexpected character ('0' (code 48)): was expecting a colon to separate property name and value"),
+            new Spoilt(
+                    "no value",
+                    false,
+                    "\"yaw\": 0",
+                    "\"yaw\":",
+                    "6:46: not valid JSON: Unexpected character (',' (code 44)): expected a value"),
+            new Spoilt(
+                    "trailing comma",
+                    false,
+                    "\"reflectivity\": 36}\n",
+                    "\"reflectivity\": 36},\n",
+                    "15:3: not valid JSON: Unexpected character (']' (code 93)): expected a value"),
+            new Spoilt(
+                    "comment",
+                    false,
+                    "  \"version\"",
+                    "  // one\n  \"version\"",
+                    "3:3: not valid JSON: Unexpected character ('/' (code 47)): maybe a (non-standard) comment?"),
+            new Spoilt(
+                    "leading zero",
+                    false,
+                    "\"pitch\": 7",
+                    "\"pitch\": 07",
+                    "6:60: not valid JSON: Invalid numeric value: Leading zeroes not allowed"),
+            new Spoilt(
+                    "line break in a string",
+                    false,
+                    "Every field",
+                    "Every\nfield",
+                    "5:24: not valid JSON: Illegal unquoted character ((CTRL-CHAR, code 10)): has to be escaped using backslash to be included in string value"),
+            new Spoilt(
+                    "wrong bracket",
+                    false,
+                    "[0, 1, 0]",
+                    "[0, 1, 0}",
+                    "14:62: not valid JSON: Unexpected close marker '}': expected ']'"),
+            new Spoilt(
+                    "cut off",
+                    false,
+                    "\"reflectivity\": 36}\n  ]\n}\n",
+                    "\"reflectivity\": 36}\n",
+                    "15:1: not valid JSON: Unexpected end-of-input: expected close marker for Array"),
+            new Spoilt(
+                    "control character in a word",
+                    false,
+                    "\"yaw\": 0",
+                    "\"yaw\": \u202e0",
+                    "6:47: not valid JSON: Unexpected character ('\\u202e' (code 8238 / 0x202e)): expected a value"),
+            new Spoilt(
+                    "trailing garbage",
+                    false,
+                    "  ]\n}\n",
+                    "  ]\n}\n{\"version\": 1}",
+                    "17:1: the scene has ended, but \"{\"version\": 1}\" follows"),
+            new Spoilt(
+                    "duplicate field",
+                    false,
+                    "\"yaw\": 0",
+                    "\"yaw\": 0, \"yaw\": 1",
+                    "6:50: $.camera.yaw is given twice, first on line 6"),
+            new Spoilt(
+                    "wrong version",
+                    true,
+                    "\"version\": 1",
+                    "\"version\": 2",
+                    "3:14: $.version is 2, but must be 1, the version of the format that this program reads"),
+            new Spoilt(
+                    "version as text",
+                    true,
+                    "\"version\": 1",
+                    "\"version\": \"1\"",
+                    "3:14: $.version is \"1\", but must be 1, the version of the format that this program reads"),
+            new Spoilt(
+                    "no version",
+                    true,
+                    "  \"version\": 1,\n",
+                    "",
+                    "1:1: $.version is missing; required here: version, camera, light, plane, spheres, skybox"),
+            new Spoilt(
+                    "unknown field",
+                    true,
+                    "\"radius\": 1.5, \"color\"",
+                    "\"radius\": 1.5, \"colour\"",
+                    "14:45: $.spheres[1] has an unknown field \"colour\" (did you mean \"color\"?); allowed here: position, radius, color, reflectivity"),
+            new Spoilt(
+                    "unknown field, nothing near",
+                    true,
+                    "\"yaw\": 0",
+                    "\"yaw\": 0, \"zoom\": 2",
+                    "6:50: $.camera has an unknown field \"zoom\"; allowed here: position, yaw, pitch, fieldOfView"),
+            new Spoilt(
+                    "unknown part",
+                    true,
+                    "\"shading\"",
+                    "\"shader\"",
+                    "10:3: $ has an unknown field \"shader\"; allowed here: version, camera, light, plane, spheres, skybox, $schema, name, description, shading, rendering"),
+            new Spoilt(
+                    "missing field",
+                    true,
+                    "\"radius\": 1.5, ",
+                    "",
+                    "14:5: $.spheres[1].radius is missing; required here: position, radius, color, reflectivity"),
+            new Spoilt(
+                    "missing part",
+                    true,
+                    "  \"skybox\": \"sky.hdr\",\n",
+                    "",
+                    "1:1: $.skybox is missing; required here: version, camera, light, plane, spheres, skybox"),
+            new Spoilt(
+                    "text for a number",
+                    true,
+                    "\"radius\": 1.5",
+                    "\"radius\": \"1.5\"",
+                    "14:40: $.spheres[1].radius is \"1.5\", but must be a number from 0.000001 to 1000000 metres"),
+            new Spoilt(
+                    "null",
+                    true,
+                    "\"radius\": 1.5",
+                    "\"radius\": null",
+                    "14:40: $.spheres[1].radius is null, but must be a number from 0.000001 to 1000000 metres"),
+            new Spoilt(
+                    "array for a number",
+                    true,
+                    "\"radius\": 1.5",
+                    "\"radius\": [1.5]",
+                    "14:40: $.spheres[1].radius is an array of 1 item, but must be a number from 0.000001 to 1000000 metres"),
+            new Spoilt(
+                    "object for an array",
+                    true,
+                    "[0, 1, 0]",
+                    "{\"red\": 0}",
+                    "14:54: $.spheres[1].color is an object, but must be an array of 3 numbers [red, green, blue]"),
+            new Spoilt(
+                    "two components",
+                    true,
+                    "[0, 1, 0]",
+                    "[0, 1]",
+                    "14:54: $.spheres[1].color is an array of 2 items, but must be an array of 3 numbers [red, green, blue]"),
+            new Spoilt(
+                    "four components",
+                    true,
+                    "[0, 1, 0]",
+                    "[0, 1, 0, 1]",
+                    "14:54: $.spheres[1].color is an array of 4 items, but must be an array of 3 numbers [red, green, blue]"),
+            new Spoilt(
+                    "NaN",
+                    false,
+                    "\"radius\": 1.5",
+                    "\"radius\": NaN",
+                    "14:40: $.spheres[1].radius is NaN, but must be a number from 0.000001 to 1000000 metres"),
+            new Spoilt(
+                    "minus infinity",
+                    false,
+                    "\"radius\": 1.5",
+                    "\"radius\": -Infinity",
+                    "14:40: $.spheres[1].radius is -Infinity, but must be a number from 0.000001 to 1000000 metres"),
+            new Spoilt(
+                    "more than a float",
+                    true,
+                    "\"radius\": 1.5",
+                    "\"radius\": 1e300",
+                    "14:40: $.spheres[1].radius is 1e300, but must be a number from 0.000001 to 1000000 metres"),
+            new Spoilt(
+                    "more than a double",
+                    false,
+                    "\"radius\": 1.5",
+                    "\"radius\": 1e999",
+                    "14:40: $.spheres[1].radius is 1e999, but must be a number from 0.000001 to 1000000 metres"),
+            new Spoilt(
+                    "negative radius",
+                    true,
+                    "\"radius\": 1.5",
+                    "\"radius\": -1.5",
+                    "14:40: $.spheres[1].radius is -1.5, but must be a number from 0.000001 to 1000000 metres"),
+            new Spoilt(
+                    "zero radius",
+                    true,
+                    "\"radius\": 1.5",
+                    "\"radius\": 0",
+                    "14:40: $.spheres[1].radius is 0, but must be a number from 0.000001 to 1000000 metres"),
+            new Spoilt(
+                    "albedo above 1",
+                    true,
+                    "[0, 1, 0]",
+                    "[0, 1.01, 0]",
+                    "14:58: $.spheres[1].color[1] is 1.01, but must be a number from 0 to 1"),
+            new Spoilt(
+                    "negative light",
+                    true,
+                    "\"radius\": 1.2, \"color\": [1, 1, 1]",
+                    "\"radius\": 1.2, \"color\": [1, 1, -1]",
+                    "7:67: $.light.color[2] is -1, but must be a number from 0 to 1000000"),
+            new Spoilt(
+                    "far away",
+                    true,
+                    "[-4, -8, 0]",
+                    "[-4, -8, 1000001]",
+                    "13:27: $.spheres[0].position[2] is 1000001, but must be a number from -1000000 to 1000000 metres"),
+            new Spoilt(
+                    "pitch",
+                    true,
+                    "\"pitch\": 7",
+                    "\"pitch\": 90.5",
+                    "6:59: $.camera.pitch is 90.5, but must be a number from -90 to 90 degrees"),
+            new Spoilt(
+                    "field of view",
+                    true,
+                    "\"fieldOfView\": 50",
+                    "\"fieldOfView\": 180",
+                    "6:77: $.camera.fieldOfView is 180, but must be a number from 1 to 179 degrees"),
+            new Spoilt(
+                    "reflectivity",
+                    true,
+                    "\"reflectivity\": 36",
+                    "\"reflectivity\": 128.5",
+                    "14:81: $.spheres[1].reflectivity is 128.5, but must be a number from 0 to 128"),
+            new Spoilt(
+                    "ambient",
+                    true,
+                    "\"ambient\": 0.25",
+                    "\"ambient\": 1.5",
+                    "10:26: $.shading.ambient is 1.5, but must be a number from 0 to 1"),
+            new Spoilt(
+                    "one plane color",
+                    true,
+                    "[[0.4, 0.4, 0.4], [0.2, 0.2, 0.2]]",
+                    "[[0.4, 0.4, 0.4]]",
+                    "8:52: $.plane.colors is an array of 1 item, but must be an array of 2 colors"),
+            new Spoilt(
+                    "fraction of a pixel",
+                    true,
+                    "\"width\": 640",
+                    "\"width\": 640.5",
+                    "11:26: $.rendering.width is 640.5, but must be a whole number from 1 to 16384 pixels"),
+            new Spoilt(
+                    "no pixels",
+                    true,
+                    "\"height\": 360",
+                    "\"height\": 0",
+                    "11:41: $.rendering.height is 0, but must be a whole number from 1 to 16384 pixels"),
+            new Spoilt(
+                    "too many samples",
+                    true,
+                    "\"samplesPerPixel\": 4",
+                    "\"samplesPerPixel\": 1025",
+                    "11:100: $.rendering.samplesPerPixel is 1025, but must be a whole number from 1 to 1024"),
+            new Spoilt(
+                    "too many bounces",
+                    true,
+                    "\"bounces\": 2",
+                    "\"bounces\": 65",
+                    "11:78: $.rendering.bounces is 65, but must be a whole number from 0 to 64"),
+            new Spoilt(
+                    "exposure",
+                    true,
+                    "\"exposure\": -0.5",
+                    "\"exposure\": 21",
+                    "11:115: $.rendering.exposure is 21, but must be a number from -20 to 20 stops"),
+            new Spoilt(
+                    "tone map",
+                    true,
+                    "\"aces\"",
+                    "\"ACES\"",
+                    "11:132: $.rendering.toneMap is \"ACES\", but must be one of \"clamp\", \"reinhard\", \"aces\""),
+            new Spoilt(
+                    "number for a flag",
+                    true,
+                    "\"srgb\": true",
+                    "\"srgb\": 1",
+                    "11:148: $.rendering.srgb is 1, but must be true or false"),
+            new Spoilt(
+                    "number for a name",
+                    true,
+                    "\"Sample\"",
+                    "7",
+                    "4:11: $.name is 7, but must be a string of 0 to 200 characters, none of them a control character"),
+            new Spoilt(
+                    "terminal codes in a name",
+                    true,
+                    "\"Sample\"",
+                    "\"\\u001b[2J\\u0007\"",
+                    "4:11: $.name is \"\\u001b[2J\\u0007\", but must be a string of 0 to 200 characters, none of them a control character"),
+            new Spoilt(
+                    "empty skybox",
+                    true,
+                    "\"sky.hdr\"",
+                    "\"\"",
+                    "9:13: $.skybox is \"\", but must be a string of 1 to 1000 characters, none of them a control character"),
+            new Spoilt(
+                    "skybox with NUL",
+                    true,
+                    "\"sky.hdr\"",
+                    "\"\\u0000\"",
+                    "9:13: $.skybox is \"\\u0000\", but must be a string of 1 to 1000 characters, none of them a control character"),
+            new Spoilt(
+                    "schema is a number",
+                    true,
+                    "\"scene.schema.json\"",
+                    "3",
+                    "2:14: $.$schema is 3, but must be a string of 0 to 1000 characters, none of them a control character"),
+            new Spoilt(
+                    "spheres is an object",
+                    false,
+                    "\"spheres\": [",
+                    "\"spheres\": {\"a\": [",
+                    "17:1: not valid JSON: Unexpected end-of-input: expected close marker for Object"));
+
+    private SpoiltScenes() {}
+}
