@@ -7,8 +7,7 @@ import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 import java.util.Optional;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
-import uk.ac.manchester.tornado.api.exceptions.TornadoBailoutRuntimeException;
-import uk.ac.manchester.tornado.api.exceptions.TornadoRuntimeException;
+import uk.ac.manchester.tornado.api.exceptions.TornadoInternalError;
 
 /** Draws on a device of TornadoVM's. The first frame of a size takes seconds: TornadoVM compiles the kernel then. */
 final class TornadoEngine implements Engine {
@@ -48,10 +47,12 @@ final class TornadoEngine implements Engine {
                 plan = Optional.of(new DevicePlan(device, input, frame.isLinear(), kernel));
             }
             frame.setTimes(plan.orElseThrow().draw(input, frame));
-        } catch (TornadoBailoutRuntimeException e) {
-            throw new EngineException("TornadoVM could not compile the kernel for " + name + ": " + e.getMessage(), e);
-        } catch (TornadoRuntimeException e) {
-            throw new EngineException("TornadoVM failed on " + name + ": " + e.getMessage(), e);
+        } catch (EngineException e) {
+            close();
+            throw e;
+        } catch (RuntimeException | TornadoInternalError e) {
+            close();
+            throw new EngineException(DeviceFailure.message(name, e), e);
         }
     }
 
