@@ -23,7 +23,7 @@ public final class KernelMath {
 
     /**
      * {@code base^exponent} for a base in [0, 2] and an exponent in [0, 128]; 0^0 is 1. The relative error is below
-     * 3e-5 where the result is above 1e-30.
+     * 4e-5 where base and result are above 1e-30.
      */
     public static float pow(float base, float exponent) {
         int whole = (int) exponent;
