@@ -22,7 +22,7 @@ import picocli.CommandLine.Spec;
         footer = {
             "",
             "Examples:",
-            "  twister sky -o evening.hdr --elevation 8 --azimuth 60 --turbidity 4",
+            "  twister sky -o evening.hdr --elevation 8 --azimuth 60 --turbidity 4 --sun",
             "  twister sky -o overcast.hdr --preset overcast --size 2048x1024"
         })
 final class SkyCommand implements Callable<Integer> {
@@ -31,6 +31,8 @@ final class SkyCommand implements Callable<Integer> {
     private static final double MAX_AZIMUTH_DEGREES = 1e6;
     private static final double MIN_TURBIDITY = 2;
     private static final double MAX_TURBIDITY = 10;
+    private static final double MIN_BRIGHTNESS = 0.001;
+    private static final double MAX_BRIGHTNESS = 100;
     private static final long BYTES_PER_TEXEL = 3L * Float.BYTES;
 
     @Spec
@@ -66,6 +68,21 @@ final class SkyCommand implements Callable<Integer> {
             description = "How hazy the air is: 2 very clear, 3 clear, 6 hazy, 10 nearly fog.")
     private Optional<Double> turbidity = Optional.empty();
 
+    @Option(names = "--clouds", paramLabel = "PART", description = "0 a clear sky, 1 an even layer that hides the sun.")
+    private Optional<Double> clouds = Optional.empty();
+
+    @Option(
+            names = "--brightness",
+            paramLabel = "RADIANCE",
+            description = "The sky's mean luminance, 0.001 to 100; 0.4 gives mid tones at exposure 0.")
+    private Optional<Double> brightness = Optional.empty();
+
+    @Option(
+            names = "--sun",
+            negatable = true,
+            description = "Draw the sun itself, some texels thousands of times brighter than the sky.")
+    private Optional<Boolean> sun = Optional.empty();
+
     @Option(
             names = "--size",
             paramLabel = "SIZE",
@@ -99,7 +116,10 @@ final class SkyCommand implements Callable<Integer> {
                         -MAX_AZIMUTH_DEGREES,
                         MAX_AZIMUTH_DEGREES),
                 Ranges.check("--turbidity", turbidity.orElse(usual.turbidity()), MIN_TURBIDITY, MAX_TURBIDITY),
-                usual.cloudCover(),
-                usual.groundAlbedo());
+                Ranges.check("--clouds", clouds.orElse(usual.cloudCover()), 0, 1),
+                usual.groundAlbedo(),
+                Ranges.check(
+                        "--brightness", brightness.orElse(usual.meanSkyRadiance()), MIN_BRIGHTNESS, MAX_BRIGHTNESS),
+                sun.orElse(usual.sunDisc()));
     }
 }
