@@ -2,37 +2,11 @@ package dev.twister.engine.tornado;
 
 import uk.ac.manchester.tornado.api.annotations.Parallel;
 
-/** Kernels that TornadoVM cannot compile. */
+/** Kernels that TornadoVM cannot compile or that do not draw. (On a recursive one its compiler never ends.) */
 final class BrokenKernels {
     private BrokenKernels() {}
 
     private record Point(int x, int y) {}
-
-    static void recursive(
-            int[] pixels,
-            float[] radiance,
-            int[] dimensions,
-            float[] camera,
-            float[] rayTracingProperties,
-            float[] bodyPositions,
-            float[] bodySizes,
-            float[] bodyColors,
-            float[] bodyReflectivities,
-            float[] skybox,
-            int[] skyboxDimensions,
-            float[] shadowDisc,
-            float[] pixelOffsets,
-            int width,
-            int rows,
-            int output) {
-        for (@Parallel int i = 0; i < rows; i++) {
-            pixels[i] = fibonacci(dimensions[0] + i);
-        }
-    }
-
-    private static int fibonacci(int n) {
-        return n < 2 ? n : fibonacci(n - 1) + fibonacci(n - 2);
-    }
 
     static void keepingObjects(
             int[] pixels,

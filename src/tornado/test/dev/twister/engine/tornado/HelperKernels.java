@@ -11,7 +11,10 @@ import dev.twister.kernel.ViewRay;
 import java.util.function.Supplier;
 import uk.ac.manchester.tornado.api.annotations.Parallel;
 
-/** A small kernel around each helper, to run on a device and, called as it is, on the JVM. */
+/**
+ * A small kernel around each helper, to run on a device and, called as it is, on the JVM. None is named like a
+ * function of OpenCL (floor, say): its driver would refuse it, and TornadoVM would run what is not there.
+ */
 public final class HelperKernels implements Supplier<HelperTasks> {
     @Override
     public HelperTasks get() {
@@ -20,47 +23,47 @@ public final class HelperKernels implements Supplier<HelperTasks> {
 
     private static HelperTask named(String helper) {
         return switch (helper) {
-            case "floor" -> HelperKernels::floor;
-            case "inverseRoot" -> HelperKernels::inverseRoot;
-            case "pow" -> HelperKernels::pow;
-            case "atan2" -> HelperKernels::atan2;
-            case "viewRay" -> HelperKernels::viewRay;
-            case "sphere" -> HelperKernels::sphere;
-            case "plane" -> HelperKernels::plane;
-            case "closestHit" -> HelperKernels::closestHit;
-            case "skyLookup" -> HelperKernels::skyLookup;
-            case "shading" -> HelperKernels::shading;
-            case "toneMapping" -> HelperKernels::toneMapping;
-            case "softShadow" -> HelperKernels::softShadow;
+            case "floor" -> HelperKernels::floorItems;
+            case "inverseRoot" -> HelperKernels::inverseRootItems;
+            case "pow" -> HelperKernels::powItems;
+            case "atan2" -> HelperKernels::atan2Items;
+            case "viewRay" -> HelperKernels::viewRayItems;
+            case "sphere" -> HelperKernels::sphereItems;
+            case "plane" -> HelperKernels::planeItems;
+            case "closestHit" -> HelperKernels::closestHitItems;
+            case "skyLookup" -> HelperKernels::skyLookupItems;
+            case "shading" -> HelperKernels::shadingItems;
+            case "toneMapping" -> HelperKernels::toneMappingItems;
+            case "softShadow" -> HelperKernels::softShadowItems;
             default -> throw new IllegalArgumentException(helper);
         };
     }
 
-    static void floor(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
+    static void floorItems(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             out[i] = KernelMath.floor(in[i]);
         }
     }
 
-    static void inverseRoot(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
+    static void inverseRootItems(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             out[i] = KernelMath.inverseRoot(in[i]);
         }
     }
 
-    static void pow(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
+    static void powItems(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             out[i] = KernelMath.pow(in[2 * i], in[2 * i + 1]);
         }
     }
 
-    static void atan2(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
+    static void atan2Items(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             out[i] = KernelMath.atan2(in[2 * i], in[2 * i + 1]);
         }
     }
 
-    static void viewRay(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
+    static void viewRayItems(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             int width = (int) in[4 * i + 2];
             int height = (int) in[4 * i + 3];
@@ -69,7 +72,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
-    static void sphere(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
+    static void sphereItems(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             out[i] = Intersection.sphere(
                     in[7 * i],
@@ -82,7 +85,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
-    static void plane(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
+    static void planeItems(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             out[i] = Intersection.plane(
                     in[8 * i],
@@ -97,7 +100,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
     }
 
     /** Item: origin, direction, the body that the ray leaves, how many bodies. Tables: positions, sizes. */
-    static void closestHit(float[] in, float[] positions, float[] sizes, float[] c, float[] out, int count) {
+    static void closestHitItems(float[] in, float[] positions, float[] sizes, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             int body = ClosestHit.body(
                     in[8 * i],
@@ -129,7 +132,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
     }
 
     /** Item: direction, width, height. Table: the panorama. */
-    static void skyLookup(float[] in, float[] skybox, float[] b, float[] c, float[] out, int count) {
+    static void skyLookupItems(float[] in, float[] skybox, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             int width = (int) in[5 * i + 3];
             int height = (int) in[5 * i + 4];
@@ -143,7 +146,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
-    static void shading(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
+    static void shadingItems(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             out[3 * i] = Shading.lit(in[6 * i], in[6 * i + 1], in[6 * i + 2]);
             out[3 * i + 1] =
@@ -152,7 +155,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
-    static void toneMapping(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
+    static void toneMappingItems(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             out[2 * i] = ToneMapping.quantized(in[4 * i], in[4 * i + 1], (int) in[4 * i + 2], in[4 * i + 3]);
             out[2 * i + 1] = ToneMapping.srgbEncoded(Math.min(in[4 * i], 1f));
@@ -160,7 +163,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
     }
 
     /** Item: point, own body, A, D, the disc's radius, samples, bodies. Tables: unit disc, positions, sizes. */
-    static void softShadow(float[] in, float[] disc, float[] positions, float[] sizes, float[] out, int count) {
+    static void softShadowItems(float[] in, float[] disc, float[] positions, float[] sizes, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             float[] scratch = new float[SoftShadow.SCRATCH_LENGTH];
             out[i] = SoftShadow.visible(
