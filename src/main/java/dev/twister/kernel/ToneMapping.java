@@ -14,7 +14,7 @@ public final class ToneMapping {
     private ToneMapping() {}
 
     /** 0 to 255 for one channel of linear radiance. */
-    static int quantized(float radiance, float exposureScale, int operator, float srgb) {
+    public static int quantized(float radiance, float exposureScale, int operator, float srgb) {
         float scaled = radiance * exposureScale;
         float exposed = scaled > 0f ? (scaled < BRIGHTEST ? scaled : BRIGHTEST) : 0f;
         float operated = operated(exposed, operator);
