@@ -7,13 +7,16 @@ import dev.twister.kernel.PixelKernel;
 import dev.twister.scene.RenderSettings;
 import dev.twister.world.FrameInput;
 import java.util.Arrays;
+import uk.ac.manchester.tornado.api.GridScheduler;
 import uk.ac.manchester.tornado.api.TaskGraph;
 import uk.ac.manchester.tornado.api.TornadoExecutionPlan;
 import uk.ac.manchester.tornado.api.TornadoExecutionResult;
 import uk.ac.manchester.tornado.api.TornadoProfilerResult;
+import uk.ac.manchester.tornado.api.WorkerGrid2D;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
 import uk.ac.manchester.tornado.api.enums.DataTransferMode;
 import uk.ac.manchester.tornado.api.enums.ProfilerMode;
+import uk.ac.manchester.tornado.api.enums.TornadoDeviceType;
 import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
 
 /**
@@ -98,6 +101,11 @@ final class DevicePlan implements AutoCloseable {
                 .transferToHost(DataTransferMode.EVERY_EXECUTION, linear ? radiance : pixels);
         plan = new TornadoExecutionPlan(graph.snapshot());
         plan.withDevice(device).withProfiler(ProfilerMode.SILENT);
+        if (device.getDeviceType() != TornadoDeviceType.CPU) {
+            // Left alone, TornadoVM may choose a group too large for the kernel's registers; the driver knows better.
+            plan.withGridScheduler(
+                    new GridScheduler(GRAPH + "." + TASK, new WorkerGrid2D(input.width(), input.rows())));
+        }
     }
 
     /** Whether what is on the device and compiled still holds for this frame. */
@@ -172,11 +180,6 @@ final class DevicePlan implements AutoCloseable {
 
     Copied lastCopied() {
         return lastCopied;
-    }
-
-    /** How much memory the plan's buffers take on the device now. */
-    long deviceBytes() {
-        return plan.getCurrentDeviceMemoryUsage();
     }
 
     /** Gives the device's buffers back; a device that is lost has none, and that is no reason to fail. */

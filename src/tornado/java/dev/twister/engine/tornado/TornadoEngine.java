@@ -7,7 +7,6 @@ import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 import java.util.Optional;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
-import uk.ac.manchester.tornado.api.exceptions.TornadoInternalError;
 
 /** Draws on a device of TornadoVM's. The first frame of a size takes seconds: TornadoVM compiles the kernel then. */
 final class TornadoEngine implements Engine {
@@ -50,7 +49,10 @@ final class TornadoEngine implements Engine {
         } catch (EngineException e) {
             close();
             throw e;
-        } catch (RuntimeException | TornadoInternalError e) {
+        } catch (VirtualMachineError e) {
+            throw e;
+        } catch (RuntimeException | Error e) {
+            // TornadoVM's compiler reports what it cannot compile as an Error of its own.
             close();
             throw new EngineException(DeviceFailure.message(name, e), e);
         }

@@ -21,6 +21,10 @@ final class SceneSamples {
     private SceneSamples() {}
 
     static World world(long seed, int spheres) {
+        return world(seed, spheres, sky(new Random(seed)));
+    }
+
+    static World world(long seed, int spheres, Skybox sky) {
         Random random = new Random(seed);
         List<Sphere> bodies = new ArrayList<>();
         for (int i = 0; i < spheres; i++) {
@@ -31,7 +35,7 @@ final class SceneSamples {
         Plane plane = new Plane(48, -6, color(random), color(random), 128 * random.nextDouble());
         Scene scene =
                 new Scene("", "", camera(random), light, plane, bodies, Path.of("none"), 0.2, RenderSettings.DEFAULT);
-        return World.of(scene, sky(random));
+        return World.of(scene, sky);
     }
 
     /** Near the bodies, among them, or straight up or down. */
