@@ -27,7 +27,7 @@ public final class ClosestHit {
                 float distance = distance(
                         body, originX, originY, originZ, directionX, directionY, directionZ, bodyPositions, bodySizes);
                 hit = distance < closest ? body : hit;
-                closest = Math.min(distance, closest);
+                closest = distance < closest ? distance : closest;
             }
         }
         return hit;

@@ -8,7 +8,7 @@ public final class Shading {
 
     /** {@code max(a, max(0, N.L) * S)}. */
     public static float lit(float ambient, float normalDotLight, float visible) {
-        return Math.max(ambient, Math.max(0f, normalDotLight) * visible);
+        return (normalDotLight * visible > ambient ? normalDotLight * visible : ambient);
     }
 
     /**

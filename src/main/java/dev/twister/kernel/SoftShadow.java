@@ -119,8 +119,10 @@ public final class SoftShadow {
         int toSample = umbra == 0 ? count : 0;
         if (toSample > 0) {
             int remembered = Math.min(count, REMEMBERED);
-            int blocked = 0;
-            for (int sample = 0; sample < samples; sample++) {
+            int alone = count == 1 ? liesBetween(candidates, distance) : 0;
+            int blocked = alone != 0 ? blockedByOne(candidates, shadowDisc, sampleScale, samples) : 0;
+            int firstSample = alone != 0 ? samples : 0;
+            for (int sample = firstSample; sample < samples; sample++) {
                 float x = shadowDisc[2 * sample] * sampleScale;
                 float y = shadowDisc[2 * sample + 1] * sampleScale;
                 int hit = 0;
@@ -154,6 +156,31 @@ public final class SoftShadow {
             visible = 1f - (float) blocked / samples;
         }
         return visible;
+    }
+
+    /** 1 where the first candidate lies wholly between the point and the disc: then only its distance from a ray counts. */
+    private static int liesBetween(float[] candidates, float distance) {
+        float radius = (float) Math.sqrt(candidates[3]);
+        return (candidates[0] - radius > 0f ? 1 : 0) & (candidates[0] + radius < distance * UMBRA_MARGIN ? 1 : 0);
+    }
+
+    /** How many samples the first candidate blocks, which lies wholly between: most points in a penumbra have but one. */
+    private static int blockedByOne(float[] candidates, float[] shadowDisc, float sampleScale, int samples) {
+        float a = candidates[0];
+        float u = candidates[1];
+        float w = candidates[2];
+        float radiusSquared = candidates[3];
+        int blocked = 0;
+        for (int sample = 0; sample < samples; sample++) {
+            float x = shadowDisc[2 * sample] * sampleScale;
+            float y = shadowDisc[2 * sample + 1] * sampleScale;
+            float p = u - a * x;
+            float q = w - a * y;
+            float moment = p * y - q * x;
+            int met = moment * moment + p * p + q * q <= radiusSquared * (1f + x * x + y * y) ? 1 : 0;
+            blocked = blocked + met;
+        }
+        return blocked;
     }
 
     /**

@@ -14,9 +14,11 @@ public final class ToneMapping {
     private ToneMapping() {}
 
     /** 0 to 255 for one channel of linear radiance. */
-    static int quantized(float radiance, float exposureScale, int operator, float srgb) {
-        float exposed = Math.min(Math.max(radiance * exposureScale, 0f), BRIGHTEST);
-        float mapped = Math.min(operated(exposed, operator), 1f);
+    public static int quantized(float radiance, float exposureScale, int operator, float srgb) {
+        float scaled = radiance * exposureScale;
+        float exposed = scaled > 0f ? (scaled < BRIGHTEST ? scaled : BRIGHTEST) : 0f;
+        float operated = operated(exposed, operator);
+        float mapped = operated < 1f ? operated : 1f;
         float shown = srgb > 0f ? srgbEncoded(mapped) : mapped;
         return (int) (shown * 255f + 0.5f);
     }

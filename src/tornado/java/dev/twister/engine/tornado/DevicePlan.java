@@ -16,6 +16,7 @@ import uk.ac.manchester.tornado.api.WorkerGrid2D;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
 import uk.ac.manchester.tornado.api.enums.DataTransferMode;
 import uk.ac.manchester.tornado.api.enums.ProfilerMode;
+import uk.ac.manchester.tornado.api.enums.TornadoDeviceType;
 import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
 
 /**
@@ -23,6 +24,7 @@ import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
  * go to the device once; camera, properties, positions and the small sample tables each frame; only pixels come back.
  */
 final class DevicePlan implements AutoCloseable {
+    private static final System.Logger LOGGER = System.getLogger(DevicePlan.class.getName());
     private static final String GRAPH = "twister";
     private static final String TASK = "draw";
     private static final int NOT_DRAWN = 0;
@@ -41,8 +43,12 @@ final class DevicePlan implements AutoCloseable {
     private final float[] pixelOffsets = new float[2 * RenderSettings.MAX_SAMPLES_PER_PIXEL];
     private final TornadoExecutionPlan plan;
     private boolean proven;
+    private Copied lastCopied = new Copied(0, 0);
 
-    DevicePlan(TornadoDevice device, FrameInput input, boolean linear) {
+    /** What a frame moved between this machine and the device. */
+    record Copied(long bytesIn, long bytesOut) {}
+
+    DevicePlan(TornadoDevice device, FrameInput input, boolean linear, DrawTask kernel) {
         fixed = input;
         this.linear = linear;
         int count = Math.multiplyExact(input.width(), input.rows());
@@ -75,7 +81,7 @@ final class DevicePlan implements AutoCloseable {
                         pixelOffsets)
                 .task(
                         TASK,
-                        TornadoKernel::draw,
+                        kernel,
                         pixels,
                         radiance,
                         dimensions,
@@ -94,9 +100,12 @@ final class DevicePlan implements AutoCloseable {
                         linear ? PixelKernel.LINEAR : PixelKernel.ARGB)
                 .transferToHost(DataTransferMode.EVERY_EXECUTION, linear ? radiance : pixels);
         plan = new TornadoExecutionPlan(graph.snapshot());
-        plan.withDevice(device)
-                .withGridScheduler(new GridScheduler(GRAPH + "." + TASK, new WorkerGrid2D(input.width(), input.rows())))
-                .withProfiler(ProfilerMode.SILENT);
+        plan.withDevice(device).withProfiler(ProfilerMode.SILENT);
+        if (device.getDeviceType() != TornadoDeviceType.CPU) {
+            // Left alone, TornadoVM may choose a group too large for the kernel's registers; the driver knows better.
+            plan.withGridScheduler(
+                    new GridScheduler(GRAPH + "." + TASK, new WorkerGrid2D(input.width(), input.rows())));
+        }
     }
 
     /** Whether what is on the device and compiled still holds for this frame. */
@@ -128,6 +137,7 @@ final class DevicePlan implements AutoCloseable {
         System.arraycopy(input.dimensions(), 0, dimensions, 0, dimensions.length);
         TornadoExecutionResult result = plan.execute();
         TornadoProfilerResult profile = result.getProfilerResult();
+        lastCopied = new Copied(profile.getTotalBytesCopyIn(), profile.getTotalBytesCopyOut());
         requireKernelRan(profile);
         if (linear) {
             System.arraycopy(radiance, 0, frame.radiance(), 0, radiance.length);
@@ -168,13 +178,18 @@ final class DevicePlan implements AutoCloseable {
         System.arraycopy(from, 0, to, 0, from.length);
     }
 
+    Copied lastCopied() {
+        return lastCopied;
+    }
+
+    /** Gives the device's buffers back; a device that is lost has none, and that is no reason to fail. */
     @Override
     public void close() {
         try {
             plan.freeDeviceMemory();
             plan.close();
-        } catch (TornadoExecutionPlanException e) {
-            throw new EngineException("the device's buffers could not be given back: " + e.getMessage(), e);
+        } catch (TornadoExecutionPlanException | RuntimeException e) {
+            LOGGER.log(System.Logger.Level.DEBUG, "the device's buffers could not be given back", e);
         }
     }
 }

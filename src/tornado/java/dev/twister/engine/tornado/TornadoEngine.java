@@ -7,20 +7,24 @@ import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 import java.util.Optional;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
-import uk.ac.manchester.tornado.api.exceptions.TornadoBailoutRuntimeException;
-import uk.ac.manchester.tornado.api.exceptions.TornadoRuntimeException;
 
 /** Draws on a device of TornadoVM's. The first frame of a size takes seconds: TornadoVM compiles the kernel then. */
 final class TornadoEngine implements Engine {
     private final String id;
     private final String name;
     private final TornadoDevice device;
+    private final DrawTask kernel;
     private Optional<DevicePlan> plan = Optional.empty();
 
     TornadoEngine(String id, String name, TornadoDevice device) {
+        this(id, name, device, DeviceKernel.DRAW);
+    }
+
+    TornadoEngine(String id, String name, TornadoDevice device, DrawTask kernel) {
         this.id = id;
         this.name = name;
         this.device = device;
+        this.kernel = kernel;
     }
 
     @Override
@@ -39,14 +43,24 @@ final class TornadoEngine implements Engine {
         try {
             if (plan.filter(current -> current.fits(input, frame)).isEmpty()) {
                 close();
-                plan = Optional.of(new DevicePlan(device, input, frame.isLinear()));
+                plan = Optional.of(new DevicePlan(device, input, frame.isLinear(), kernel));
             }
             frame.setTimes(plan.orElseThrow().draw(input, frame));
-        } catch (TornadoBailoutRuntimeException e) {
-            throw new EngineException("TornadoVM could not compile the kernel for " + name + ": " + e.getMessage(), e);
-        } catch (TornadoRuntimeException e) {
-            throw new EngineException("TornadoVM failed on " + name + ": " + e.getMessage(), e);
+        } catch (EngineException e) {
+            close();
+            throw e;
+        } catch (VirtualMachineError e) {
+            throw e;
+        } catch (RuntimeException | Error e) {
+            // TornadoVM's compiler reports what it cannot compile as an Error of its own.
+            close();
+            throw new EngineException(DeviceFailure.message(name, e), e);
         }
+    }
+
+    /** What is compiled and on the device now; another frame that fits it is drawn by the same. */
+    Optional<DevicePlan> plan() {
+        return plan;
     }
 
     @Override

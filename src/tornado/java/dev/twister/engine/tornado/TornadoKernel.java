@@ -2,11 +2,15 @@ package dev.twister.engine.tornado;
 
 import dev.twister.kernel.PixelKernel;
 import dev.twister.kernel.SoftShadow;
+import java.util.function.Supplier;
 import uk.ac.manchester.tornado.api.annotations.Parallel;
 
-/** What TornadoVM compiles. */
-final class TornadoKernel {
-    private TornadoKernel() {}
+/** What TornadoVM compiles; public for {@link DeviceClassLoader}. */
+public final class TornadoKernel implements Supplier<DrawTask> {
+    @Override
+    public DrawTask get() {
+        return TornadoKernel::draw;
+    }
 
     /**
      * All pixels of a band, one work-item each. The scalars are compiled in as constants; whatever changes from frame

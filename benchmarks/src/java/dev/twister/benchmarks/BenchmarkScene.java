@@ -1,0 +1,37 @@
+package dev.twister.benchmarks;
+
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneGenerator;
+import dev.twister.scene.SceneReader;
+import dev.twister.sky.SkyboxReader;
+import dev.twister.world.World;
+import java.nio.file.Path;
+
+/** The scenes that are measured. */
+final class BenchmarkScene {
+    /** Where the checkout is; the Maven profile says so. */
+    private static final Path HOME = Path.of(System.getProperty("twister.home", "."));
+
+    private static final long SEED = 1;
+
+    private BenchmarkScene() {}
+
+    /** The paper's scene. */
+    static World paper(RenderSettings settings) {
+        return world(SceneReader.read(HOME.resolve("scenes/benchmark.json")), settings);
+    }
+
+    /** The paper's scene for five spheres, else a generated one. */
+    static World withSpheres(int spheres, RenderSettings settings) {
+        return spheres == 5
+                ? paper(settings)
+                : world(SceneGenerator.spheres(spheres, SEED, HOME.resolve("skyboxes/day.hdr")), settings);
+    }
+
+    private static World world(Scene scene, RenderSettings settings) {
+        World world = World.of(scene, SkyboxReader.read(scene.skybox()));
+        world.setSettings(settings);
+        return world;
+    }
+}

@@ -1,0 +1,109 @@
+package dev.twister.bench;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineException;
+import dev.twister.engine.JvmEngines;
+import dev.twister.image.Frame;
+import dev.twister.world.FrameInput;
+import dev.twister.world.World;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+
+/** Measures engines one after the other and holds each one's picture to sequential's. */
+public final class Benchmark {
+    /** The engine that all pictures are compared with. */
+    public static final String REFERENCE = JvmEngines.SEQUENTIAL;
+
+    private final Function<String, Engine> opener;
+    private final BenchmarkPlan plan;
+    private final World world;
+    private final BenchmarkProgress progress;
+    private final Map<PictureSize, int[]> references = new HashMap<>();
+    private final List<Measurement> measurements = new ArrayList<>();
+    private final List<EngineFailure> failures = new ArrayList<>();
+
+    private Benchmark(Function<String, Engine> opener, BenchmarkPlan plan, World world, BenchmarkProgress progress) {
+        this.opener = opener;
+        this.plan = plan;
+        this.world = world;
+        this.progress = progress;
+    }
+
+    /**
+     * Runs the plan. An engine that fails is in the report, and the others go on.
+     *
+     * @param opener opens the engine of an id
+     * @param scene what the report calls the world's scene
+     * @param world its settings' size, samples and bounces give way to the plan's
+     * @throws EngineException where the reference cannot be drawn
+     */
+    public static BenchmarkReport run(
+            Function<String, Engine> opener,
+            BenchmarkPlan plan,
+            String scene,
+            World world,
+            BenchmarkProgress progress) {
+        Benchmark benchmark = new Benchmark(opener, plan, world, progress);
+        benchmark.drawReferences();
+        plan.engines().forEach(benchmark::measure);
+        // Each engine is opened once, for all sizes; a reader compares engines at one size.
+        benchmark.measurements.sort(
+                Comparator.comparingInt(measurement -> plan.sizes().indexOf(measurement.size())));
+        return new BenchmarkReport(
+                MachineInfo.ofThisMachine(), plan, scene, benchmark.measurements, benchmark.failures);
+    }
+
+    private void drawReferences() {
+        try (Engine engine = opener.apply(REFERENCE)) {
+            for (PictureSize size : plan.sizes()) {
+                progress.begins("reference", size, 1);
+                Frame frame = Frame.ofPixels(size.width(), size.height());
+                engine.render(inputAt(size), frame);
+                progress.drewFrame();
+                references.put(size, frame.argb());
+            }
+        }
+    }
+
+    private void measure(String id) {
+        try (Engine engine = opener.apply(id)) {
+            for (PictureSize size : plan.sizes()) {
+                progress.begins(engine.id(), size, plan.warmupFrames() + plan.frames());
+                measurements.add(measure(engine, size));
+            }
+        } catch (EngineException failure) {
+            failures.add(new EngineFailure(id, failure.getMessage()));
+        }
+    }
+
+    private Measurement measure(Engine engine, PictureSize size) {
+        FrameInput input = inputAt(size);
+        Frame frame = Frame.ofPixels(size.width(), size.height());
+        FrameLoop loop = new FrameLoop(engine, input, frame, progress, plan.maxSeconds());
+        int warmups = loop.warmUp(plan.warmupFrames());
+        MeasuredFrames measured = loop.measure(plan.frames());
+        return new Measurement(
+                engine.id(),
+                engine.device(),
+                size,
+                input.shadowSamples(),
+                input.bounces(),
+                input.bodies(),
+                warmups,
+                measured.statistics(),
+                measured.deviceTimes(),
+                PictureComparison.of(references.get(size), frame.argb()));
+    }
+
+    private FrameInput inputAt(PictureSize size) {
+        world.setSettings(world.settings()
+                .withSize(size.width(), size.height())
+                .withShadows(plan.shadowSamples())
+                .withBounces(plan.bounces()));
+        return world.snapshot();
+    }
+}

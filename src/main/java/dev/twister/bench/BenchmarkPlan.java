@@ -1,0 +1,29 @@
+package dev.twister.bench;
+
+import java.util.List;
+
+/**
+ * What to measure.
+ *
+ * @param engines their ids, in the order of the report
+ * @param sizes in the order of the report
+ * @param shadowSamples points on the light's disc
+ * @param bounces limit of reflections
+ * @param warmupFrames frames drawn before the measured ones, so that compilers are done
+ * @param frames measured frames
+ * @param maxSeconds for one engine at one size, warm-up included, half of it at most; fewer frames are taken where it
+ *     is short, but always one of each
+ */
+public record BenchmarkPlan(
+        List<String> engines,
+        List<PictureSize> sizes,
+        int shadowSamples,
+        int bounces,
+        int warmupFrames,
+        int frames,
+        double maxSeconds) {
+    public BenchmarkPlan {
+        engines = List.copyOf(engines);
+        sizes = List.copyOf(sizes);
+    }
+}

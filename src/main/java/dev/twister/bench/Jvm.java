@@ -1,0 +1,37 @@
+package dev.twister.bench;
+
+import com.sun.management.HotSpotDiagnosticMXBean;
+import com.sun.management.OperatingSystemMXBean;
+import java.lang.management.ManagementFactory;
+
+/** What this JVM says of itself. */
+final class Jvm {
+    private Jvm() {}
+
+    static long machineMemory() {
+        OperatingSystemMXBean system = ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
+        return system == null ? 0 : system.getTotalMemorySize();
+    }
+
+    static String vendor() {
+        String own = System.getProperty("java.vendor.version", "");
+        return System.getProperty("java.vendor", "unknown") + (own.isEmpty() ? "" : " (" + own + ")");
+    }
+
+    static String jit() {
+        return (usesGraal() ? "Graal" : "C2") + ", " + System.getProperty("java.vm.name", "unknown JVM");
+    }
+
+    private static boolean usesGraal() {
+        HotSpotDiagnosticMXBean diagnostics = ManagementFactory.getPlatformMXBean(HotSpotDiagnosticMXBean.class);
+        if (diagnostics == null) {
+            return false;
+        }
+        try {
+            return Boolean.parseBoolean(
+                    diagnostics.getVMOption("UseJVMCICompiler").getValue());
+        } catch (IllegalArgumentException noSuchOption) {
+            return false;
+        }
+    }
+}

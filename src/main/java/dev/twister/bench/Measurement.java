@@ -1,0 +1,24 @@
+package dev.twister.bench;
+
+import java.util.Optional;
+
+/**
+ * One engine at one size.
+ *
+ * @param bodies light, plane and spheres
+ * @param warmupFrames really drawn before the measured ones
+ * @param times of the measured frames, from the call to the pixels in the caller's array
+ * @param deviceTimes where the engine draws on a device
+ * @param comparison with sequential's picture
+ */
+public record Measurement(
+        String engine,
+        String device,
+        PictureSize size,
+        int shadowSamples,
+        int bounces,
+        int bodies,
+        int warmupFrames,
+        Statistics times,
+        Optional<DeviceTimes> deviceTimes,
+        PictureComparison comparison) {}

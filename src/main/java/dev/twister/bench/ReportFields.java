@@ -1,0 +1,75 @@
+package dev.twister.bench;
+
+import dev.twister.engine.JvmEngines;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** A report's facts under the names that its JSON and its CSV share; nothing is null, what is unknown is absent. */
+final class ReportFields {
+    private ReportFields() {}
+
+    static Map<String, Object> ofMachine(MachineInfo machine) {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("processor", machine.processor());
+        fields.put("cores", machine.cores());
+        fields.put("memoryBytes", machine.memoryBytes());
+        fields.put("maxHeapBytes", machine.maxHeapBytes());
+        fields.put("operatingSystem", machine.operatingSystem());
+        fields.put("jdk", machine.jdk());
+        fields.put("jdkVendor", machine.vendor());
+        fields.put("jit", machine.jit());
+        fields.put("twister", machine.twister());
+        machine.tornadoVm().ifPresent(version -> fields.put("tornadoVm", version));
+        return fields;
+    }
+
+    static Map<String, Object> ofPlan(BenchmarkReport report) {
+        BenchmarkPlan plan = report.plan();
+        Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("scene", report.scene());
+        fields.put("shadowSamples", plan.shadowSamples());
+        fields.put("bounces", plan.bounces());
+        fields.put("plannedWarmupFrames", plan.warmupFrames());
+        fields.put("plannedFrames", plan.frames());
+        fields.put("maxSeconds", plan.maxSeconds());
+        return fields;
+    }
+
+    static Map<String, Object> ofMeasurement(BenchmarkReport report, Measurement measurement) {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("engine", measurement.engine());
+        fields.put("device", measurement.device());
+        fields.put("width", measurement.size().width());
+        fields.put("height", measurement.size().height());
+        fields.put("shadowSamples", measurement.shadowSamples());
+        fields.put("bounces", measurement.bounces());
+        fields.put("bodies", measurement.bodies());
+        fields.put("warmupFrames", measurement.warmupFrames());
+        putTimes(fields, measurement);
+        report.speedupOver(JvmEngines.SEQUENTIAL, measurement)
+                .ifPresent(factor -> fields.put("speedupOverSequential", ReportNumbers.rounded(factor)));
+        report.speedupOver(JvmEngines.PARALLEL, measurement)
+                .ifPresent(factor -> fields.put("speedupOverParallel", ReportNumbers.rounded(factor)));
+        PictureComparison comparison = measurement.comparison();
+        fields.put("differingPixels", comparison.differingPixels());
+        fields.put("allowedDifferingPixels", comparison.allowedPixels());
+        fields.put("largestDifference", comparison.largestDifference());
+        fields.put("samePicture", comparison.withinTolerance());
+        return fields;
+    }
+
+    private static void putTimes(Map<String, Object> fields, Measurement measurement) {
+        Statistics times = measurement.times();
+        fields.put("frames", times.frames());
+        fields.put("fps", ReportNumbers.rounded(times.fps()));
+        fields.put("msMin", ReportNumbers.rounded(times.min()));
+        fields.put("msMedian", ReportNumbers.rounded(times.median()));
+        fields.put("msMean", ReportNumbers.rounded(times.mean()));
+        fields.put("msP95", ReportNumbers.rounded(times.p95()));
+        measurement.deviceTimes().ifPresent(device -> {
+            fields.put("msKernel", ReportNumbers.rounded(device.kernel()));
+            fields.put("msCopyIn", ReportNumbers.rounded(device.copyIn()));
+            fields.put("msCopyOut", ReportNumbers.rounded(device.copyOut()));
+        });
+    }
+}

@@ -1,0 +1,144 @@
+package dev.twister.bench;
+
+import dev.twister.engine.JvmEngines;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+
+/** A report for a person at a terminal of 120 columns. */
+public final class ReportTable {
+    private static final int LEFT_ALIGNED = 3;
+    private static final int MAX_DEVICE_LENGTH = 30;
+    private static final List<String> TITLES = List.of(
+            "engine",
+            "device",
+            "size",
+            "frames",
+            "FPS",
+            "min ms",
+            "median",
+            "mean",
+            "p95",
+            "x sequential",
+            "x parallel");
+
+    private ReportTable() {}
+
+    /** The whole report: the machine, the table, then what failed. */
+    public static String of(BenchmarkReport report) {
+        List<String> lines = new ArrayList<>();
+        lines.addAll(heading(report));
+        lines.add("");
+        lines.addAll(table(report));
+        List<String> problems = problems(report);
+        if (!problems.isEmpty()) {
+            lines.add("");
+            lines.addAll(problems);
+        }
+        return String.join(System.lineSeparator(), lines);
+    }
+
+    private static List<String> heading(BenchmarkReport report) {
+        MachineInfo machine = report.machine();
+        BenchmarkPlan plan = report.plan();
+        return List.of(
+                String.format(
+                        Locale.ROOT,
+                        "%s, %d cores, %.1f GiB, %s",
+                        machine.processor(),
+                        machine.cores(),
+                        machine.memoryBytes() / (double) (1 << 30),
+                        machine.operatingSystem()),
+                String.format(
+                        Locale.ROOT,
+                        "Twister %s, JDK %s %s, %s%s",
+                        machine.twister(),
+                        machine.jdk(),
+                        machine.vendor(),
+                        machine.jit(),
+                        machine.tornadoVm()
+                                .map(version -> ", TornadoVM " + version)
+                                .orElse("")),
+                String.format(
+                        Locale.ROOT,
+                        "scene %s, %d shadow samples, %d bounces; up to %d + %d frames in %s s",
+                        report.scene(),
+                        plan.shadowSamples(),
+                        plan.bounces(),
+                        plan.warmupFrames(),
+                        plan.frames(),
+                        ReportNumbers.shortest(plan.maxSeconds())));
+    }
+
+    private static List<String> table(BenchmarkReport report) {
+        List<List<String>> rows = new ArrayList<>();
+        rows.add(TITLES);
+        report.measurements().forEach(measurement -> rows.add(row(report, measurement)));
+        int[] widths = IntStream.range(0, TITLES.size())
+                .map(column -> rows.stream()
+                        .mapToInt(row -> row.get(column).length())
+                        .max()
+                        .orElse(0))
+                .toArray();
+        return rows.stream().map(row -> aligned(row, widths)).toList();
+    }
+
+    private static List<String> row(BenchmarkReport report, Measurement measurement) {
+        Statistics times = measurement.times();
+        return List.of(
+                measurement.engine(),
+                shortened(measurement.device()),
+                measurement.size().toString(),
+                measurement.warmupFrames() + "+" + times.frames(),
+                String.format(Locale.ROOT, "%.1f", times.fps()),
+                String.format(Locale.ROOT, "%.2f", times.min()),
+                String.format(Locale.ROOT, "%.2f", times.median()),
+                String.format(Locale.ROOT, "%.2f", times.mean()),
+                String.format(Locale.ROOT, "%.2f", times.p95()),
+                speedup(report.speedupOver(JvmEngines.SEQUENTIAL, measurement)),
+                speedup(report.speedupOver(JvmEngines.PARALLEL, measurement)));
+    }
+
+    private static String aligned(List<String> row, int[] widths) {
+        return IntStream.range(0, widths.length)
+                .mapToObj(column -> {
+                    String padding = " ".repeat(widths[column] - row.get(column).length());
+                    return column < LEFT_ALIGNED ? row.get(column) + padding : padding + row.get(column);
+                })
+                .collect(Collectors.joining("  "));
+    }
+
+    private static List<String> problems(BenchmarkReport report) {
+        List<String> problems = new ArrayList<>();
+        for (Measurement measurement : report.measurements()) {
+            PictureComparison comparison = measurement.comparison();
+            if (!comparison.withinTolerance()) {
+                problems.add(String.format(
+                        Locale.ROOT,
+                        "FAILED: %s at %s draws another picture than %s: %d of %d pixels differ by more than %d of 255"
+                                + " (%d may), by %d at most",
+                        measurement.engine(),
+                        measurement.size(),
+                        Benchmark.REFERENCE,
+                        comparison.differingPixels(),
+                        comparison.pixels(),
+                        PictureComparison.CHANNEL_TOLERANCE,
+                        comparison.allowedPixels(),
+                        comparison.largestDifference()));
+            }
+        }
+        report.failures().forEach(failure -> problems.add("FAILED: " + failure.engine() + ": " + failure.message()));
+        return problems;
+    }
+
+    private static String speedup(Optional<Double> speedup) {
+        return speedup.map(factor -> String.format(Locale.ROOT, "%.2f", factor)).orElse("-");
+    }
+
+    private static String shortened(String device) {
+        return device.length() <= MAX_DEVICE_LENGTH ? device : device.substring(0, MAX_DEVICE_LENGTH - 1) + "…";
+    }
+}

@@ -1,0 +1,78 @@
+package dev.twister.cli;
+
+import dev.twister.engine.Engine;
+import dev.twister.image.Frame;
+import dev.twister.image.FrameTimes;
+import dev.twister.world.FrameInput;
+import java.io.PrintWriter;
+
+/** Draws a picture in bands of rows, so that long work shows how far it is. */
+final class BandedDrawing {
+    /** View rays in a band: a picture of 1280 x 720 with one a pixel is still drawn at once. */
+    private static final long RAYS_PER_BAND = 1 << 20;
+
+    /** Enough for every core to have some. */
+    private static final int MIN_ROWS = 64;
+
+    private static final int CHANNELS = 3;
+
+    private BandedDrawing() {}
+
+    /** Draws the whole picture; the frame's times are all bands' together. */
+    static Frame draw(Engine engine, FrameInput input, int samplesPerPixel, boolean linear, PrintWriter err) {
+        Frame whole = frame(input.width(), input.height(), linear);
+        int rowsPerBand = rowsPerBand(input, samplesPerPixel);
+        if (rowsPerBand >= input.height()) {
+            engine.render(input, whole);
+            return whole;
+        }
+        int bands = Math.ceilDiv(input.height(), rowsPerBand);
+        FrameTimes times = FrameTimes.NONE;
+        Frame band = frame(input.width(), rowsPerBand, linear);
+        try (ProgressLine progress = ProgressLine.start(err, engine.id(), bands)) {
+            for (int first = 0; first < input.height(); first += rowsPerBand) {
+                int rows = Math.min(rowsPerBand, input.height() - first);
+                if (rows != band.height()) {
+                    band = frame(input.width(), rows, linear);
+                }
+                engine.render(input.band(first, rows), band);
+                copy(band, whole, first);
+                times = sum(times, band.times());
+                progress.step();
+            }
+        }
+        whole.setTimes(times);
+        return whole;
+    }
+
+    /** Bytes that drawing takes for each pixel of the picture; the bands come to less than as much again. */
+    static long bytesPerPixel(boolean linear) {
+        return (linear ? CHANNELS : 1) * (long) Integer.BYTES;
+    }
+
+    private static int rowsPerBand(FrameInput input, int samplesPerPixel) {
+        long rows = Math.max(MIN_ROWS, RAYS_PER_BAND / ((long) input.width() * samplesPerPixel));
+        return (int) Math.min(rows, input.height());
+    }
+
+    private static Frame frame(int width, int height, boolean linear) {
+        return linear ? Frame.ofRadiance(width, height) : Frame.ofPixels(width, height);
+    }
+
+    private static void copy(Frame band, Frame whole, int firstRow) {
+        if (band.isLinear()) {
+            System.arraycopy(
+                    band.radiance(), 0, whole.radiance(), CHANNELS * band.width() * firstRow, band.radiance().length);
+        } else {
+            System.arraycopy(band.argb(), 0, whole.argb(), band.width() * firstRow, band.argb().length);
+        }
+    }
+
+    private static FrameTimes sum(FrameTimes one, FrameTimes other) {
+        return new FrameTimes(
+                one.totalNanos() + other.totalNanos(),
+                one.kernelNanos() + other.kernelNanos(),
+                one.copyInNanos() + other.copyInNanos(),
+                one.copyOutNanos() + other.copyOutNanos());
+    }
+}

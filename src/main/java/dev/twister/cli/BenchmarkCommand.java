@@ -1,0 +1,172 @@
+package dev.twister.cli;
+
+import dev.twister.bench.Benchmark;
+import dev.twister.bench.BenchmarkPlan;
+import dev.twister.bench.BenchmarkReport;
+import dev.twister.bench.CsvReport;
+import dev.twister.bench.JsonReport;
+import dev.twister.bench.PictureSize;
+import dev.twister.bench.ReportTable;
+import dev.twister.engine.EngineOffer;
+import dev.twister.engine.Engines;
+import dev.twister.engine.JvmEngines;
+import dev.twister.engine.UnknownEngineException;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneReader;
+import dev.twister.sky.SkyboxReader;
+import dev.twister.world.World;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code twister benchmark}: engines by sizes, and whether they draw the same picture. */
+@Command(
+        name = "benchmark",
+        description = "Measures how fast the engines draw, and compares their pictures with sequential's.",
+        footer = {
+            "",
+            "Examples:",
+            "  twister benchmark",
+            "  twister benchmark --quick --json results.json --csv results.csv",
+            "  twister benchmark spheres-100 --engine parallel --engine tornado --size 1080p --size 4k",
+            "",
+            "Exit code 1 says that an engine failed or drew another picture."
+        })
+final class BenchmarkCommand implements Callable<Integer> {
+    private static final int SHADOW_SAMPLES = 200;
+    private static final int BOUNCES = 3;
+    private static final int CLASSIC_SHADOW_SAMPLES = 1;
+    private static final int CLASSIC_BOUNCES = 1;
+    private static final int MAX_FRAMES = 100_000;
+    private static final double MIN_SECONDS = 0.001;
+    private static final double MAX_SECONDS = 86_400;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(
+            paramLabel = "SCENE",
+            arity = "0..1",
+            defaultValue = "benchmark",
+            description = "A scene file, or the name of a shipped scene; ${DEFAULT-VALUE} where not said.")
+    private String sceneName;
+
+    @Option(
+            names = "--engine",
+            paramLabel = "ENGINE",
+            description = "May be given several times; all that work here but 'plain' where not said.")
+    private List<String> engines = new ArrayList<>();
+
+    @Option(
+            names = "--size",
+            paramLabel = "SIZE",
+            converter = PictureSizeConverter.class,
+            description =
+                    "Such as 1280x720, or 720p, 1080p, 4k; may be given several times; those three where not said.")
+    private List<PictureSize> sizes = new ArrayList<>();
+
+    @Mixin
+    private ShadingOptions shading;
+
+    @Option(
+            names = "--classic",
+            description = "One shadow sample and one bounce instead of " + SHADOW_SAMPLES + " and " + BOUNCES + ".")
+    private boolean classic;
+
+    @Option(
+            names = "--quick",
+            description = "Minutes on a small machine: 720p and 1080p, 5 frames after 20, 10 seconds each.")
+    private boolean quick;
+
+    @Option(names = "--warmup", paramLabel = "N", description = "Frames before the measured ones; 100 where not said.")
+    private Optional<Integer> warmup = Optional.empty();
+
+    @Option(names = "--frames", paramLabel = "N", description = "Measured frames; 10 where not said.")
+    private Optional<Integer> frames = Optional.empty();
+
+    @Option(
+            names = "--max-seconds",
+            paramLabel = "S",
+            description = "For each engine at each size, at most half of it warm-up; 30 where not said.")
+    private Optional<Double> maxSeconds = Optional.empty();
+
+    @Option(names = "--json", paramLabel = "FILE", description = "Write the report as JSON, too.")
+    private Optional<Path> json = Optional.empty();
+
+    @Option(names = "--csv", paramLabel = "FILE", description = "Write the report as CSV, too.")
+    private Optional<Path> csv = Optional.empty();
+
+    @Override
+    public Integer call() throws IOException {
+        BenchmarkPlan plan = plan();
+        json.ifPresent(file -> OutputFile.check("--json", file));
+        csv.ifPresent(file -> OutputFile.check("--csv", file));
+        Scene scene = SceneReader.read(SceneFiles.find(sceneName));
+        World world = World.of(scene, SkyboxReader.read(scene.skybox()));
+        BenchmarkReport report = run(plan, world);
+        spec.commandLine().getOut().println(ReportTable.of(report));
+        if (json.isPresent()) {
+            JsonReport.write(report, json.get());
+        }
+        if (csv.isPresent()) {
+            CsvReport.write(report, csv.get());
+        }
+        return report.passed() ? Main.OK : Main.FAILED;
+    }
+
+    private BenchmarkReport run(BenchmarkPlan plan, World world) {
+        try (BenchmarkLines lines = new BenchmarkLines(spec.commandLine().getErr())) {
+            return Benchmark.run(Engines::open, plan, sceneName, world, lines);
+        }
+    }
+
+    private BenchmarkPlan plan() {
+        return new BenchmarkPlan(
+                engineIds(),
+                plannedSizes(),
+                shading.shadowSamplesOr(classic ? CLASSIC_SHADOW_SAMPLES : SHADOW_SAMPLES),
+                shading.bouncesOr(classic ? CLASSIC_BOUNCES : BOUNCES),
+                Ranges.check("--warmup", warmup.orElse(quick ? 20 : 100), 0, MAX_FRAMES),
+                Ranges.check("--frames", frames.orElse(quick ? 5 : 10), 1, MAX_FRAMES),
+                Ranges.check("--max-seconds", maxSeconds.orElse(quick ? 10.0 : 30.0), MIN_SECONDS, MAX_SECONDS));
+    }
+
+    private List<PictureSize> plannedSizes() {
+        if (!sizes.isEmpty()) {
+            return sizes.stream().distinct().toList();
+        }
+        return quick
+                ? List.of(PictureSize.HD, PictureSize.FULL_HD)
+                : List.of(PictureSize.HD, PictureSize.FULL_HD, PictureSize.ULTRA_HD);
+    }
+
+    private List<String> engineIds() {
+        List<EngineOffer> offers = Engines.offers();
+        if (engines.isEmpty()) {
+            return offers.stream()
+                    .filter(EngineOffer::works)
+                    .map(EngineOffer::id)
+                    .filter(id -> !id.equals(JvmEngines.PLAIN))
+                    .toList();
+        }
+        // A typing error in the last name should not come out after minutes of measuring the others.
+        for (String id : engines) {
+            if (!id.equals(Engines.TORNADO_PREFIX)
+                    && offers.stream().noneMatch(offer -> offer.id().equals(id))) {
+                throw new UnknownEngineException("--engine is '" + id + "', but must be one of "
+                        + offers.stream().map(EngineOffer::id).collect(Collectors.joining(", ")));
+            }
+        }
+        return engines.stream().distinct().toList();
+    }
+}

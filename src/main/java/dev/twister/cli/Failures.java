@@ -1,0 +1,49 @@
+package dev.twister.cli;
+
+import dev.twister.engine.EngineException;
+import dev.twister.engine.UnknownEngineException;
+import dev.twister.scene.SceneException;
+import dev.twister.sky.SkyException;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.UncheckedIOException;
+import picocli.CommandLine;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.UnmatchedArgumentException;
+
+/** Says what went wrong in a line, and with which exit code that ends. */
+final class Failures {
+    private Failures() {}
+
+    /** A command line that picocli could not read. */
+    static int explainParameter(ParameterException failure, String[] arguments) {
+        CommandLine command = failure.getCommandLine();
+        PrintWriter err = command.getErr();
+        err.println("twister: " + failure.getMessage().replaceFirst("^Error: ", ""));
+        UnmatchedArgumentException.printSuggestions(failure, err);
+        err.println("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
+        return Main.BAD_INPUT;
+    }
+
+    /** What a command threw; whatever is not foreseen is a bug of Twister's and shows where it happened. */
+    static int explain(Exception failure, CommandLine command, ParseResult parsed) {
+        PrintWriter err = command.getErr();
+        return switch (failure) {
+            case BadInputException _, SceneException _, SkyException _, UnknownEngineException _, IOException _ ->
+                say(err, failure, Main.BAD_INPUT);
+            case UncheckedIOException wrapped -> say(err, wrapped.getCause(), Main.BAD_INPUT);
+            case EngineException _ -> say(err, failure, Main.FAILED);
+            default -> {
+                err.println("twister: this is a bug of Twister's:");
+                failure.printStackTrace(err);
+                yield Main.FAILED;
+            }
+        };
+    }
+
+    private static int say(PrintWriter err, Exception failure, int exitCode) {
+        err.println("twister: " + failure.getMessage());
+        return exitCode;
+    }
+}

@@ -1,0 +1,53 @@
+package dev.twister.cli;
+
+import java.io.PrintWriter;
+import java.nio.charset.Charset;
+import picocli.CommandLine;
+
+/** Where Twister starts. */
+public final class Main {
+    /** What the process ends with: all is well. */
+    public static final int OK = 0;
+
+    /** An engine failed, or a picture is not what it must be. */
+    public static final int FAILED = 1;
+
+    /** Options, a file or a scene that cannot be used. */
+    public static final int BAD_INPUT = 2;
+
+    private static final int MEGABYTE = 1 << 20;
+    private static final int HELP_WIDTH = 100;
+
+    private Main() {}
+
+    public static void main(String[] arguments) {
+        Charset outCharset = Charset.forName(System.getProperty("stdout.encoding", "UTF-8"));
+        Charset errCharset = Charset.forName(System.getProperty("stderr.encoding", "UTF-8"));
+        PrintWriter out = new PrintWriter(System.out, true, outCharset);
+        PrintWriter err = new PrintWriter(System.err, true, errCharset);
+        int exitCode = run(out, err, arguments);
+        out.flush();
+        err.flush();
+        System.exit(exitCode);
+    }
+
+    /** Runs one command line and returns the exit code; never throws, and never ends the process. */
+    public static int run(PrintWriter out, PrintWriter err, String... arguments) {
+        CommandLine commandLine = new CommandLine(new TwisterCommand())
+                .setOut(out)
+                .setErr(err)
+                .setCaseInsensitiveEnumValuesAllowed(true)
+                .setExpandAtFiles(false)
+                .setUsageHelpWidth(HELP_WIDTH)
+                .setParameterExceptionHandler(Failures::explainParameter)
+                .setExecutionExceptionHandler(Failures::explain);
+        try {
+            return commandLine.execute(arguments);
+        } catch (OutOfMemoryError _) {
+            err.println("twister: out of memory: this needs more than the "
+                    + Runtime.getRuntime().maxMemory() / MEGABYTE
+                    + " MB that the JVM may use; make it smaller, or allow more with TWISTER_JAVA_OPTIONS=-Xmx8g");
+            return BAD_INPUT;
+        }
+    }
+}

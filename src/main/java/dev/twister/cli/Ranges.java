@@ -1,0 +1,31 @@
+package dev.twister.cli;
+
+import java.math.BigDecimal;
+
+/** Numbers that options take, both ends inside. */
+final class Ranges {
+    private Ranges() {}
+
+    static int check(String option, int value, int least, int most) {
+        if (value < least || value > most) {
+            throw outside(option, Integer.toString(value), Integer.toString(least), Integer.toString(most));
+        }
+        return value;
+    }
+
+    static double check(String option, double value, double least, double most) {
+        // Written so that NaN fails too.
+        if (!(value >= least && value <= most)) {
+            throw outside(option, Double.toString(value), plain(least), plain(most));
+        }
+        return value;
+    }
+
+    private static BadInputException outside(String option, String value, String least, String most) {
+        return new BadInputException(option + " is " + value + ", but must be from " + least + " to " + most);
+    }
+
+    private static String plain(double number) {
+        return BigDecimal.valueOf(number).stripTrailingZeros().toPlainString();
+    }
+}

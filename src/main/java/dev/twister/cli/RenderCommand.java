@@ -1,0 +1,147 @@
+package dev.twister.cli;
+
+import dev.twister.bench.PictureSize;
+import dev.twister.engine.Engine;
+import dev.twister.engine.Engines;
+import dev.twister.engine.JvmEngines;
+import dev.twister.image.Frame;
+import dev.twister.image.HdrWriter;
+import dev.twister.image.PngWriter;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneReader;
+import dev.twister.sky.SkyboxReader;
+import dev.twister.world.World;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code twister render}: from a scene to a picture. */
+@Command(
+        name = "render",
+        description = "Draws a scene into a file. What no option says is as the scene has it.",
+        footer = {
+            "",
+            "Examples:",
+            "  twister render benchmark -o benchmark.png",
+            "  twister render my-scene.json -o large.png --size 4k --samples 16 --tone-map aces --srgb",
+            "  twister render mirrors -o mirrors.hdr --engine tornado",
+            "  twister render benchmark -o left.png --camera -12,-6,-10 --yaw 40 --fov 60"
+        })
+final class RenderCommand implements Callable<Integer> {
+    private static final String PNG = ".png";
+    private static final String HDR = ".hdr";
+    private static final double NANOS_PER_MILLI = 1e6;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "SCENE", description = "A scene file, or the name of a shipped scene.")
+    private String sceneName;
+
+    @Option(
+            names = {"-o", "--output"},
+            required = true,
+            paramLabel = "FILE",
+            description = "The picture: .png, or .hdr for linear radiance.")
+    private Path output;
+
+    @Option(
+            names = "--size",
+            paramLabel = "SIZE",
+            converter = PictureSizeConverter.class,
+            description = "Such as 1280x720, 1x1 to 16384x16384; or 720p, 1080p, 4k.")
+    private Optional<PictureSize> size = Optional.empty();
+
+    @Option(
+            names = "--engine",
+            paramLabel = "ENGINE",
+            defaultValue = JvmEngines.PARALLEL,
+            description = "What draws (see 'twister devices'); ${DEFAULT-VALUE} where not said.")
+    private String engineId;
+
+    @Option(
+            names = "--samples",
+            paramLabel = "N",
+            description = "View rays for each pixel, 1 to " + RenderSettings.MAX_SAMPLES_PER_PIXEL + ".")
+    private Optional<Integer> samples = Optional.empty();
+
+    @Mixin
+    private ShadingOptions shading;
+
+    @Mixin
+    private ToneOptions tone;
+
+    @Mixin
+    private CameraOptions camera;
+
+    @Option(names = "--skybox", paramLabel = "FILE", description = "Another panorama: .hdr, .png or .jpg.")
+    private Optional<Path> skybox = Optional.empty();
+
+    @Override
+    public Integer call() throws IOException {
+        boolean linear = isLinear();
+        OutputFile.check("--output", output);
+        Scene scene = SceneReader.read(SceneFiles.find(sceneName));
+        RenderSettings settings = settings(scene.settings());
+        PictureMemory.check(new PictureSize(settings.width(), settings.height()), BandedDrawing.bytesPerPixel(linear));
+        World world = World.of(scene, SkyboxReader.read(skybox.orElse(scene.skybox())));
+        world.setCamera(camera.over(scene.camera()));
+        world.setSettings(settings);
+        draw(world, linear);
+        return Main.OK;
+    }
+
+    private void draw(World world, boolean linear) throws IOException {
+        PrintWriter out = spec.commandLine().getOut();
+        try (Engine engine = Engines.open(engineId)) {
+            Frame picture = BandedDrawing.draw(
+                    engine,
+                    world.snapshot(),
+                    world.settings().samplesPerPixel(),
+                    linear,
+                    spec.commandLine().getErr());
+            if (linear) {
+                HdrWriter.write(output, picture.width(), picture.height(), picture.radiance());
+            } else {
+                PngWriter.write(output, picture.width(), picture.height(), picture.argb());
+            }
+            out.printf(
+                    Locale.ROOT,
+                    "%s: %d x %d, %s (%s), %.1f ms%n",
+                    output,
+                    picture.width(),
+                    picture.height(),
+                    engine.id(),
+                    engine.device(),
+                    picture.times().totalNanos() / NANOS_PER_MILLI);
+        }
+    }
+
+    private boolean isLinear() {
+        boolean linear = OutputFile.endsIn(output, HDR);
+        if (!linear && !OutputFile.endsIn(output, PNG)) {
+            throw new BadInputException("--output is " + output + ", but must end in " + PNG + " or " + HDR);
+        }
+        return linear;
+    }
+
+    private RenderSettings settings(RenderSettings usual) {
+        PictureSize wanted = size.orElseGet(() -> new PictureSize(usual.width(), usual.height()));
+        RenderSettings shaded = usual.withSize(wanted.width(), wanted.height())
+                .withShadows(shading.shadowSamplesOr(usual.shadowSamples()))
+                .withBounces(shading.bouncesOr(usual.bounces()))
+                .withSamplesPerPixel(Ranges.check(
+                        "--samples", samples.orElse(usual.samplesPerPixel()), 1, RenderSettings.MAX_SAMPLES_PER_PIXEL));
+        return tone.over(shaded);
+    }
+}

@@ -1,0 +1,98 @@
+package dev.twister.cli;
+
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneGenerator;
+import dev.twister.scene.SceneReader;
+import dev.twister.scene.SceneWriter;
+import dev.twister.sky.ShippedSky;
+import dev.twister.sky.SkyboxReader;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code twister scene}: makes scenes, and checks them. */
+@Command(
+        name = "scene",
+        description = "Makes a scene of many spheres, or checks a scene file and its skybox.",
+        footer = {
+            "",
+            "Examples:",
+            "  twister scene --spheres 10000 --seed 1 -o vortex.json",
+            "  twister scene --check my-scene.json"
+        })
+final class SceneCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @ArgGroup(multiplicity = "1")
+    private Task task;
+
+    /** What to do: one or the other. */
+    static final class Task {
+        @Option(
+                names = "--check",
+                required = true,
+                paramLabel = "FILE",
+                description = "Say whether this scene is valid, and if not, where and why.")
+        private Optional<String> checked = Optional.empty();
+
+        @ArgGroup(exclusive = false)
+        private Generation generation;
+    }
+
+    /** What a made scene depends on. */
+    static final class Generation {
+        @Option(
+                names = "--spheres",
+                required = true,
+                paramLabel = "N",
+                description = "How many, 1 to " + SceneGenerator.MAX_SPHERES + ".")
+        private int count;
+
+        @Option(names = "--seed", paramLabel = "S", description = "Another number, another scene; 1 where not said.")
+        private long seed = 1;
+
+        @Option(names = "--skybox", paramLabel = "FILE", description = "The panorama; the day sky where not said.")
+        private Optional<Path> skybox = Optional.empty();
+
+        @Option(
+                names = {"-o", "--output"},
+                required = true,
+                paramLabel = "FILE",
+                description = "The scene file.")
+        private Path output;
+    }
+
+    @Override
+    public Integer call() {
+        String done = task.checked.map(SceneCommand::check).orElseGet(() -> generate(task.generation));
+        spec.commandLine().getOut().println(done);
+        return Main.OK;
+    }
+
+    private static String check(String name) {
+        Path file = SceneFiles.find(name);
+        Scene scene = SceneReader.read(file);
+        SkyboxReader.read(scene.skybox());
+        return file + ": valid, " + spheres(scene);
+    }
+
+    private static String generate(Generation wanted) {
+        Ranges.check("--spheres", wanted.count, 1, SceneGenerator.MAX_SPHERES);
+        OutputFile.check("--output", wanted.output);
+        Path skybox = wanted.skybox.orElseGet(() -> Home.skyboxes().resolve(ShippedSky.DAY.fileName()));
+        Scene scene = SceneGenerator.spheres(wanted.count, wanted.seed, skybox);
+        SceneWriter.write(scene, wanted.output);
+        return wanted.output + ": " + spheres(scene);
+    }
+
+    private static String spheres(Scene scene) {
+        int count = scene.spheres().size();
+        return count + (count == 1 ? " sphere" : " spheres");
+    }
+}

@@ -1,0 +1,55 @@
+package dev.twister.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** Finds the scene that an argument means: a file, or a shipped scene by its name. */
+final class SceneFiles {
+    private static final String ENDING = ".json";
+    private static final String SCHEMA_ENDING = ".schema.json";
+    private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_-]+");
+
+    private SceneFiles() {}
+
+    /** A file that is there wins over a shipped scene; a path that is neither is left to the reader to complain of. */
+    static Path find(String fileOrName) {
+        Path file = path(fileOrName);
+        if (Files.isRegularFile(file) || !NAME.matcher(fileOrName).matches()) {
+            return file;
+        }
+        Path shipped = Home.scenes().resolve(fileOrName + ENDING);
+        if (Files.isRegularFile(shipped)) {
+            return shipped;
+        }
+        if (Files.exists(file)) {
+            return file;
+        }
+        throw new BadInputException(
+                "there is no file and no shipped scene called '" + fileOrName + "'; shipped are: " + shippedNames());
+    }
+
+    private static Path path(String text) {
+        try {
+            return Path.of(text);
+        } catch (InvalidPathException problem) {
+            throw new BadInputException("SCENE cannot be a file's name: " + problem.getMessage());
+        }
+    }
+
+    private static String shippedNames() {
+        try (Stream<Path> files = Files.list(Home.scenes())) {
+            return files.map(file -> file.getFileName().toString())
+                    .filter(name -> name.endsWith(ENDING) && !name.endsWith(SCHEMA_ENDING))
+                    .map(name -> name.substring(0, name.length() - ENDING.length()))
+                    .sorted()
+                    .collect(Collectors.joining(", "));
+        } catch (IOException _) {
+            return "none in " + Home.scenes().toAbsolutePath() + " (TWISTER_HOME names Twister's folder)";
+        }
+    }
+}

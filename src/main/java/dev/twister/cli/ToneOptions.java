@@ -1,0 +1,33 @@
+package dev.twister.cli;
+
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.ToneMap;
+import java.util.Optional;
+import picocli.CommandLine.Option;
+
+/** How linear colour becomes a pixel. */
+final class ToneOptions {
+    @Option(
+            names = "--exposure",
+            paramLabel = "STOPS",
+            description = "The picture is 2^STOPS times as bright, -20 to 20; an .hdr file keeps its radiance.")
+    private Optional<Double> exposure = Optional.empty();
+
+    @Option(names = "--tone-map", paramLabel = "NAME", description = "clamp, reinhard or aces.")
+    private Optional<ToneMap> toneMap = Optional.empty();
+
+    @Option(
+            names = "--srgb",
+            negatable = true,
+            description = "Apply the sRGB curve after the tone map, or with --no-srgb not.")
+    private Optional<Boolean> srgb = Optional.empty();
+
+    RenderSettings over(RenderSettings settings) {
+        double stops = Ranges.check(
+                "--exposure",
+                exposure.orElse(settings.exposure()),
+                -RenderSettings.MAX_EXPOSURE_STOPS,
+                RenderSettings.MAX_EXPOSURE_STOPS);
+        return settings.withTone(stops, toneMap.orElse(settings.toneMap()), srgb.orElse(settings.srgb()));
+    }
+}

@@ -1,0 +1,115 @@
+package dev.twister;
+
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.belongToAnyOf;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideOutsideOfPackage;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.GeneralCodingRules.ACCESS_STANDARD_STREAMS;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import dev.twister.kernel.Layout;
+import dev.twister.kernel.ToneMapping;
+import java.util.Arrays;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** The design's table of rooms: which package may lean on which. */
+class RoomsTest {
+    private static final JavaClasses TWISTER = new ClassFileImporter()
+            .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
+            .importPackages("dev.twister");
+
+    static Stream<Arguments> rooms() {
+        return Stream.of(
+                room("scene"),
+                room("sky"),
+                room("image"),
+                room("physics", "world"),
+                room("engine", "kernel", "world", "image"),
+                room("engine.tornado", "kernel", "world", "image", "engine"),
+                room("bench", "engine", "image", "world", "scene"),
+                room("gui", "scene", "sky", "kernel", "world", "physics", "engine", "image", "bench"),
+                room("cli", "scene", "sky", "kernel", "world", "physics", "engine", "image", "bench", "gui"));
+    }
+
+    private static Arguments room(String room, String... neighbours) {
+        return Arguments.of(room, neighbours);
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("rooms")
+    void roomLeansOnItsNeighboursOnly(String room, String[] neighbours) {
+        String[] allowed = Stream.concat(Stream.of(room), Arrays.stream(neighbours))
+                .map(name -> "dev.twister." + name)
+                .toArray(String[]::new);
+        classes()
+                .that(resideInAPackage("dev.twister." + room))
+                .should()
+                .onlyDependOnClassesThat(resideOutsideOfPackage("dev.twister..").or(resideInAnyPackage(allowed)))
+                .allowEmptyShould(true)
+                .check(TWISTER);
+    }
+
+    @Test
+    void kernelLeansOnTheLanguageOnly() {
+        classes()
+                .that()
+                .resideInAPackage("dev.twister.kernel")
+                .should()
+                .onlyDependOnClassesThat()
+                .resideInAnyPackage("dev.twister.kernel", "java.lang")
+                .check(TWISTER);
+    }
+
+    @Test
+    void worldKnowsTheKernelsNumbersOnly() {
+        DescribedPredicate<JavaClass> allowed = resideOutsideOfPackage("dev.twister..")
+                .or(resideInAnyPackage("dev.twister.world", "dev.twister.scene", "dev.twister.sky"))
+                .or(belongToAnyOf(Layout.class, ToneMapping.class));
+        classes()
+                .that()
+                .resideInAPackage("dev.twister.world")
+                .should()
+                .onlyDependOnClassesThat(allowed)
+                .check(TWISTER);
+    }
+
+    @Test
+    void everyPackageIsARoom() {
+        Stream<String> known =
+                Stream.concat(rooms().map(room -> room.get()[0].toString()), Stream.of("kernel", "world"));
+        assertThat(TWISTER.stream().map(JavaClass::getPackageName).distinct())
+                .isSubsetOf(known.map(name -> "dev.twister." + name).toList());
+    }
+
+    @Test
+    void roomsHaveNoCycles() {
+        slices().matching("dev.twister.(*)..").should().beFreeOfCycles().check(TWISTER);
+    }
+
+    @Test
+    void nothingStaticChanges() {
+        fields().that().areStatic().should().beFinal().check(TWISTER);
+    }
+
+    @Test
+    void onlyCommandsSpeak() {
+        noClasses()
+                .that()
+                .resideOutsideOfPackage("dev.twister.cli..")
+                .should(ACCESS_STANDARD_STREAMS)
+                .check(TWISTER);
+    }
+}

@@ -1,0 +1,151 @@
+package dev.twister.bench;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.tuple;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineException;
+import dev.twister.engine.Engines;
+import dev.twister.image.FrameTimes;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+
+class BenchmarkTest {
+    private static final PictureSize SMALL = new PictureSize(5, 3);
+    private static final PictureSize LARGE = new PictureSize(9, 4);
+    private static final int GREY = 0xff808080;
+
+    @Test
+    void measuresEveryEngineAtEverySize() {
+        BenchmarkReport report = run(plan(List.of("sequential", "parallel"), 2, 4, 100));
+
+        assertThat(report.passed()).isTrue();
+        assertThat(report.measurements())
+                .extracting(Measurement::engine, Measurement::size)
+                .containsExactly(
+                        tuple("sequential", SMALL),
+                        tuple("parallel", SMALL),
+                        tuple("sequential", LARGE),
+                        tuple("parallel", LARGE));
+        assertThat(report.measurements()).allSatisfy(measurement -> {
+            assertThat(measurement.warmupFrames()).isEqualTo(2);
+            assertThat(measurement.times().frames()).isEqualTo(4);
+            assertThat(measurement.shadowSamples()).isEqualTo(7);
+            assertThat(measurement.bounces()).isEqualTo(2);
+            assertThat(measurement.bodies()).isEqualTo(5);
+            assertThat(measurement.deviceTimes()).isEmpty();
+        });
+    }
+
+    @Test
+    void speedupsAreOverTheSameSize() {
+        BenchmarkReport report = run(plan(List.of("sequential", "parallel", "other"), 0, 1, 100));
+
+        Measurement other = report.measurements().get(5);
+        assertThat(other.size()).isEqualTo(LARGE);
+        assertThat(report.speedupOver("sequential", other)).contains(4.0);
+        assertThat(report.speedupOver("parallel", other)).contains(2.0);
+        assertThat(report.speedupOver("missing", other)).isEmpty();
+    }
+
+    @Test
+    void shortTimeStillTakesAFrameOfEach() {
+        Measurement measurement =
+                run(plan(List.of("sequential"), 100, 100, 1e-9)).measurements().getFirst();
+
+        assertThat(measurement.warmupFrames()).isEqualTo(1);
+        assertThat(measurement.times().frames()).isEqualTo(1);
+    }
+
+    @Test
+    void anotherPictureFails() {
+        BenchmarkReport report = run(plan(List.of("wrong"), 0, 1, 100));
+
+        assertThat(report.passed()).isFalse();
+        assertThat(report.measurements().getFirst().comparison()).isEqualTo(new PictureComparison(15, 15, 2));
+        assertThat(ReportTable.of(report)).contains("FAILED: wrong at 5x3", "15 of 15 pixels");
+    }
+
+    @Test
+    void anEngineThatFailsDoesNotStopTheOthers() {
+        BenchmarkReport report = run(plan(List.of("broken", "sequential"), 0, 1, 100));
+
+        assertThat(report.passed()).isFalse();
+        assertThat(report.failures()).containsExactly(new EngineFailure("broken", "out of order"));
+        assertThat(report.measurements()).extracting(Measurement::engine).containsOnly("sequential");
+    }
+
+    @Test
+    void aDevicesTimesAreMeans() {
+        BenchmarkReport report = run(plan(List.of("device"), 0, 2, 100));
+
+        assertThat(report.measurements().getFirst().deviceTimes()).isEqualTo(Optional.of(new DeviceTimes(6, 1, 3)));
+    }
+
+    @Test
+    void tellsWhatItDoes() {
+        List<String> heard = new ArrayList<>();
+        Benchmark.run(
+                BenchmarkTest::open,
+                plan(List.of("sequential"), 1, 1, 100),
+                "test",
+                TestWorld.create(),
+                new BenchmarkProgress() {
+                    @Override
+                    public void begins(String engine, PictureSize size, int frames) {
+                        heard.add(engine + " " + size + " " + frames);
+                    }
+
+                    @Override
+                    public void drewFrame() {
+                        heard.add("frame");
+                    }
+                });
+
+        assertThat(heard)
+                .containsExactly(
+                        "reference 5x3 1",
+                        "frame",
+                        "reference 9x4 1",
+                        "frame",
+                        "sequential 5x3 2",
+                        "frame",
+                        "frame",
+                        "sequential 9x4 2",
+                        "frame",
+                        "frame");
+    }
+
+    @Test
+    void theRealEnginesAgree() {
+        BenchmarkReport report = Benchmark.run(
+                Engines::open,
+                plan(List.of("sequential", "parallel", "plain"), 0, 1, 100),
+                "test",
+                TestWorld.create(),
+                BenchmarkProgress.SILENT);
+
+        assertThat(report.passed()).isTrue();
+    }
+
+    static BenchmarkPlan plan(List<String> engines, int warmup, int frames, double seconds) {
+        return new BenchmarkPlan(engines, List.of(SMALL, LARGE), 7, 2, warmup, frames, seconds);
+    }
+
+    static BenchmarkReport run(BenchmarkPlan plan) {
+        return Benchmark.run(BenchmarkTest::open, plan, "test", TestWorld.create(), BenchmarkProgress.SILENT);
+    }
+
+    private static Engine open(String id) {
+        return switch (id) {
+            case "sequential" -> new FakeEngine(id, GREY, FrameTimes.onJvm(8_000_000));
+            case "parallel" -> new FakeEngine(id, GREY, FrameTimes.onJvm(4_000_000));
+            case "other" -> new FakeEngine(id, GREY, FrameTimes.onJvm(2_000_000));
+            case "wrong" -> new FakeEngine(id, GREY + 2, FrameTimes.onJvm(1_000_000));
+            case "device" -> new FakeEngine(id, GREY, new FrameTimes(11_000_000, 6_000_000, 1_000_000, 3_000_000));
+            default -> throw new EngineException("out of order");
+        };
+    }
+}

@@ -1,0 +1,120 @@
+package dev.twister.bench;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.io.Reader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.apache.commons.csv.CSVFormat;
+import org.apache.commons.csv.CSVRecord;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+class ReportsTest {
+    private static final BenchmarkReport REPORT =
+            BenchmarkTest.run(BenchmarkTest.plan(List.of("sequential", "device", "broken"), 1, 3, 100));
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void jsonHasEveryFact() throws IOException {
+        Path file = folder.resolve("report.json");
+        JsonReport.write(REPORT, file);
+
+        JsonNode report = JsonMapper.builder().build().readTree(Files.readString(file));
+        assertThat(report.at("/machine").propertyNames())
+                .contains("processor", "cores", "memoryBytes", "operatingSystem", "jdk", "jdkVendor", "jit", "twister");
+        assertThat(report.at("/parameters/maxSeconds").asDouble()).isEqualTo(100);
+        assertThat(report.at("/parameters/sizes/1").asString()).isEqualTo("9x4");
+        assertThat(report.at("/results").size()).isEqualTo(4);
+        JsonNode device = report.at("/results/1");
+        assertThat(device.propertyNames())
+                .contains(
+                        "engine",
+                        "device",
+                        "width",
+                        "height",
+                        "shadowSamples",
+                        "bounces",
+                        "bodies",
+                        "frames",
+                        "fps",
+                        "msMin",
+                        "msMedian",
+                        "msMean",
+                        "msP95");
+        assertThat(device.at("/engine").asString()).isEqualTo("device");
+        assertThat(device.at("/msMean").asDouble()).isEqualTo(11);
+        assertThat(device.at("/msKernel").asDouble()).isEqualTo(6);
+        assertThat(device.at("/speedupOverSequential").asDouble()).isEqualTo(0.727273);
+        assertThat(device.has("speedupOverParallel")).isFalse();
+        assertThat(device.at("/samePicture").asBoolean()).isTrue();
+        assertThat(report.at("/failures/0/message").asString()).isEqualTo("out of order");
+        assertThat(report.at("/passed").asBoolean()).isFalse();
+    }
+
+    @Test
+    void csvHasALineForEveryEngineAndSize() throws IOException {
+        Path file = folder.resolve("report.csv");
+        CsvReport.write(REPORT, file);
+
+        List<CSVRecord> records = records(file);
+        assertThat(records).hasSize(5);
+        CSVRecord device = records.get(1);
+        assertThat(device.get("engine")).isEqualTo("device");
+        assertThat(device.get("width")).isEqualTo("5");
+        assertThat(device.get("msMean")).isEqualTo("11.000000");
+        assertThat(device.get("msCopyOut")).isEqualTo("3.000000");
+        assertThat(device.get("plannedFrames")).isEqualTo("3");
+        assertThat(device.get("cores"))
+                .isEqualTo(String.valueOf(REPORT.machine().cores()));
+        assertThat(records.get(4).get("failure")).isEqualTo("out of order");
+    }
+
+    @Test
+    void csvHasAColumnForEveryFactOfTheJson() throws IOException {
+        Path file = folder.resolve("report.csv");
+        CsvReport.write(REPORT, file);
+
+        assertThat(records(file).getFirst().getParser().getHeaderNames())
+                .containsAll(ReportFields.ofMachine(REPORT.machine()).keySet())
+                .containsAll(ReportFields.ofPlan(REPORT).keySet())
+                .containsAll(
+                        ReportFields.ofMeasurement(REPORT, REPORT.measurements().get(1))
+                                .keySet());
+    }
+
+    @Test
+    void tableIsAligned() {
+        List<String> lines = ReportTable.of(REPORT).lines().toList();
+
+        assertThat(lines.get(4)).startsWith("engine      device ").endsWith("x parallel");
+        assertThat(lines.subList(4, 9)).allSatisfy(line -> assertThat(line).hasSameSizeAs(lines.get(4)));
+        assertThat(lines.getLast()).isEqualTo("FAILED: broken: out of order");
+    }
+
+    @Test
+    void whereThereIsNoFolderNothingIsWritten() {
+        assertThatThrownBy(
+                        () -> JsonReport.write(REPORT, folder.resolve("missing").resolve("report.json")))
+                .isInstanceOf(IOException.class);
+    }
+
+    private static List<CSVRecord> records(Path file) throws IOException {
+        try (Reader reader = Files.newBufferedReader(file)) {
+            return CSVFormat.RFC4180
+                    .builder()
+                    .setHeader()
+                    .setSkipHeaderRecord(true)
+                    .get()
+                    .parse(reader)
+                    .getRecords();
+        }
+    }
+}

@@ -1,0 +1,16 @@
+package dev.twister.bench;
+
+import dev.twister.scene.SceneGenerator;
+import dev.twister.sky.Skybox;
+import dev.twister.world.World;
+import java.nio.file.Path;
+
+/** A world that is quickly drawn. */
+final class TestWorld {
+    private TestWorld() {}
+
+    static World create() {
+        return World.of(
+                SceneGenerator.spheres(3, 1, Path.of("sky.hdr")), new Skybox(1, 1, new float[] {0.2f, 0.4f, 0.8f}));
+    }
+}

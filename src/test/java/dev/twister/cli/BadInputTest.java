@@ -1,0 +1,107 @@
+package dev.twister.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Whatever is wrong with a command line ends in exit code 2 and a line or two, never in a stack trace. */
+class BadInputTest {
+    private static final int MOST_LINES = 3;
+
+    @TempDir
+    private Path folder;
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "rendr | Did you mean: twister render",
+                "render | SCENE",
+                "render benchmark | --output",
+                "render benchmark -o FOLDER/a.jpg | must end in .png or .hdr",
+                "render benchmark -o FOLDER/missing/a.png | there is no folder",
+                "render benchmark -o FOLDER | must end in",
+                "render benchmrk -o FOLDER/a.png | shipped are: benchmark",
+                "render missing.json -o FOLDER/a.png | missing.json",
+                "render FOLDER -o FOLDER/a.png | FOLDER",
+                "render benchmark -o FOLDER/a.png --size 0x5 | 1x1 to 16384x16384",
+                "render benchmark -o FOLDER/a.png --size big | 'big' is not a size",
+                "render benchmark -o FOLDER/a.png --engine warp | warp",
+                "render benchmark -o FOLDER/a.png --shadow-samples 0 | --shadow-samples is 0, but must be from 1 to 1024",
+                "render benchmark -o FOLDER/a.png --shadow-samples 1025 | from 1 to 1024",
+                "render benchmark -o FOLDER/a.png --shadow-samples 1e3 | --shadow-samples",
+                "render benchmark -o FOLDER/a.png --shadow-sampels 3 | --shadow-samples",
+                "render benchmark -o FOLDER/a.png --bounces -1 | --bounces is -1, but must be from 0 to 64",
+                "render benchmark -o FOLDER/a.png --samples 1025 | --samples is 1025, but must be from 1 to 1024",
+                "render benchmark -o FOLDER/a.png --exposure NaN | --exposure is NaN, but must be from -20 to 20",
+                "render benchmark -o FOLDER/a.png --exposure Infinity | from -20 to 20",
+                "render benchmark -o FOLDER/a.png --tone-map film | --tone-map",
+                "render benchmark -o FOLDER/a.png --camera 1,2 | x,y,z",
+                "render benchmark -o FOLDER/a.png --camera 1,NaN,2 | --camera's y is NaN",
+                "render benchmark -o FOLDER/a.png --yaw Infinity | --yaw is Infinity",
+                "render benchmark -o FOLDER/a.png --pitch -91 | --pitch is -91.0, but must be from -90 to 90",
+                "render benchmark -o FOLDER/a.png --fov 0.5 | --fov is 0.5, but must be from 1 to 179",
+                "render benchmark -o FOLDER/a.png --skybox FOLDER/none.hdr | none.hdr",
+                "benchmark --engine sequential --engine warp | must be one of sequential",
+                "benchmark --frames 0 | --frames is 0, but must be from 1",
+                "benchmark --warmup -1 | --warmup is -1, but must be from 0",
+                "benchmark --max-seconds NaN | --max-seconds is NaN",
+                "benchmark --json FOLDER/missing/r.json | --json",
+                "benchmark --csv FOLDER | a file, not a folder",
+                "benchmark none.json --quick | none.json",
+                "sky -o FOLDER/a.png | must end in .hdr",
+                "sky -o FOLDER/a.hdr --elevation 91 | --elevation is 91.0, but must be from 0 to 90",
+                "sky -o FOLDER/a.hdr --azimuth NaN | --azimuth",
+                "sky -o FOLDER/a.hdr --turbidity 1 | --turbidity is 1.0, but must be from 2 to 10",
+                "sky -o FOLDER/a.hdr --size 100x9000 | --size's height is 9000, but must be from 1 to 8192",
+                "sky -o FOLDER/a.hdr --preset night | --preset",
+                "scene | --check",
+                "scene --spheres 0 -o FOLDER/a.json | --spheres is 0, but must be from 1",
+                "scene --spheres 5 | --output",
+                "scene --check FOLDER/none.json | none.json",
+                "scene --check a.json --spheres 5 -o b.json | mutually exclusive"
+            })
+    void endsWithTwo(String line, String expected) {
+        String[] arguments = line.replace("FOLDER", folder.toString()).split(" ");
+
+        Outcome outcome = Outcome.of(arguments);
+
+        assertThat(outcome.err()).contains(expected.replace("FOLDER", folder.toString()));
+        assertThat(outcome.err()).doesNotContain("\tat ", "Exception");
+        assertThat(outcome.err().lines().count()).isLessThanOrEqualTo(MOST_LINES);
+        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.out()).isEmpty();
+        assertThat(folder).isEmptyDirectory();
+    }
+
+    @Test
+    void aBrokenSceneIsToldWithItsPlace() throws IOException {
+        Path scene = Files.writeString(folder.resolve("broken.json"), "{\"version\": 1,\n \"camera\": }");
+
+        Outcome outcome = Outcome.of("scene", "--check", scene.toString());
+
+        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.err())
+                .startsWith("twister: ")
+                .contains("broken.json")
+                .hasLineCount(1);
+    }
+
+    @Test
+    void aSkyThatIsNoneIsTold() throws IOException {
+        Path sky = Files.writeString(folder.resolve("sky.hdr"), "not a sky");
+
+        Outcome outcome =
+                Outcome.of("render", "benchmark", "-o", folder.resolve("a.png").toString(), "--skybox", sky.toString());
+
+        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.err()).contains("sky.hdr").hasLineCount(1);
+    }
+}

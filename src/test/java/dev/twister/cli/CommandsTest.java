@@ -1,0 +1,130 @@
+package dev.twister.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneReader;
+import dev.twister.sky.Skybox;
+import dev.twister.sky.SkyboxReader;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class CommandsTest {
+    @TempDir
+    private Path folder;
+
+    @Test
+    void withoutArgumentsThereIsHelp() {
+        Outcome outcome = Outcome.of();
+
+        assertThat(outcome.exitCode()).isZero();
+        assertThat(outcome.out()).contains("render", "benchmark", "devices", "sky", "scene", "generate-completion");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"render", "benchmark", "devices", "sky", "scene"})
+    void everyCommandHasHelpWithExamples(String command) {
+        Outcome outcome = Outcome.of(command, "--help");
+
+        assertThat(outcome.exitCode()).isZero();
+        assertThat(outcome.out()).startsWith("Usage: twister " + command).contains("Example", "  twister " + command);
+    }
+
+    @Test
+    void tellsItsVersion() {
+        assertThat(Outcome.of("--version").out()).startsWith("twister ").contains("JDK " + Runtime.version());
+    }
+
+    @Test
+    void completesInAShell() {
+        assertThat(Outcome.of("generate-completion").out()).contains("--shadow-samples", "complete");
+    }
+
+    @Test
+    void showsDevices() {
+        Outcome outcome = Outcome.of("devices");
+
+        assertThat(outcome.exitCode()).isZero();
+        assertThat(outcome.out()).contains("These engines work here:", "sequential", "parallel", "tornado");
+    }
+
+    @Test
+    void makesASky() {
+        Path file = folder.resolve("sky.hdr");
+
+        Outcome outcome = Outcome.of("sky", "-o", file.toString(), "--elevation", "8", "--size", "16x8");
+
+        assertThat(outcome.err()).isEmpty();
+        assertThat(outcome.exitCode()).isZero();
+        Skybox sky = SkyboxReader.read(file);
+        assertThat(sky.width()).isEqualTo(16);
+        assertThat(sky.height()).isEqualTo(8);
+    }
+
+    @Test
+    void makesASceneThatIsValid() {
+        Path file = folder.resolve("scene.json");
+
+        Outcome made = Outcome.of("scene", "--spheres", "12", "--seed", "7", "-o", file.toString());
+        assertThat(made.err()).isEmpty();
+        assertThat(made.exitCode()).isZero();
+        Scene scene = SceneReader.read(file);
+        assertThat(scene.spheres()).hasSize(12);
+
+        Outcome checked = Outcome.of("scene", "--check", file.toString());
+        assertThat(checked.err()).isEmpty();
+        assertThat(checked.out()).contains("valid, 12 spheres");
+    }
+
+    @Test
+    void measuresAndReports() {
+        Path json = folder.resolve("report.json");
+        Path csv = folder.resolve("report.csv");
+
+        Outcome outcome = Outcome.of(
+                "benchmark",
+                "teaching",
+                "--engine",
+                "sequential",
+                "--engine",
+                "parallel",
+                "--size",
+                "24x16",
+                "--classic",
+                "--quick",
+                "--warmup",
+                "1",
+                "--frames",
+                "2",
+                "--json",
+                json.toString(),
+                "--csv",
+                csv.toString());
+
+        assertThat(outcome.err()).isEmpty();
+        assertThat(outcome.exitCode()).isZero();
+        assertThat(outcome.out())
+                .contains("scene teaching, 1 shadow samples, 1 bounces", "sequential", "parallel", "24x16", "1+2");
+        assertThat(json).isNotEmptyFile();
+        assertThat(csv).isNotEmptyFile();
+    }
+
+    @Test
+    void anEngineThatDoesNotWorkHereEndsWithOne() {
+        Outcome outcome = Outcome.of(
+                "render",
+                "benchmark",
+                "-o",
+                folder.resolve("a.png").toString(),
+                "--size",
+                "8x8",
+                "--engine",
+                "tornado");
+
+        assertThat(outcome.exitCode()).isIn(Main.OK, Main.FAILED);
+        assertThat(outcome.err()).doesNotContain("\tat ");
+    }
+}

@@ -1,0 +1,128 @@
+package dev.twister.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class RenderCommandTest {
+    @TempDir
+    private Path folder;
+
+    @Test
+    void drawsAShippedSceneByName() throws IOException {
+        Path file = folder.resolve("picture.PNG");
+
+        Outcome outcome = render("benchmark", file, "--size", "48x27");
+
+        assertThat(outcome.err()).isEmpty();
+        assertThat(outcome.exitCode()).isZero();
+        assertThat(outcome.out()).startsWith(file + ": 48 x 27, parallel").endsWith(" ms" + System.lineSeparator());
+        BufferedImage picture = ImageIO.read(file.toFile());
+        assertThat(picture.getWidth()).isEqualTo(48);
+        assertThat(picture.getHeight()).isEqualTo(27);
+    }
+
+    @Test
+    void takesAllOptions() {
+        Outcome outcome = render(
+                "teaching",
+                folder.resolve("picture.png"),
+                "--size",
+                "17x3",
+                "--engine",
+                "sequential",
+                "--shadow-samples",
+                "3",
+                "--bounces",
+                "0",
+                "--samples",
+                "4",
+                "--exposure",
+                "-1.5",
+                "--tone-map",
+                "aces",
+                "--srgb",
+                "--camera",
+                "-1,-5,-15",
+                "--yaw",
+                "-30",
+                "--pitch",
+                "5",
+                "--fov",
+                "60");
+
+        assertThat(outcome.err()).isEmpty();
+        assertThat(outcome.exitCode()).isZero();
+    }
+
+    @Test
+    void optionsChangeThePicture() throws IOException {
+        byte[] plain = bytes("plain.png");
+
+        assertThat(bytes("exposed.png", "--exposure", "1")).isNotEqualTo(plain);
+        assertThat(bytes("curved.png", "--srgb")).isNotEqualTo(plain);
+        assertThat(bytes("turned.png", "--yaw", "20")).isNotEqualTo(plain);
+        assertThat(bytes("same.png", "--no-srgb")).isEqualTo(plain);
+    }
+
+    @Test
+    void anHdrFileKeepsRadiance() throws IOException {
+        Path file = folder.resolve("picture.hdr");
+
+        assertThat(render("benchmark", file, "--size", "32x18").exitCode()).isZero();
+        assertThat(Files.readString(file, StandardCharsets.ISO_8859_1))
+                .startsWith("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 18 +X 32\n");
+    }
+
+    @Test
+    void bandsMakeTheSamePictureAsOneStroke() throws IOException {
+        // 200 rows at 64 view rays a pixel and 300 columns come to four bands, the last one shorter.
+        byte[] banded =
+                bytes("banded.png", "--size", "300x200", "--samples", "64", "--shadow-samples", "1", "--bounces", "0");
+        byte[] sequential = bytes(
+                "sequential.png",
+                "--size",
+                "300x200",
+                "--samples",
+                "64",
+                "--shadow-samples",
+                "1",
+                "--bounces",
+                "0",
+                "--engine",
+                "sequential");
+
+        assertThat(banded).isEqualTo(sequential);
+        BufferedImage picture = ImageIO.read(folder.resolve("banded.png").toFile());
+        assertThat(picture.getRGB(150, 199)).isNotEqualTo(0xff000000);
+    }
+
+    private byte[] bytes(String name, String... options) throws IOException {
+        Path file = folder.resolve(name);
+        String[] sized = new String[options.length + 2];
+        sized[0] = "--size";
+        sized[1] = "32x18";
+        System.arraycopy(options, 0, sized, 2, options.length);
+        String[] used = options.length > 0 && options[0].equals("--size") ? options : sized;
+        Outcome outcome = render("benchmark", file, used);
+        assertThat(outcome.err()).isEmpty();
+        return Files.readAllBytes(file);
+    }
+
+    private static Outcome render(String scene, Path file, String... options) {
+        String[] arguments = new String[options.length + 4];
+        arguments[0] = "render";
+        arguments[1] = scene;
+        arguments[2] = "-o";
+        arguments[3] = file.toString();
+        System.arraycopy(options, 0, arguments, 4, options.length);
+        return Outcome.of(arguments);
+    }
+}

@@ -1,0 +1,19 @@
+package dev.twister.engine;
+
+import static org.assertj.core.api.Assertions.assertThatCode;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import org.junit.jupiter.api.Test;
+
+/** Says plainly whether the TornadoVM engine's own tests are part of this build. */
+class TornadoPresenceTest {
+    @Test
+    void deviceTestsAreBuiltWhereTheEngineWorks() {
+        assumeTrue(
+                Engines.offers().stream()
+                        .anyMatch(offer -> offer.id().startsWith(Engines.TORNADO_PREFIX) && offer.works()),
+                "no TornadoVM SDK here: the TornadoVM engine's tests were not built");
+        assertThatCode(() -> Class.forName("dev.twister.engine.tornado.ScenesOnDeviceTest"))
+                .doesNotThrowAnyException();
+    }
+}

@@ -1,0 +1,74 @@
+package dev.twister.oracle;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.engine.JvmEngines;
+import dev.twister.image.PngWriter;
+import dev.twister.scene.RenderSettings;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * The shipped scenes as they were when a person last looked at them, in {@code src/test/resources/golden}.
+ *
+ * <p>Where a picture changes on purpose, {@code ./mvnw -Dtest=GoldenPicturesTest -Dtwister.golden.update=true package}
+ * makes it again; look at it before it is committed. On a failure the actual picture and the difference, eightfold, are
+ * in {@code target/golden}.
+ */
+class GoldenPicturesTest {
+    private static final Path GOLDEN = Path.of("src/test/resources/golden");
+    private static final Path ACTUAL = Path.of("target/golden");
+
+    /** So that a person sees a difference of a few 255ths. */
+    private static final int DIFFERENCE_GAIN = 8;
+
+    static List<String> names() {
+        return ShippedScenes.names();
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void pictureIsAsItWas(String name) throws IOException {
+        LitScene small = ShippedScenes.small(name);
+        RenderSettings settings = small.scene().settings();
+        int[] actual = Pictures.argb(JvmEngines.PARALLEL, small.scene(), small.sky());
+        Path golden = GOLDEN.resolve(name + ".png");
+        if (Boolean.getBoolean("twister.golden.update")) {
+            write(golden, settings, actual);
+        }
+        BufferedImage expected = ImageIO.read(golden.toFile());
+        assertThat(expected.getWidth()).isEqualTo(settings.width());
+        assertThat(expected.getHeight()).isEqualTo(settings.height());
+        int[] pixels = expected.getRGB(0, 0, settings.width(), settings.height(), null, 0, settings.width());
+        PictureDifference difference = PictureDifference.between(actual, pixels);
+        if (!difference.isWithinBound()) {
+            write(ACTUAL.resolve(name + ".png"), settings, actual);
+            write(ACTUAL.resolve(name + "-difference.png"), settings, enlarged(actual, pixels));
+        }
+        assertThat(difference)
+                .as("%s; look at %s", name, ACTUAL)
+                .matches(PictureDifference::isWithinBound, "is within the design's bound");
+    }
+
+    private static int[] enlarged(int[] actual, int[] expected) {
+        int[] differences = new int[actual.length];
+        Arrays.setAll(differences, pixel -> {
+            int grey = Math.min(
+                    255, DIFFERENCE_GAIN * PictureDifference.channelDifference(actual[pixel], expected[pixel]));
+            return 0xFF000000 | grey << 16 | grey << 8 | grey;
+        });
+        return differences;
+    }
+
+    private static void write(Path file, RenderSettings settings, int[] argb) throws IOException {
+        Files.createDirectories(file.getParent());
+        PngWriter.write(file, settings.width(), settings.height(), argb);
+    }
+}

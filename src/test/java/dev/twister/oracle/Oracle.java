@@ -1,0 +1,121 @@
+package dev.twister.oracle;
+
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.sky.Skybox;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+
+/** The picture of a scene, as the equations have it. */
+public final class Oracle {
+    /** The plastic number, the real root of x^3 = x + 1: of Roberts's R2 sequence. */
+    private static final double PLASTIC = 1.324717957244746;
+
+    /** Two, four and sixteen roundings of a float either way. */
+    private static final double[] GROWTHS = {
+        1 - 0x1p-20, 1 - 0x1p-22, 1 - 0x1p-23, 1 + 0x1p-23, 1 + 0x1p-22, 1 + 0x1p-20
+    };
+
+    private final Scene rounded;
+    private final Skybox sky;
+    private final OracleTracer tracer;
+    private final OracleCamera camera;
+    private final OracleTone tone;
+    private final RayMoves moves;
+    private final int width;
+    private final int height;
+    private final int samplesPerPixel;
+
+    public Oracle(Scene scene, Skybox sky) {
+        rounded = FloatScene.of(scene);
+        this.sky = sky;
+        width = scene.settings().width();
+        height = scene.settings().height();
+        samplesPerPixel = scene.settings().samplesPerPixel();
+        tracer = new OracleTracer(rounded, sky);
+        camera = new OracleCamera(rounded.camera(), width, height);
+        tone = new OracleTone(scene.settings());
+        moves = new RayMoves();
+    }
+
+    /** Linear colour of a pixel, before exposure and tone map. */
+    public Rgb radiance(int column, int row) {
+        Color average = average(column, row);
+        return new Rgb(average.red(), average.green(), average.blue());
+    }
+
+    /** What a pixel shows, as 0xAARRGGBB. */
+    public int argb(int column, int row) {
+        return tone.argb(average(column, row));
+    }
+
+    /** All pixels as 0xAARRGGBB, row by row from the top. */
+    public int[] picture() {
+        return IntStream.range(0, width * height)
+                .parallel()
+                .map(pixel -> argb(pixel % width, pixel / width))
+                .toArray();
+    }
+
+    /**
+     * Between what colours a pixel swings where its samples' places, its view rays or the spheres' radii are changed by a
+     * few roundings of a float: at an edge, or where mirrors amplify, far; elsewhere not at all. The radii count where a
+     * sphere is large as a planet: beside its surface, distances are small differences of large numbers.
+     */
+    PixelSpan span(int column, int row) {
+        Color lowest = Color.BLACK;
+        Color highest = Color.BLACK;
+        double step = Math.ulp((float) Math.max(width, height));
+        List<Ray> rays = viewRays(column, row);
+        List<Ray> lefts = viewRays(column - step, row - step);
+        List<Ray> rights = viewRays(column + step, row + step);
+        for (int i = 0; i < rays.size(); i++) {
+            Color low = tracer.color(rays.get(i));
+            Color high = low;
+            List<Ray> movedRays = moves.of(rays.get(i));
+            movedRays.add(lefts.get(i));
+            movedRays.add(rights.get(i));
+            for (Ray moved : movedRays) {
+                Color color = tracer.color(moved);
+                low = low.min(color);
+                high = high.max(color);
+            }
+            for (double factor : GROWTHS) {
+                Color color = new OracleTracer(FloatScene.grown(rounded, factor), sky).color(rays.get(i));
+                low = low.min(color);
+                high = high.max(color);
+            }
+            lowest = lowest.plus(low);
+            highest = highest.plus(high);
+        }
+        double share = 1.0 / samplesPerPixel;
+        return new PixelSpan(tone.argb(lowest.times(share)), tone.argb(highest.times(share)));
+    }
+
+    private Color average(int column, int row) {
+        Color sum = Color.BLACK;
+        for (Ray ray : viewRays(column, row)) {
+            sum = sum.plus(tracer.color(ray));
+        }
+        return sum.times(1.0 / samplesPerPixel);
+    }
+
+    /** One sample is the pixel's corner, more lie where the R2 sequence has them, rounded as engines are given them. */
+    private List<Ray> viewRays(double column, double row) {
+        if (samplesPerPixel == 1) {
+            return List.of(camera.ray(column, row));
+        }
+        List<Ray> rays = new ArrayList<>();
+        for (int i = 0; i < samplesPerPixel; i++) {
+            double x = (float) fraction(0.5 + i / PLASTIC);
+            double y = (float) fraction(0.5 + i / (PLASTIC * PLASTIC));
+            rays.add(camera.ray(column + x, row + y));
+        }
+        return rays;
+    }
+
+    private static double fraction(double value) {
+        return value - Math.floor(value);
+    }
+}

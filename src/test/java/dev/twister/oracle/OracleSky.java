@@ -1,0 +1,36 @@
+package dev.twister.oracle;
+
+import dev.twister.sky.Skybox;
+
+/** The panorama in a direction. */
+final class OracleSky {
+    private final Skybox sky;
+
+    OracleSky(Skybox sky) {
+        this.sky = sky;
+    }
+
+    Color color(Vector direction) {
+        double u = 0.5 + Math.atan2(direction.z(), direction.x()) / (2 * Math.PI);
+        double v = 0.5 - Math.asin(Math.clamp(direction.y(), -1, 1)) / Math.PI;
+        double column = u * sky.width() - 0.5;
+        double row = v * sky.height() - 0.5;
+        double left = Math.floor(column);
+        double top = Math.floor(row);
+        double toRight = column - left;
+        double toBottom = row - top;
+        return texel(left, top)
+                .times((1 - toRight) * (1 - toBottom))
+                .plus(texel(left + 1, top).times(toRight * (1 - toBottom)))
+                .plus(texel(left, top + 1).times((1 - toRight) * toBottom))
+                .plus(texel(left + 1, top + 1).times(toRight * toBottom));
+    }
+
+    /** Around the horizon it wraps, up and down it is clamped. */
+    private Color texel(double column, double row) {
+        int wrapped = Math.floorMod((int) column, sky.width());
+        int clamped = Math.clamp((int) row, 0, sky.height() - 1);
+        int at = 3 * (clamped * sky.width() + wrapped);
+        return new Color(sky.radiance()[at], sky.radiance()[at + 1], sky.radiance()[at + 2]);
+    }
+}

@@ -1,0 +1,99 @@
+package dev.twister.oracle;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.twister.scene.Camera;
+import dev.twister.scene.Light;
+import dev.twister.scene.Plane;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import dev.twister.sky.Skybox;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/**
+ * The oracle itself, where the answer is known by hand: the middle pixel of a 2 x 2 picture, whose ray goes straight
+ * ahead, or straight down, over a ground at y = 0 under a light at height 10.
+ */
+class OracleTest {
+    private static final double MATTE = 0;
+    private static final Skybox SKY = new Skybox(1, 1, new float[] {0.25f, 0.5f, 0.75f});
+    private static final Camera AHEAD = new Camera(new Vector3(0.5, 5, -5), 0, 0, 60);
+    private static final Camera DOWN = new Camera(new Vector3(0.5, 5, 0.5), 0, 90, 60);
+
+    @Test
+    void missIsTheSky() {
+        assertThat(middle(AHEAD, 0, MATTE)).isEqualTo(new Rgb(0.25, 0.5, 0.75));
+    }
+
+    @Test
+    void groundBelowTheLightIsItsColourTimesTheCosine() {
+        double cosine = 10 / Math.sqrt(100.5);
+        assertThat(middle(DOWN, 0, MATTE).red()).isCloseTo(0.8 * cosine, within(1e-7));
+    }
+
+    @Test
+    void shadowLeavesTheAmbientPart() {
+        Sphere blocker = sphere(0.25, 8, 0.25, 1.5, MATTE);
+        assertThat(middle(DOWN, 0, MATTE, blocker).red()).isCloseTo(0.8 * 0.1, within(1e-7));
+    }
+
+    @Test
+    void highlightIsBlinnPhongs() {
+        double cosine = 10 / Math.sqrt(100.5);
+        double cosineOfHalf = Math.cos(Math.acos(cosine) / 2);
+        double highlight = (8 + 64) / (8 * Math.PI) * Math.pow(cosineOfHalf, 64) * 64 / 128;
+        assertThat(middle(DOWN, 0, 64).red()).isCloseTo(0.8 * cosine + highlight, within(1e-6));
+    }
+
+    @Test
+    void perfectMirrorShowsTheSkyAndTheHighlight() {
+        double cosine = 10 / Math.sqrt(100.5);
+        double highlight = (8 + 128) / (8 * Math.PI) * Math.pow(Math.cos(Math.acos(cosine) / 2), 128);
+        assertThat(middle(DOWN, 1, 128).green()).isCloseTo(0.5 * cosine + highlight, within(1e-6));
+    }
+
+    @Test
+    void lightIsItsOwnColour() {
+        Camera below = new Camera(new Vector3(0, 5, 0), 0, -90, 60);
+        assertThat(middle(below, 0, MATTE)).isEqualTo(new Rgb(1, 1, 1));
+    }
+
+    @Test
+    void sphereAroundTheCameraIsNotSeen() {
+        assertThat(middle(AHEAD, 0, MATTE, sphere(0.5, 5, -5, 2, MATTE))).isEqualTo(new Rgb(0.25, 0.5, 0.75));
+    }
+
+    @Test
+    void spansAreNarrowAwayFromEdges() {
+        PixelSpan span = new Oracle(scene(DOWN, 0, 64), SKY).span(1, 1);
+        assertThat(PictureDifference.channelDifference(span.lowest(), span.highest()))
+                .isLessThanOrEqualTo(1);
+    }
+
+    private static Rgb middle(Camera camera, int bounces, double groundReflectivity, Sphere... spheres) {
+        return new Oracle(scene(camera, bounces, groundReflectivity, spheres), SKY).radiance(1, 1);
+    }
+
+    private static Scene scene(Camera camera, int bounces, double groundReflectivity, Sphere... spheres) {
+        return new Scene(
+                "",
+                "",
+                camera,
+                new Light(new Vector3(0, 10, 0), 0.5, new Rgb(1, 1, 1)),
+                new Plane(20, 0, new Rgb(0.8, 0.8, 0.8), new Rgb(0.3, 0.3, 0.3), groundReflectivity),
+                List.of(spheres),
+                Path.of("none.hdr"),
+                0.1,
+                RenderSettings.DEFAULT.withSize(2, 2).withBounces(bounces));
+    }
+
+    private static Sphere sphere(double x, double y, double z, double radius, double reflectivity) {
+        return new Sphere(new Vector3(x, y, z), radius, new Rgb(0.5, 0.5, 0.5), reflectivity);
+    }
+}

@@ -1,0 +1,73 @@
+package dev.twister.oracle;
+
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneReader;
+import dev.twister.sky.Skybox;
+import dev.twister.sky.SkyboxReader;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+
+/** The scenes in the folder {@code scenes}, small enough for the oracle. */
+public final class ShippedScenes {
+    private static final Path FOLDER = Path.of("scenes");
+
+    /** More than so many spheres, and a scene is drawn smaller. */
+    private static final int MANY_SPHERES = 1000;
+
+    private ShippedScenes() {}
+
+    /** Their names, without {@code .json}. */
+    public static List<String> names() {
+        try (Stream<Path> files = Files.list(FOLDER)) {
+            return files.map(file -> file.getFileName().toString())
+                    .filter(name -> name.endsWith(".json") && !name.endsWith(".schema.json"))
+                    .map(name -> name.substring(0, name.length() - ".json".length()))
+                    .sorted()
+                    .toList();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** As it is shipped, in a picture of 320 x 180. */
+    public static LitScene small(String name) {
+        LitScene shipped = read(name);
+        return with(shipped, shipped.scene().settings().withSize(320, 180));
+    }
+
+    /** Quick to draw for the oracle too: at most 48 shadow samples, and thousands of spheres at 96 x 54 with 4. */
+    public static LitScene quick(String name) {
+        LitScene small = small(name);
+        RenderSettings settings = small.scene().settings();
+        return small.scene().spheres().size() > MANY_SPHERES
+                ? with(small, settings.withSize(96, 54).withShadows(4))
+                : with(small, settings.withShadows(Math.min(settings.shadowSamples(), 48)));
+    }
+
+    private static LitScene read(String name) {
+        Scene scene = SceneReader.read(FOLDER.resolve(name + ".json"));
+        Skybox sky = SkyboxReader.read(scene.skybox());
+        return new LitScene(scene, sky);
+    }
+
+    private static LitScene with(LitScene shipped, RenderSettings settings) {
+        Scene scene = shipped.scene();
+        return new LitScene(
+                new Scene(
+                        scene.name(),
+                        scene.description(),
+                        scene.camera(),
+                        scene.light(),
+                        scene.plane(),
+                        scene.spheres(),
+                        scene.skybox(),
+                        scene.ambient(),
+                        settings),
+                shipped.sky());
+    }
+}

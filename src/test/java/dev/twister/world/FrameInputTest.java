@@ -1,0 +1,42 @@
+package dev.twister.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class FrameInputTest {
+    private final FrameInput whole = Worlds.world().snapshot();
+
+    @Test
+    void bandKeepsThePictureAndDrawsItsRows() {
+        FrameInput band = whole.band(7, 11);
+        assertThat(band.dimensions()).containsExactly(40, 30, 7, 11, 4);
+        assertThat(band.firstRow()).isEqualTo(7);
+        assertThat(band.rows()).isEqualTo(11);
+        assertThat(band.height()).isEqualTo(30);
+    }
+
+    @Test
+    void bandLeavesTheWholeAsItWas() {
+        FrameInput band = whole.band(7, 11);
+        assertThat(whole.rows()).isEqualTo(30);
+        assertThat(band.bodyPositions()).isSameAs(whole.bodyPositions());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"-1, 5", "0, 0", "0, 31", "29, 2", "2147483647, 1", "0, 2147483647", "0, -1"})
+    void rowsThatAreNoRowsAreRefused(int firstRow, int rows) {
+        assertThatThrownBy(() -> whole.band(firstRow, rows))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageEndingWith("of 30");
+    }
+
+    @Test
+    void countsComeFromTheSettings() {
+        assertThat(whole.shadowSamples()).isEqualTo(5);
+        assertThat(whole.bounces()).isEqualTo(6);
+    }
+}

@@ -1,0 +1,43 @@
+package dev.twister.world;
+
+import dev.twister.scene.Camera;
+import dev.twister.scene.Light;
+import dev.twister.scene.Plane;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import dev.twister.sky.Skybox;
+import java.nio.file.Path;
+import java.util.List;
+
+/** A world in which every number is another one, so that none can be taken for another. */
+final class Worlds {
+    static final Skybox SKY = new Skybox(2, 1, new float[] {70, 71, 72, 73, 74, 75});
+
+    private Worlds() {}
+
+    static Scene scene() {
+        return new Scene(
+                "",
+                "",
+                new Camera(new Vector3(1, 2, 3), 0, 0, 90),
+                new Light(new Vector3(4, 5, 6), 7, new Rgb(8, 9, 10)),
+                new Plane(11, 12, new Rgb(0.13, 0.14, 0.15), new Rgb(0.16, 0.17, 0.18), 19),
+                List.of(
+                        new Sphere(new Vector3(20, 21, 22), 23, new Rgb(0.24, 0.25, 0.26), 27),
+                        new Sphere(new Vector3(28, 29, 30), 31, new Rgb(0.32, 0.33, 0.34), 35)),
+                Path.of("none.hdr"),
+                0.36,
+                RenderSettings.DEFAULT
+                        .withSize(40, 30)
+                        .withShadows(5)
+                        .withBounces(6)
+                        .withSamplesPerPixel(3));
+    }
+
+    static World world() {
+        return World.of(scene(), SKY);
+    }
+}

@@ -1,0 +1,91 @@
+package dev.twister.engine.tornado;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.lang.classfile.ClassFile;
+import java.lang.classfile.ClassTransform;
+import java.lang.classfile.CodeBuilder;
+import java.lang.classfile.CodeElement;
+import java.lang.classfile.instruction.InvokeInstruction;
+import java.lang.constant.ClassDesc;
+import java.lang.constant.MethodTypeDesc;
+import java.util.function.Supplier;
+import uk.ac.manchester.tornado.api.math.TornadoMath;
+
+/**
+ * Loads the kernel's classes anew for a device, with float square roots. Java's only square root is a double's, which
+ * TornadoVM takes at its word: devices without doubles could not run it, and others would be slow at it. The kernel
+ * itself must know nothing of TornadoVM, so its calls of {@code Math.sqrt} become {@link TornadoMath}'s here; the
+ * conversions about them cancel out in TornadoVM's compiler, and nothing else changes.
+ */
+final class DeviceClassLoader extends ClassLoader {
+    private static final String KERNEL = "dev.twister.kernel.";
+    private static final ClassDesc TORNADO_MATH = ClassDesc.of("uk.ac.manchester.tornado.api.math.TornadoMath");
+    private static final MethodTypeDesc FLOAT_TO_FLOAT = MethodTypeDesc.ofDescriptor("(F)F");
+
+    private final String entry;
+
+    private DeviceClassLoader(Class<?> entry) {
+        super(entry.getClassLoader());
+        this.entry = entry.getName();
+    }
+
+    /**
+     * What a class that has a public constructor without arguments supplies when it, and all of the kernel that it
+     * calls, is loaded for a device.
+     *
+     * @param entry the class with the {@code @Parallel} loops
+     * @param supplied an interface that is not loaded anew
+     */
+    static <T> T load(Class<? extends Supplier<T>> entry, Class<T> supplied) {
+        try {
+            Object supplier = new DeviceClassLoader(entry)
+                    .loadClass(entry.getName())
+                    .getConstructor()
+                    .newInstance();
+            return supplied.cast(((Supplier<?>) supplier).get());
+        } catch (ReflectiveOperationException e) {
+            throw new LinkageError("the kernel could not be loaded for a device: " + e, e);
+        }
+    }
+
+    @Override
+    protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+        if (!name.startsWith(KERNEL) && !name.equals(entry)) {
+            return super.loadClass(name, resolve);
+        }
+        synchronized (getClassLoadingLock(name)) {
+            Class<?> loaded = findLoadedClass(name);
+            return loaded != null ? loaded : define(name);
+        }
+    }
+
+    private Class<?> define(String name) throws ClassNotFoundException {
+        try (InputStream stream = getResourceAsStream(name.replace('.', '/') + ".class")) {
+            if (stream == null) {
+                throw new ClassNotFoundException(name);
+            }
+            byte[] bytes = withFloatRoots(stream.readAllBytes());
+            return defineClass(name, bytes, 0, bytes.length);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static byte[] withFloatRoots(byte[] bytes) {
+        ClassFile format = ClassFile.of();
+        return format.transformClass(
+                format.parse(bytes), ClassTransform.transformingMethodBodies(DeviceClassLoader::replaceRoot));
+    }
+
+    private static void replaceRoot(CodeBuilder code, CodeElement element) {
+        if (element instanceof InvokeInstruction call
+                && call.owner().asInternalName().equals("java/lang/Math")
+                && call.name().equalsString("sqrt")) {
+            code.d2f().invokestatic(TORNADO_MATH, "sqrt", FLOAT_TO_FLOAT).f2d();
+        } else {
+            code.with(element);
+        }
+    }
+}

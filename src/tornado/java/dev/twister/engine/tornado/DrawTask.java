@@ -1,0 +1,23 @@
+package dev.twister.engine.tornado;
+
+import uk.ac.manchester.tornado.api.common.TornadoFunctions.Task16;
+
+/** A kernel with {@link TornadoKernel#draw}'s arguments, as TornadoVM's task graphs take it. */
+public interface DrawTask
+        extends Task16<
+                int[],
+                float[],
+                int[],
+                float[],
+                float[],
+                float[],
+                float[],
+                float[],
+                float[],
+                float[],
+                int[],
+                float[],
+                float[],
+                Integer,
+                Integer,
+                Integer> {}

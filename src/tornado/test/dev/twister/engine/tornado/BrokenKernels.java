@@ -1,0 +1,63 @@
+package dev.twister.engine.tornado;
+
+import uk.ac.manchester.tornado.api.annotations.Parallel;
+
+/** Kernels that TornadoVM cannot compile or that do not draw. (On a recursive one its compiler never ends.) */
+final class BrokenKernels {
+    private BrokenKernels() {}
+
+    private record Point(int x, int y) {}
+
+    static void keepingObjects(
+            int[] pixels,
+            float[] radiance,
+            int[] dimensions,
+            float[] camera,
+            float[] rayTracingProperties,
+            float[] bodyPositions,
+            float[] bodySizes,
+            float[] bodyColors,
+            float[] bodyReflectivities,
+            float[] skybox,
+            int[] skyboxDimensions,
+            float[] shadowDisc,
+            float[] pixelOffsets,
+            int width,
+            int rows,
+            int output) {
+        for (@Parallel int i = 0; i < rows; i++) {
+            Point kept = new Point(0, 0);
+            for (int x = 0; x < dimensions[0]; x++) {
+                if (camera[x % 3] > 0) {
+                    kept = new Point(x, kept.y() + 1);
+                }
+            }
+            pixels[i] = kept.x() + kept.y();
+        }
+    }
+
+    /** Compiles, but draws nothing. */
+    static void idle(
+            int[] pixels,
+            float[] radiance,
+            int[] dimensions,
+            float[] camera,
+            float[] rayTracingProperties,
+            float[] bodyPositions,
+            float[] bodySizes,
+            float[] bodyColors,
+            float[] bodyReflectivities,
+            float[] skybox,
+            int[] skyboxDimensions,
+            float[] shadowDisc,
+            float[] pixelOffsets,
+            int width,
+            int rows,
+            int output) {
+        for (@Parallel int i = 0; i < rows; i++) {
+            if (i < rows / 2) {
+                pixels[i * width] = -1;
+            }
+        }
+    }
+}

@@ -1,0 +1,39 @@
+package dev.twister.engine.tornado;
+
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import dev.twister.engine.EngineException;
+import dev.twister.image.Frame;
+import dev.twister.scene.RenderSettings;
+import dev.twister.world.World;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import uk.ac.manchester.tornado.api.common.TornadoDevice;
+
+/** What a device cannot do is an error that says why, never a picture drawn by plain Java instead. */
+@Timeout(60)
+class DeviceFailureTest {
+    private static void drawWith(DrawTask kernel) {
+        TornadoDevice device = Devices.all().getFirst();
+        World world = SceneSamples.world(1, 2);
+        world.setSettings(RenderSettings.DEFAULT.withSize(16, 8));
+        try (TornadoEngine engine = new TornadoEngine("tornado:0:0", "the first device", device, kernel)) {
+            engine.render(world.snapshot(), Frame.ofPixels(16, 8));
+        }
+    }
+
+    @Test
+    void anObjectKeptInALoopIsAnErrorWithTheCompilersMessage() {
+        assertThatThrownBy(() -> drawWith(BrokenKernels::keepingObjects))
+                .isInstanceOf(EngineException.class)
+                .hasMessageContaining("compile")
+                .hasMessageContaining("the first device");
+    }
+
+    @Test
+    void pixelsLeftUndrawnAreAnError() {
+        assertThatThrownBy(() -> drawWith(BrokenKernels::idle))
+                .isInstanceOf(EngineException.class)
+                .hasMessageContaining("undrawn");
+    }
+}

@@ -1,0 +1,44 @@
+package dev.twister.engine.tornado;
+
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import dev.twister.engine.EngineOffer;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import uk.ac.manchester.tornado.api.TornadoRuntime;
+import uk.ac.manchester.tornado.api.common.TornadoDevice;
+import uk.ac.manchester.tornado.api.runtime.TornadoRuntimeProvider;
+
+/** TornadoVM's devices on this machine; a test that asks for them is skipped, and says why, where there is none. */
+final class Devices {
+    private Devices() {}
+
+    static List<EngineOffer> offers() {
+        List<EngineOffer> offers = new TornadoEngines().offers();
+        List<EngineOffer> working = offers.stream().filter(EngineOffer::works).toList();
+        assumeFalse(
+                working.isEmpty(),
+                () -> "no device to test the TornadoVM engine on: "
+                        + offers.stream()
+                                .flatMap(offer -> offer.obstacle().stream())
+                                .collect(Collectors.joining("; ")));
+        return working;
+    }
+
+    static List<TornadoDevice> all() {
+        offers();
+        TornadoRuntime runtime = TornadoRuntimeProvider.getTornadoRuntime();
+        List<TornadoDevice> devices = new ArrayList<>();
+        for (int driver = 0; driver < runtime.getNumBackends(); driver++) {
+            for (int index = 0; index < runtime.getBackend(driver).getNumDevices(); index++) {
+                devices.add(runtime.getBackend(driver).getDevice(index));
+            }
+        }
+        return devices;
+    }
+
+    static TornadoEngine openFirst() {
+        return (TornadoEngine) offers().getFirst().opener().get();
+    }
+}

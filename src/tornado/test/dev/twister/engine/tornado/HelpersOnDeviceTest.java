@@ -1,0 +1,240 @@
+package dev.twister.engine.tornado;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Random;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import uk.ac.manchester.tornado.api.common.TornadoDevice;
+import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
+
+/**
+ * Every helper of the kernel on every device against plain Java, on random input. Devices round square roots and
+ * quotients a little differently (TornadoVM asks for fast relaxed maths), hence the tolerances; where rounding decides
+ * between hit and miss, a few items may differ altogether.
+ */
+class HelpersOnDeviceTest {
+    private static final int ITEMS = 20_000;
+    private static final int BODIES = 42;
+    private static final int MOST_SAMPLES = 500;
+
+    /**
+     * A helper and how near it must come.
+     *
+     * @param tolerance the largest {@code |device - java| / max(1, |java|)}
+     * @param outliers how many of all the outputs may be farther off
+     * @param firstTable the length of its first table, which every item reads
+     */
+    private record Helper(
+            String name, int inputs, int outputs, double tolerance, int outliers, int firstTable, int secondTable) {
+        Helper(String name, int inputs, int outputs, double tolerance, int outliers) {
+            this(name, inputs, outputs, tolerance, outliers, 1, 1);
+        }
+    }
+
+    private static final List<Helper> HELPERS = List.of(
+            new Helper("floor", 1, 1, 0, 0),
+            new Helper("inverseRoot", 1, 1, 1e-6, 0),
+            new Helper("pow", 2, 1, 3e-5, 0),
+            new Helper("atan2", 2, 1, 1e-6, 0),
+            new Helper("viewRay", 4, 2, 2e-6, 0),
+            new Helper("sphere", 7, 1, 2e-4, 20),
+            new Helper("plane", 8, 1, 1e-5, 4),
+            new Helper("closestHit", 8, 2, 1e-3, 20, 3 * BODIES, BODIES),
+            new Helper("skyLookup", 5, 5, 2e-4, 0, 3 * 32 * 16, 1),
+            new Helper("shading", 6, 3, 1e-4, 0),
+            // One step of 255 more or less where the rounding falls between two.
+            new Helper("toneMapping", 4, 2, 1e-2, 0));
+
+    static Stream<Object[]> helpersOnDevices() {
+        return Devices.all().stream().flatMap(device -> HELPERS.stream().map(helper -> new Object[] {helper, device}));
+    }
+
+    static List<TornadoDevice> devices() {
+        return Devices.all();
+    }
+
+    @ParameterizedTest(name = "{0} on {1}")
+    @MethodSource("helpersOnDevices")
+    void helperGivesTheSameOnTheDevice(Object helperOnDevice, TornadoDevice device)
+            throws TornadoExecutionPlanException {
+        Helper helper = (Helper) helperOnDevice;
+        try (HelperRun run = new HelperRun(
+                helper.name(),
+                device,
+                ITEMS,
+                helper.inputs(),
+                helper.outputs(),
+                helper.firstTable(),
+                helper.secondTable(),
+                1)) {
+            Random random = new Random(helper.name().hashCode());
+            fillTables(run, random);
+            for (int item = 0; item < ITEMS; item++) {
+                put(run.input, item, input(helper.name(), item, random));
+            }
+            requireNear(run, helper.tolerance(), helper.outliers());
+        }
+    }
+
+    /** None, one, a few and more candidates than a point remembers; few and many samples. */
+    @ParameterizedTest(name = "softShadow on {0}")
+    @MethodSource("devices")
+    void softShadowsAreTheSameOnTheDevice(TornadoDevice device) throws TornadoExecutionPlanException {
+        try (HelperRun run =
+                new HelperRun("softShadow", device, ITEMS / 10, 11, 1, 2 * MOST_SAMPLES, 3 * BODIES, BODIES)) {
+            Random random = new Random(11);
+            for (int bodies : new int[] {2, 3, 8, BODIES}) {
+                for (int samples : new int[] {1, 7, 64, MOST_SAMPLES}) {
+                    fillSunflower(run.first, samples);
+                    fillBodies(run.second, run.third, random);
+                    for (int item = 0; item < ITEMS / 10; item++) {
+                        put(run.input, item, shadowedPoint(samples, bodies, random));
+                    }
+                    // A sample at a sphere's rim may fall on either side: never many points of one picture.
+                    requireNear(run, 1e-6, ITEMS / 10 / 100);
+                }
+            }
+        }
+    }
+
+    private static void requireNear(HelperRun run, double tolerance, int outliers) {
+        float[] device = run.onDevice();
+        float[] jvm = run.onJvm();
+        int far = 0;
+        String worst = "";
+        for (int i = 0; i < jvm.length; i++) {
+            assertThat(device[i])
+                    .as("output %d, which the device left unwritten", i)
+                    .isNotNaN();
+            if (Math.abs((double) device[i] - jvm[i]) > tolerance * Math.max(1, Math.abs(jvm[i]))) {
+                far++;
+                worst = "output " + i + ": device " + device[i] + ", Java " + jvm[i];
+            }
+        }
+        assertThat(far).as("outputs of %d that are off; %s", jvm.length, worst).isLessThanOrEqualTo(outliers);
+    }
+
+    private static float[] input(String helper, int item, Random random) {
+        return switch (helper) {
+            // Whole numbers, where floor must not step down, among others.
+            case "floor" -> floats(item % 3 == 0 ? random.nextInt(2001) - 1000 : spread(random, 1000));
+            case "inverseRoot" -> floats(item == 0 ? 0 : Math.abs(spread(random, 1e6)) + 1e-3);
+            case "pow" ->
+                floats(
+                        item % 50 == 0 ? item / 50 % 3 : 2 * random.nextDouble(),
+                        item % 3 == 0
+                                ? random.nextInt(129)
+                                : Math.min(128, 20 * random.nextDouble() * random.nextDouble()));
+            // Axes, diagonals and the origin come often.
+            case "atan2" ->
+                item % 4 == 0
+                        ? floats(random.nextInt(3) - 1, random.nextInt(3) - 1)
+                        : floats(spread(random, 3), spread(random, 3));
+            case "viewRay" -> viewRay(random);
+            case "sphere" ->
+                concat(
+                        floats(spread(random, 9), spread(random, 9), spread(random, 9), 4 * random.nextDouble()),
+                        direction(random));
+            case "plane" ->
+                concat(
+                        floats(spread(random, 9), 20, spread(random, 9), spread(random, 9), spread(random, 9)),
+                        item % 10 == 0 ? floats(1, 0, 0) : direction(random));
+            case "closestHit" ->
+                concat(
+                        concat(floats(spread(random, 15), spread(random, 15), spread(random, 15)), direction(random)),
+                        floats(random.nextInt(BODIES + 1) - 1, 2 + random.nextInt(BODIES - 1)));
+            case "skyLookup" ->
+                concat(item % 10 == 0 ? floats(0, item % 20 == 0 ? 1 : -1, 0) : direction(random), floats(32, 16));
+            case "shading" ->
+                floats(
+                        random.nextDouble(),
+                        spread(random, 1),
+                        random.nextDouble(),
+                        item % 5 == 0 ? 128 * (item / 5 % 2) : 128 * random.nextDouble(),
+                        spread(random, 1.9),
+                        3 + random.nextDouble());
+            case "toneMapping" ->
+                floats(
+                        item % 4 == 0 ? 1000 * random.nextDouble() : random.nextDouble(),
+                        Math.pow(2, spread(random, 4)),
+                        item % 3,
+                        item / 3 % 2);
+            default -> throw new IllegalArgumentException(helper);
+        };
+    }
+
+    private static float[] viewRay(Random random) {
+        int width = 1 + random.nextInt(4000);
+        int height = 1 + random.nextInt(4000);
+        return floats(width * random.nextDouble(), height * random.nextDouble(), width, height);
+    }
+
+    private static float[] shadowedPoint(int samples, int bodies, Random random) {
+        float[] point = floats(spread(random, 10), spread(random, 10), spread(random, 10));
+        // Now and then straight along x, where the disc's axes are chosen otherwise.
+        float[] axis = random.nextInt(20) == 0 ? floats(1, 0, 0) : direction(random);
+        return concat(
+                concat(point, floats(random.nextInt(bodies + 1) - 1)),
+                concat(axis, floats(2 + 20 * random.nextDouble(), 0.2 + 4 * random.nextDouble(), samples, bodies)));
+    }
+
+    private static void fillTables(HelperRun run, Random random) {
+        if (run.second.length > 1) {
+            fillBodies(run.first, run.second, random);
+        } else {
+            for (int i = 0; i < run.first.length; i++) {
+                run.first[i] = 4 * random.nextFloat();
+            }
+        }
+    }
+
+    private static void fillBodies(float[] positions, float[] sizes, Random random) {
+        for (int i = 0; i < positions.length; i++) {
+            positions[i] = (float) spread(random, 10);
+        }
+        for (int i = 0; i < sizes.length; i++) {
+            sizes[i] = 0.1f + 2 * random.nextFloat();
+        }
+    }
+
+    private static void fillSunflower(float[] disc, int samples) {
+        for (int i = 0; i < samples; i++) {
+            double distance = Math.sqrt((double) i / samples);
+            disc[2 * i] = (float) (distance * Math.cos(i * 2.399963229728653));
+            disc[2 * i + 1] = (float) (distance * Math.sin(i * 2.399963229728653));
+        }
+    }
+
+    private static float[] direction(Random random) {
+        double x = random.nextGaussian();
+        double y = random.nextGaussian();
+        double z = random.nextGaussian();
+        double length = Math.sqrt(x * x + y * y + z * z);
+        return floats(x / length, y / length, z / length);
+    }
+
+    private static double spread(Random random, double reach) {
+        return reach * (2 * random.nextDouble() - 1);
+    }
+
+    private static float[] floats(double... values) {
+        float[] floats = new float[values.length];
+        for (int i = 0; i < values.length; i++) {
+            floats[i] = (float) values[i];
+        }
+        return floats;
+    }
+
+    private static float[] concat(float[] head, float[] tail) {
+        float[] both = java.util.Arrays.copyOf(head, head.length + tail.length);
+        System.arraycopy(tail, 0, both, head.length, tail.length);
+        return both;
+    }
+
+    private static void put(float[] array, int item, float[] values) {
+        System.arraycopy(values, 0, array, item * values.length, values.length);
+    }
+}

@@ -1,0 +1,135 @@
+package dev.twister.engine.tornado;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.engine.Engine;
+import dev.twister.image.Frame;
+import dev.twister.scene.Camera;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.ToneMap;
+import dev.twister.scene.Vector3;
+import dev.twister.sky.Skybox;
+import dev.twister.world.FrameInput;
+import dev.twister.world.World;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What the engine keeps between frames, and sizes that no work group divides. */
+class TornadoEngineTest {
+    private final World world = SceneSamples.world(3, 6);
+
+    private FrameInput input(int width, int height) {
+        world.setSettings(RenderSettings.DEFAULT.withSize(width, height).withShadows(16));
+        return world.snapshot();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, 1", "17, 3", "3, 17", "1, 64", "101, 57", "257, 13"})
+    void oddSizesAreDrawnWhole(int width, int height) {
+        try (Engine engine = Devices.openFirst()) {
+            Pictures.requireSequentials(engine, input(width, height));
+        }
+    }
+
+    @Test
+    void linearFramesHoldTheRadiance() {
+        try (Engine engine = Devices.openFirst()) {
+            Pictures.requireSequentialsRadiance(engine, input(31, 19));
+        }
+    }
+
+    @Test
+    void bandsAreDrawnWithoutCompilingAgain() {
+        try (TornadoEngine engine = Devices.openFirst()) {
+            FrameInput whole = input(40, 30);
+            Pictures.requireSequentials(engine, whole.band(0, 10));
+            DevicePlan plan = engine.plan().orElseThrow();
+            Pictures.requireSequentials(engine, whole.band(10, 10));
+            Pictures.requireSequentials(engine, whole.band(20, 10));
+            assertThat(engine.plan()).containsSame(plan);
+        }
+    }
+
+    @Test
+    void whatChangesFromFrameToFrameNeedsNoCompilation() {
+        try (TornadoEngine engine = Devices.openFirst()) {
+            Pictures.requireSequentials(engine, input(40, 30));
+            DevicePlan plan = engine.plan().orElseThrow();
+            world.setCamera(new Camera(new Vector3(2, 1, -14), 10, 5, 70));
+            Pictures.requireSequentials(engine, world.snapshot());
+            RenderSettings settings = world.settings();
+            world.setSettings(settings.withShadows(RenderSettings.MAX_SHADOW_SAMPLES));
+            Pictures.requireSequentials(engine, world.snapshot());
+            world.setSettings(settings.withBounces(RenderSettings.MAX_BOUNCES));
+            Pictures.requireSequentials(engine, world.snapshot());
+            world.setSettings(settings.withSamplesPerPixel(RenderSettings.MAX_SAMPLES_PER_PIXEL)
+                    .withShadows(1));
+            Pictures.requireSequentials(engine, world.snapshot());
+            world.setSettings(settings.withTone(1.5, ToneMap.REINHARD, true));
+            Pictures.requireSequentials(engine, world.snapshot());
+            assertThat(engine.plan()).containsSame(plan);
+        }
+    }
+
+    @Test
+    void anotherSizeOrOtherBodiesAreCompiledAnew() {
+        try (TornadoEngine engine = Devices.openFirst()) {
+            Pictures.requireSequentials(engine, input(40, 30));
+            DevicePlan plan = engine.plan().orElseThrow();
+            Pictures.requireSequentials(engine, input(30, 40));
+            DevicePlan turned = engine.plan().orElseThrow();
+            assertThat(turned).isNotSameAs(plan);
+            // Another world of as many bodies has other arrays, its skybox among them.
+            World other = SceneSamples.world(4, 6);
+            other.setSettings(world.settings());
+            Pictures.requireSequentials(engine, other.snapshot());
+            assertThat(engine.plan().orElseThrow()).isNotSameAs(turned);
+        }
+    }
+
+    @Test
+    void enginesOnOneDeviceDoNotDisturbEachOther() {
+        FrameInput small = input(20, 10);
+        FrameInput large = input(33, 21);
+        try (Engine another = Devices.openFirst()) {
+            try (Engine one = Devices.openFirst()) {
+                Pictures.requireSequentials(one, small);
+                Pictures.requireSequentials(another, large);
+                Pictures.requireSequentials(one, small);
+            }
+            Pictures.requireSequentials(another, large);
+        }
+    }
+
+    @Test
+    void onlyWhatChangesIsCopiedAfterTheFirstFrame() {
+        World vast = SceneSamples.world(3, 6, new Skybox(512, 256, new float[3 * 512 * 256]));
+        vast.setSettings(RenderSettings.DEFAULT.withSize(320, 180));
+        try (TornadoEngine engine = Devices.openFirst()) {
+            Frame frame = Frame.ofPixels(320, 180);
+            engine.render(vast.snapshot(), frame);
+            engine.render(vast.snapshot(), frame);
+            DevicePlan.Copied copied = engine.plan().orElseThrow().lastCopied();
+            // The sample tables and a few small arrays, which TornadoVM counts twice; not the sky, nor the pixels.
+            long sampleTables = 4L * 2 * (RenderSettings.MAX_SHADOW_SAMPLES + RenderSettings.MAX_SAMPLES_PER_PIXEL);
+            assertThat(copied.bytesIn()).isBetween(1L, 2 * sampleTables + 4096);
+            assertThat(copied.bytesOut()).isBetween(4L * 320 * 180, 2 * 4L * 320 * 180 + 4096);
+            assertThat(frame.times().kernelNanos()).isPositive();
+        }
+    }
+
+    /** More is put on the device, one engine after another, than the 4 GiB that TornadoVM lets one take. */
+    @Test
+    void closingGivesTheDevicesMemoryBack() {
+        World vast = SceneSamples.world(3, 1, new Skybox(8192, 2048, new float[3 * 8192 * 2048]));
+        vast.setSettings(RenderSettings.DEFAULT.withSize(16, 9));
+        FrameInput input = vast.snapshot();
+        for (int round = 0; round < 24; round++) {
+            TornadoEngine engine = Devices.openFirst();
+            engine.render(input, Frame.ofPixels(16, 9));
+            engine.close();
+            engine.close();
+        }
+    }
+}
