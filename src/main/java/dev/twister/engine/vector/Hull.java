@@ -142,9 +142,7 @@ final class Hull {
     void cull(BodyColumns bodies, int first, BodyList found) {
         found.clear();
         for (int at = 0; at < bodies.count; at += Lanes.COUNT) {
-            long near = everything
-                    ? ~0L >>> (64 - Lanes.COUNT)
-                    : touching(bodies, at);
+            long near = everything ? ~0L >>> (64 - Lanes.COUNT) : touching(bodies, at);
             while (near != 0L) {
                 int body = at + Long.numberOfTrailingZeros(near);
                 near &= near - 1;

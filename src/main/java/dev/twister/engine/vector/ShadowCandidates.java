@@ -61,9 +61,7 @@ final class ShadowCandidates {
         Lanes.load(t, at + Tile.VISIBLE)
                 .blend(0f, VectorMask.fromLong(Lanes.FLOATS, dark))
                 .intoArray(t, at + Tile.VISIBLE);
-        Lanes.all(0f)
-                .blend(1f, VectorMask.fromLong(Lanes.FLOATS, undecided))
-                .intoArray(t, at + Tile.SHADOW_OPEN);
+        Lanes.all(0f).blend(1f, VectorMask.fromLong(Lanes.FLOATS, undecided)).intoArray(t, at + Tile.SHADOW_OPEN);
     }
 
     /** One bit a lane where the sphere may meet the cone from the point to the disc. */
@@ -128,8 +126,7 @@ final class ShadowCandidates {
         return along.compare(VectorOperators.GT, radius)
                 .and(along.add(radius).compare(VectorOperators.LT, distance.mul(UMBRA_MARGIN)))
                 .and(along.compare(VectorOperators.GT, perpendicular.mul(tangent)))
-                .and(along.fma(tangent, perpendicular)
-                        .compare(VectorOperators.LE, secant.mul(radius * UMBRA_MARGIN)))
+                .and(along.fma(tangent, perpendicular).compare(VectorOperators.LE, secant.mul(radius * UMBRA_MARGIN)))
                 .toLong();
     }
 }

@@ -22,8 +22,7 @@ final class Shadows {
             BodyColumns bodies = drawing.bodies;
             Hull hull = tile.shadow.hull;
             hull.startAround(tile, tile.shadows, Tile.POINT_X, Tile.SHADOW_OPEN);
-            hull.endIn(
-                    bodies.x[Layout.LIGHT], bodies.y[Layout.LIGHT], bodies.z[Layout.LIGHT], drawing.discRadius);
+            hull.endIn(bodies.x[Layout.LIGHT], bodies.y[Layout.LIGHT], bodies.z[Layout.LIGHT], drawing.discRadius);
             hull.cull(bodies, Layout.FIRST_SPHERE, tile.shadow.tileCandidates);
             if (tile.shadow.tileCandidates.count > 0) {
                 ShadowCandidates.findDiscs(tile, drawing);

@@ -17,7 +17,9 @@ final class SphereSurface {
         float[] t = tile.values;
         for (int k = 0; k < tile.spheres.count; k++) {
             int at = tile.spheres.places[k];
-            long rest = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.GT, Layout.PLANE).toLong();
+            long rest = Lanes.load(t, at + Tile.HIT)
+                    .compare(VectorOperators.GT, Layout.PLANE)
+                    .toLong();
             while (rest != 0) {
                 int body = (int) t[at + Tile.HIT + Long.numberOfTrailingZeros(rest)];
                 VectorMask<Float> here = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, body);
@@ -49,8 +51,7 @@ final class SphereSurface {
         }
     }
 
-    private static void findOffset(
-            float[] t, int at, int direction, int origin, int center, int offset) {
+    private static void findOffset(float[] t, int at, int direction, int origin, int center, int offset) {
         Lanes.load(t, at + Tile.DISTANCE)
                 .fma(Lanes.load(t, at + direction), Lanes.load(t, at + origin))
                 .sub(Lanes.load(t, at + center))

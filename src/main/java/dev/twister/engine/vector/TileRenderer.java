@@ -95,9 +95,7 @@ final class TileRenderer {
     private void follow(Drawing drawing) {
         float[] camera = drawing.input.camera();
         tile.rays.startAt(
-                camera[Layout.CAMERA_POSITION],
-                camera[Layout.CAMERA_POSITION + 1],
-                camera[Layout.CAMERA_POSITION + 2]);
+                camera[Layout.CAMERA_POSITION], camera[Layout.CAMERA_POSITION + 1], camera[Layout.CAMERA_POSITION + 2]);
         for (int bounce = 0; bounce <= drawing.bounceLimit && tile.live.count > 0; bounce++) {
             tile.last = bounce == drawing.bounceLimit;
             if (bounce > 0) {

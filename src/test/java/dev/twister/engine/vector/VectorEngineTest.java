@@ -1,0 +1,219 @@
+package dev.twister.engine.vector;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import com.sun.management.ThreadMXBean;
+import dev.twister.engine.Engine;
+import dev.twister.engine.Engines;
+import dev.twister.image.Frame;
+import dev.twister.oracle.PictureDifference;
+import dev.twister.oracle.RandomScene;
+import dev.twister.oracle.RandomScenes;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneReader;
+import dev.twister.scene.ToneMap;
+import dev.twister.sky.SkyboxReader;
+import dev.twister.world.FrameInput;
+import dev.twister.world.World;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Holds the engine to {@code sequential}, at every width. */
+final class VectorEngineTest {
+    private static final List<Integer> WIDTHS = List.of(128, 256, 512);
+
+    /** No pixel is this transparent one: what is not written shows. */
+    private static final int POISON = 0x00BADBAD;
+
+    @ParameterizedTest
+    @MethodSource("widthsAndScenes")
+    void drawsTheShippedScenes(int bits, String scene) {
+        World world = shipped(scene);
+        boolean many = world.snapshot().bodies() > 1000;
+        world.setSettings(world.settings().withSize(many ? 101 : 403, many ? 57 : 227));
+        assertSame(bits, world.snapshot());
+    }
+
+    static Stream<Arguments> widthsAndScenes() {
+        return WIDTHS.stream()
+                .flatMap(bits -> Stream.of("benchmark", "teaching", "mirrors", "spheres-100", "spheres-10000")
+                        .map(scene -> Arguments.of(bits, scene)));
+    }
+
+    /** One picture in itself may be too small for the bound to allow a single pixel: all of them together are not. */
+    @ParameterizedTest
+    @ValueSource(ints = {128, 256, 512})
+    void drawsRandomScenes(int bits) {
+        Random random = new Random(20261121);
+        int pixels = 0;
+        int differing = 0;
+        try (Engine sequential = Engines.open("sequential");
+                Engine vector = WidthLoader.open(bits, 2)) {
+            for (int count = 0; count < 400; count++) {
+                RandomScene scene = RandomScenes.scene(random, random.nextInt(6));
+                FrameInput input = World.of(scene.scene(), scene.sky()).snapshot();
+                PictureDifference difference =
+                        PictureDifference.between(pixels(vector, input), pixels(sequential, input));
+                pixels += difference.pixels();
+                differing += difference.differing().length;
+            }
+        }
+        assertThat((long) differing * PictureDifference.PIXELS_AN_ODD_ONE)
+                .as("%d of %d pixels differ", differing, pixels)
+                .isLessThanOrEqualTo(pixels);
+    }
+
+    @ParameterizedTest
+    @MethodSource("widthsAndSizes")
+    void fillsPicturesOfAnySize(int bits, int width, int height) {
+        World world = shipped("teaching");
+        world.setSettings(world.settings().withSize(width, height).withShadows(5));
+        assertSame(bits, world.snapshot());
+    }
+
+    static Stream<Arguments> widthsAndSizes() {
+        return WIDTHS.stream()
+                .flatMap(bits -> Stream.of(
+                        Arguments.of(bits, 1, 1),
+                        Arguments.of(bits, 1, 67),
+                        Arguments.of(bits, 131, 1),
+                        Arguments.of(bits, 17, 16),
+                        Arguments.of(bits, 16, 33)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {128, 256, 512})
+    void drawsBands(int bits) {
+        World world = shipped("teaching");
+        world.setSettings(world.settings().withSize(150, 90));
+        assertSame(bits, world.snapshot().band(37, 22));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {128, 256, 512})
+    void drawsWithEveryToneMapAndSeveralSamples(int bits) {
+        World world = shipped("mirrors");
+        RenderSettings settings =
+                world.settings().withSize(97, 61).withSamplesPerPixel(3).withBounces(3);
+        for (ToneMap toneMap : ToneMap.values()) {
+            for (boolean srgb : new boolean[] {false, true}) {
+                world.setSettings(settings.withTone(0.7, toneMap, srgb));
+                assertSame(bits, world.snapshot());
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {128, 256, 512})
+    void keepsLinearRadiance(int bits) {
+        World world = shipped("benchmark");
+        world.setSettings(world.settings().withSize(131, 77).withSamplesPerPixel(2));
+        FrameInput input = world.snapshot();
+        float[] expected;
+        float[] actual;
+        try (Engine sequential = Engines.open("sequential");
+                Engine vector = WidthLoader.open(bits, 2)) {
+            expected = radiance(sequential, input);
+            actual = radiance(vector, input);
+        }
+        int differing = 0;
+        for (int i = 0; i < expected.length; i++) {
+            assertThat(actual[i]).isNotNaN();
+            differing += Math.abs(actual[i] - expected[i]) > 1e-3f * (1 + expected[i]) ? 1 : 0;
+        }
+        assertThat((double) differing / expected.length)
+                .isCloseTo(0, within(1.0 / PictureDifference.PIXELS_AN_ODD_ONE));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 7})
+    void drawsTheSameOnAnyNumberOfThreads(int threads) {
+        World world = shipped("teaching");
+        world.setSettings(world.settings().withSize(200, 120));
+        FrameInput input = world.snapshot();
+        try (Engine one = VectorEngines.open(1);
+                Engine several = VectorEngines.open(threads)) {
+            assertThat(pixels(several, input)).isEqualTo(pixels(one, input));
+        }
+    }
+
+    @Test
+    void takesNewScenesBetweenFrames() {
+        try (Engine vector = VectorEngines.open(2)) {
+            for (String scene : List.of("spheres-100", "benchmark", "mirrors")) {
+                World world = shipped(scene);
+                world.setSettings(world.settings().withSize(120, 80).withBounces(2));
+                FrameInput input = world.snapshot();
+                try (Engine sequential = Engines.open("sequential")) {
+                    assertThat(PictureDifference.between(pixels(vector, input), pixels(sequential, input))
+                                    .isWithinBound())
+                            .isTrue();
+                }
+            }
+        }
+    }
+
+    /** Once the compiler is done; until then vectors are objects. */
+    @Test
+    void allocatesNextToNothingInAWarmFrame() {
+        World world = shipped("benchmark");
+        world.setSettings(world.settings().withSize(640, 360));
+        FrameInput input = world.snapshot();
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        try (Engine vector = VectorEngines.open(2)) {
+            Frame frame = Frame.ofPixels(input.width(), input.rows());
+            long allocated = Long.MAX_VALUE;
+            long until = System.nanoTime() + 60_000_000_000L;
+            while (allocated > BYTES_A_FRAME && System.nanoTime() < until) {
+                long before = threads.getTotalThreadAllocatedBytes();
+                for (int i = 0; i < 20; i++) {
+                    vector.render(input, frame);
+                }
+                allocated = (threads.getTotalThreadAllocatedBytes() - before) / 20;
+            }
+            assertThat(allocated).isLessThanOrEqualTo(BYTES_A_FRAME);
+        }
+    }
+
+    /** Boxed vectors would be megabytes. */
+    private static final long BYTES_A_FRAME = 16_384;
+
+    private static void assertSame(int bits, FrameInput input) {
+        try (Engine sequential = Engines.open("sequential");
+                Engine vector = WidthLoader.open(bits, 2)) {
+            PictureDifference difference = PictureDifference.between(pixels(vector, input), pixels(sequential, input));
+            assertThat(vector.device()).endsWith(bits / 32 + " lanes");
+            assertThat(difference.isWithinBound()).as(difference.toString()).isTrue();
+        }
+    }
+
+    private static int[] pixels(Engine engine, FrameInput input) {
+        Frame frame = Frame.ofPixels(input.width(), input.rows());
+        Arrays.fill(frame.argb(), POISON);
+        engine.render(input, frame);
+        return frame.argb();
+    }
+
+    private static float[] radiance(Engine engine, FrameInput input) {
+        Frame frame = Frame.ofRadiance(input.width(), input.rows());
+        Arrays.fill(frame.radiance(), Float.NaN);
+        engine.render(input, frame);
+        return frame.radiance();
+    }
+
+    private static World shipped(String name) {
+        Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
+        return World.of(scene, SkyboxReader.read(scene.skybox()));
+    }
+}

@@ -1,0 +1,47 @@
+package dev.twister.engine.vector;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.engine.EngineOffer;
+import dev.twister.engine.Engines;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+
+final class VectorEnginesTest {
+    @Test
+    void isOfferedWithThreadsAndLanes() {
+        EngineOffer offer = Engines.offers().stream()
+                .filter(candidate -> candidate.id().equals(VectorEngines.VECTOR))
+                .findFirst()
+                .orElseThrow();
+        assertThat(offer.works()).isTrue();
+        assertThat(offer.device()).containsPattern("(one thread|\\d+ threads), (4|8|16) lanes");
+    }
+
+    @Test
+    void saysWhichOptionIsMissing() throws IOException, InterruptedException {
+        Process java = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        ObstacleMain.class.getName())
+                .redirectErrorStream(true)
+                .start();
+        String output = new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertThat(java.waitFor()).as(output).isZero();
+        assertThat(output).contains("--add-modules jdk.incubator.vector");
+    }
+
+    /** Prints the engine's obstacle; runs in a JVM without the Vector API. */
+    static final class ObstacleMain {
+        private ObstacleMain() {}
+
+        public static void main(String[] arguments) {
+            Engines.offers().stream()
+                    .filter(offer -> offer.id().equals(VectorEngines.VECTOR))
+                    .forEach(offer -> System.out.println(offer.obstacle().orElse("none")));
+        }
+    }
+}

@@ -1,0 +1,62 @@
+package dev.twister.engine.vector;
+
+import dev.twister.engine.Engine;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+
+/**
+ * Loads the engine's classes anew, with a width of its own: lanes are a constant of a class, so that each width is other
+ * classes. All else comes from the loader above.
+ */
+final class WidthLoader extends ClassLoader {
+    private static final String PACKAGE = VectorEngines.class.getPackageName() + ".";
+
+    private WidthLoader() {
+        super(WidthLoader.class.getClassLoader());
+    }
+
+    /**
+     * An engine of that width.
+     *
+     * @param bits 128, 256 or 512
+     */
+    static Engine open(int bits, int threads) {
+        String before = System.getProperty(Lanes.BITS_PROPERTY);
+        System.setProperty(Lanes.BITS_PROPERTY, Integer.toString(bits));
+        try {
+            Class<?> engines = new WidthLoader().loadClass(VectorEngines.class.getName());
+            var open = engines.getDeclaredMethod("open", int.class);
+            open.setAccessible(true);
+            return (Engine) open.invoke(null, threads);
+        } catch (ReflectiveOperationException e) {
+            throw new AssertionError(e);
+        } finally {
+            if (before == null) {
+                System.clearProperty(Lanes.BITS_PROPERTY);
+            } else {
+                System.setProperty(Lanes.BITS_PROPERTY, before);
+            }
+        }
+    }
+
+    @Override
+    protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+        synchronized (getClassLoadingLock(name)) {
+            Class<?> loaded = findLoadedClass(name);
+            if (loaded == null) {
+                loaded = name.startsWith(PACKAGE) ? define(name) : super.loadClass(name, resolve);
+            }
+            return loaded;
+        }
+    }
+
+    private Class<?> define(String name) {
+        try (InputStream file = getResourceAsStream(name.replace('.', '/') + ".class")) {
+            byte[] bytes = file.readAllBytes();
+            return defineClass(name, bytes, 0, bytes.length);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}
