@@ -7,8 +7,8 @@ import com.sun.management.ThreadMXBean;
 import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
 import dev.twister.image.Frame;
+import dev.twister.oracle.LitScene;
 import dev.twister.oracle.PictureDifference;
-import dev.twister.oracle.RandomScene;
 import dev.twister.oracle.RandomScenes;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
@@ -61,7 +61,7 @@ final class VectorEngineTest {
         try (Engine sequential = Engines.open("sequential");
                 Engine vector = WidthLoader.open(bits, 2)) {
             for (int count = 0; count < 400; count++) {
-                RandomScene scene = RandomScenes.scene(random, random.nextInt(6));
+                LitScene scene = RandomScenes.scene(random, random.nextInt(6));
                 FrameInput input = World.of(scene.scene(), scene.sky()).snapshot();
                 PictureDifference difference =
                         PictureDifference.between(pixels(vector, input), pixels(sequential, input));
