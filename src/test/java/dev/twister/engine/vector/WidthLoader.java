@@ -30,7 +30,7 @@ final class WidthLoader extends ClassLoader {
             open.setAccessible(true);
             return (Engine) open.invoke(null, threads);
         } catch (ReflectiveOperationException e) {
-            throw new AssertionError(e);
+            throw new LinkageError("cannot open the engine at " + bits + " bits", e);
         } finally {
             if (before == null) {
                 System.clearProperty(Lanes.BITS_PROPERTY);
