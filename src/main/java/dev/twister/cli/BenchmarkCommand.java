@@ -4,6 +4,7 @@ import dev.twister.bench.Benchmark;
 import dev.twister.bench.BenchmarkPlan;
 import dev.twister.bench.BenchmarkReport;
 import dev.twister.bench.CsvReport;
+import dev.twister.bench.FastestEngine;
 import dev.twister.bench.JsonReport;
 import dev.twister.bench.PictureSize;
 import dev.twister.bench.ReportTable;
@@ -64,7 +65,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     @Option(
             names = "--engine",
             paramLabel = "ENGINE",
-            description = "May be given several times; all that work here but 'plain' where not said.")
+            description = "May be given several times; all that work here but 'plain' and 'auto' where not said.")
     private List<String> engines = new ArrayList<>();
 
     @Option(
@@ -156,7 +157,7 @@ final class BenchmarkCommand implements Callable<Integer> {
             return offers.stream()
                     .filter(EngineOffer::works)
                     .map(EngineOffer::id)
-                    .filter(id -> !id.equals(JvmEngines.PLAIN))
+                    .filter(id -> !id.equals(JvmEngines.PLAIN) && !id.equals(FastestEngine.AUTO))
                     .toList();
         }
         // A typing error in the last name should not come out after minutes of measuring the others.
