@@ -70,33 +70,16 @@ public final class Benchmark {
     }
 
     private void measure(String id) {
+        EngineMeasuring measuring =
+                new EngineMeasuring(plan.warmupFrames(), plan.frames(), plan.maxSeconds(), progress);
         try (Engine engine = opener.apply(id)) {
             for (PictureSize size : plan.sizes()) {
                 progress.begins(engine.id(), size, plan.warmupFrames() + plan.frames());
-                measurements.add(measure(engine, size));
+                measurements.add(measuring.measure(engine, inputAt(size), references.get(size)));
             }
         } catch (EngineException failure) {
             failures.add(new EngineFailure(id, failure.getMessage()));
         }
-    }
-
-    private Measurement measure(Engine engine, PictureSize size) {
-        FrameInput input = inputAt(size);
-        Frame frame = Frame.ofPixels(size.width(), size.height());
-        FrameLoop loop = new FrameLoop(engine, input, frame, progress, plan.maxSeconds());
-        int warmups = loop.warmUp(plan.warmupFrames());
-        MeasuredFrames measured = loop.measure(plan.frames());
-        return new Measurement(
-                engine.id(),
-                engine.device(),
-                size,
-                input.shadowSamples(),
-                input.bounces(),
-                input.bodies(),
-                warmups,
-                measured.statistics(),
-                measured.deviceTimes(),
-                PictureComparison.of(references.get(size), frame.argb()));
     }
 
     private FrameInput inputAt(PictureSize size) {

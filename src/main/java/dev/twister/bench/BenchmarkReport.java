@@ -15,13 +15,14 @@ public record BenchmarkReport(
         BenchmarkPlan plan,
         String scene,
         List<Measurement> measurements,
-        List<EngineFailure> failures) {
+        List<EngineFailure> failures)
+        implements SpeedupSource {
     public BenchmarkReport {
         measurements = List.copyOf(measurements);
         failures = List.copyOf(failures);
     }
 
-    /** How many times faster than that engine at the same size, by the means; empty where that one was not measured. */
+    @Override
     public Optional<Double> speedupOver(String baseline, Measurement measurement) {
         return measurements.stream()
                 .filter(other -> other.engine().equals(baseline) && other.size().equals(measurement.size()))

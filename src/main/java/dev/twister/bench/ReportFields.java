@@ -35,7 +35,7 @@ final class ReportFields {
         return fields;
     }
 
-    static Map<String, Object> ofMeasurement(BenchmarkReport report, Measurement measurement) {
+    static Map<String, Object> ofMeasurement(SpeedupSource report, Measurement measurement) {
         Map<String, Object> fields = new LinkedHashMap<>();
         fields.put("engine", measurement.engine());
         fields.put("device", measurement.device());

@@ -4,7 +4,9 @@ import dev.twister.bench.Benchmark;
 import dev.twister.bench.BenchmarkPlan;
 import dev.twister.bench.BenchmarkReport;
 import dev.twister.bench.CsvReport;
+import dev.twister.bench.FastestEngine;
 import dev.twister.bench.JsonReport;
+import dev.twister.bench.PaperPlan;
 import dev.twister.bench.PictureSize;
 import dev.twister.bench.ReportTable;
 import dev.twister.engine.EngineOffer;
@@ -39,6 +41,7 @@ import picocli.CommandLine.Spec;
             "  twister benchmark",
             "  twister benchmark --quick --json results.json --csv results.csv",
             "  twister benchmark spheres-100 --engine parallel --engine tornado --size 1080p --size 4k",
+            "  twister benchmark --paper --quick --output my-machine",
             "",
             "Exit code 1 says that an engine failed or drew another picture."
         })
@@ -47,6 +50,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     private static final int BOUNCES = 3;
     private static final int CLASSIC_SHADOW_SAMPLES = 1;
     private static final int CLASSIC_BOUNCES = 1;
+    private static final String PAPER_FOLDER = "twister-paper";
     private static final int MAX_FRAMES = 100_000;
     private static final double MIN_SECONDS = 0.001;
     private static final double MAX_SECONDS = 86_400;
@@ -64,7 +68,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     @Option(
             names = "--engine",
             paramLabel = "ENGINE",
-            description = "May be given several times; all that work here but 'plain' where not said.")
+            description = "May be given several times; all that work here but 'plain' and 'auto' where not said.")
     private List<String> engines = new ArrayList<>();
 
     @Option(
@@ -106,14 +110,54 @@ final class BenchmarkCommand implements Callable<Integer> {
     @Option(names = "--csv", paramLabel = "FILE", description = "Write the report as CSV, too.")
     private Optional<Path> csv = Optional.empty();
 
+    @Option(
+            names = "--paper",
+            description = "Repeat the paper's evaluation: plots, tables and pictures in one page; with --quick in at"
+                    + " most ten minutes on two cores.")
+    private boolean paper;
+
+    @Option(
+            names = "--output",
+            paramLabel = "DIR",
+            description = "The folder for --paper; " + PAPER_FOLDER + " where not said.")
+    private Optional<Path> output = Optional.empty();
+
     @Override
     public Integer call() throws IOException {
+        return paper ? evaluate() : compare();
+    }
+
+    private int evaluate() throws IOException {
+        if (!sizes.isEmpty() || shading.areGiven() || classic || json.isPresent() || csv.isPresent()) {
+            throw new BadInputException("--paper has its own sizes, shadow samples, bounces and files: it goes with"
+                    + " --engine, --quick, --warmup, --frames, --max-seconds and --output only");
+        }
+        List<String> ids = engineIds();
+        PaperPlan usual = quick ? PaperPlan.quick(ids) : PaperPlan.full(ids);
+        PaperPlan plan = usual.within(
+                Ranges.check("--warmup", warmup.orElse(usual.warmupFrames()), 0, MAX_FRAMES),
+                Ranges.check("--frames", frames.orElse(usual.frames()), 1, MAX_FRAMES),
+                Ranges.check("--max-seconds", maxSeconds.orElse(usual.maxSeconds()), MIN_SECONDS, MAX_SECONDS));
+        World world = world();
+        Path folder = output.orElse(Path.of(PAPER_FOLDER));
+        PaperEvaluation.prepare(folder);
+        return PaperEvaluation.run(
+                plan,
+                sceneName,
+                world,
+                folder,
+                spec.commandLine().getOut(),
+                spec.commandLine().getErr());
+    }
+
+    private int compare() throws IOException {
+        if (output.isPresent()) {
+            throw new BadInputException("--output is the folder of --paper; write a report with --json or --csv");
+        }
         BenchmarkPlan plan = plan();
         json.ifPresent(file -> OutputFile.check("--json", file));
         csv.ifPresent(file -> OutputFile.check("--csv", file));
-        Scene scene = SceneReader.read(SceneFiles.find(sceneName));
-        World world = World.of(scene, SkyboxReader.read(scene.skybox()));
-        BenchmarkReport report = run(plan, world);
+        BenchmarkReport report = run(plan, world());
         spec.commandLine().getOut().println(ReportTable.of(report));
         if (json.isPresent()) {
             JsonReport.write(report, json.get());
@@ -122,6 +166,11 @@ final class BenchmarkCommand implements Callable<Integer> {
             CsvReport.write(report, csv.get());
         }
         return report.passed() ? Main.OK : Main.FAILED;
+    }
+
+    private World world() {
+        Scene scene = SceneReader.read(SceneFiles.find(sceneName));
+        return World.of(scene, SkyboxReader.read(scene.skybox()));
     }
 
     private BenchmarkReport run(BenchmarkPlan plan, World world) {
@@ -156,7 +205,7 @@ final class BenchmarkCommand implements Callable<Integer> {
             return offers.stream()
                     .filter(EngineOffer::works)
                     .map(EngineOffer::id)
-                    .filter(id -> !id.equals(JvmEngines.PLAIN))
+                    .filter(id -> !id.equals(JvmEngines.PLAIN) && !id.equals(FastestEngine.AUTO))
                     .toList();
         }
         // A typing error in the last name should not come out after minutes of measuring the others.

@@ -51,6 +51,15 @@ final class ProgressLine implements AutoCloseable {
         bar.ifPresent(ProgressBar::step);
     }
 
+    void stepTo(long step) {
+        bar.ifPresent(shown -> shown.stepTo(step));
+    }
+
+    /** Shows what is being done, behind the bar. */
+    void says(String what) {
+        bar.ifPresent(shown -> shown.setExtraMessage(" " + what));
+    }
+
     @Override
     public void close() {
         bar.ifPresent(shown -> {

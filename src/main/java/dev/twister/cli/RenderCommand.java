@@ -1,9 +1,9 @@
 package dev.twister.cli;
 
+import dev.twister.bench.FastestEngine;
 import dev.twister.bench.PictureSize;
 import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
-import dev.twister.engine.JvmEngines;
 import dev.twister.image.Frame;
 import dev.twister.image.HdrWriter;
 import dev.twister.image.PngWriter;
@@ -65,7 +65,7 @@ final class RenderCommand implements Callable<Integer> {
     @Option(
             names = "--engine",
             paramLabel = "ENGINE",
-            defaultValue = JvmEngines.PARALLEL,
+            defaultValue = FastestEngine.AUTO,
             description = "What draws (see 'twister devices'); ${DEFAULT-VALUE} where not said.")
     private String engineId;
 
@@ -121,7 +121,7 @@ final class RenderCommand implements Callable<Integer> {
                     output,
                     picture.width(),
                     picture.height(),
-                    engine.id(),
+                    (engineId.equals(FastestEngine.AUTO) ? "auto took " : "") + engine.id(),
                     engine.device(),
                     picture.times().totalNanos() / NANOS_PER_MILLI);
         }

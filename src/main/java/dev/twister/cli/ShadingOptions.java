@@ -26,4 +26,8 @@ final class ShadingOptions {
     int bouncesOr(int usual) {
         return Ranges.check("--bounces", bounces.orElse(usual), 0, RenderSettings.MAX_BOUNCES);
     }
+
+    boolean areGiven() {
+        return shadowSamples.isPresent() || bounces.isPresent();
+    }
 }

@@ -23,7 +23,7 @@ class RenderCommandTest {
 
         assertThat(outcome.err()).isEmpty();
         assertThat(outcome.exitCode()).isZero();
-        assertThat(outcome.out()).startsWith(file + ": 48 x 27, parallel").endsWith(" ms" + System.lineSeparator());
+        assertThat(outcome.out()).startsWith(file + ": 48 x 27, auto took ").endsWith(" ms" + System.lineSeparator());
         BufferedImage picture = ImageIO.read(file.toFile());
         assertThat(picture.getWidth()).isEqualTo(48);
         assertThat(picture.getHeight()).isEqualTo(27);

@@ -1,0 +1,56 @@
+package dev.twister.bench;
+
+import dev.twister.image.WholeFile;
+import java.io.IOException;
+import java.io.Reader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.Properties;
+
+/**
+ * Remembers which engine was the fastest, in a file for each machine and version. It is a cache: what cannot be read is
+ * not there, and what cannot be written is measured again.
+ *
+ * @param folder where the files are; empty where this user has no such place
+ */
+record ChoiceStore(Optional<Path> folder) {
+    private static final String ENGINE = "engine";
+
+    static ChoiceStore ofThisUser() {
+        return new ChoiceStore(CacheFolder.find(
+                System.getProperty("os.name", ""), System.getProperty("user.home", ""), System.getenv()));
+    }
+
+    Optional<String> read(MachineKey key) {
+        if (folder.isEmpty()) {
+            return Optional.empty();
+        }
+        Properties properties = new Properties();
+        try (Reader reader = Files.newBufferedReader(folder.get().resolve(key.fileName()))) {
+            properties.load(reader);
+        } catch (IOException | IllegalArgumentException _) {
+            return Optional.empty();
+        }
+        boolean same = key.facts().entrySet().stream()
+                .allMatch(fact -> fact.getValue().equals(properties.getProperty(fact.getKey())));
+        return same ? Optional.ofNullable(properties.getProperty(ENGINE)) : Optional.empty();
+    }
+
+    void write(MachineKey key, String engine) {
+        if (folder.isEmpty()) {
+            return;
+        }
+        Properties properties = new Properties();
+        properties.putAll(key.facts());
+        properties.setProperty(ENGINE, engine);
+        try {
+            Files.createDirectories(folder.get());
+            WholeFile.write(
+                    folder.get().resolve(key.fileName()),
+                    out -> properties.store(out, "The fastest engine here, measured by Twister; safe to delete."));
+        } catch (IOException _) {
+            // The next start measures again.
+        }
+    }
+}

@@ -1,0 +1,14 @@
+package dev.twister.bench;
+
+import dev.twister.engine.EngineOffer;
+import java.time.Duration;
+import java.util.Optional;
+
+/** Finds out how fast an engine is. */
+@FunctionalInterface
+interface EngineTrial {
+    /**
+     * How long the engine takes for a small picture; empty where it fails, or has not drawn one within the limit.
+     */
+    Optional<Duration> frameTime(EngineOffer offer, Duration limit);
+}

@@ -1,0 +1,108 @@
+package dev.twister.bench;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineException;
+import dev.twister.engine.EngineOffer;
+import dev.twister.engine.JvmEngines;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/** Chooses the fastest engine by measuring each once on this machine, and remembers which it was. */
+public final class FastestEngine {
+    /** The name that stands for whichever engine is the fastest here. */
+    public static final String AUTO = "auto";
+
+    private final EngineTrial trial;
+    private final ChoiceStore store;
+
+    FastestEngine(EngineTrial trial, ChoiceStore store) {
+        this.trial = trial;
+        this.store = store;
+    }
+
+    /** Measures with a clock, and remembers in the user's cache folder. */
+    public static FastestEngine ofThisMachine() {
+        return new FastestEngine(new TimedTrial(), ChoiceStore.ofThisUser());
+    }
+
+    /**
+     * Opens the engine that was the fastest when it was measured, or else measures now, for two seconds.
+     *
+     * @throws EngineException where no engine can be opened
+     */
+    public Engine open(List<EngineOffer> offers) {
+        List<EngineOffer> candidates = candidates(offers);
+        Optional<EngineOffer> known = remembered(offers)
+                .flatMap(id -> candidates.stream()
+                        .filter(offer -> offer.id().equals(id))
+                        .findFirst());
+        if (known.isPresent()) {
+            try {
+                return known.get().opener().get();
+            } catch (EngineException _) {
+                // Something changed since (a driver, say): measure again.
+            }
+        }
+        return openFirst(candidates, measure(candidates, TrialLimits.BRIEF));
+    }
+
+    /** The id of the engine that {@link #open} takes, where it was measured before. */
+    public Optional<String> remembered(List<EngineOffer> offers) {
+        List<EngineOffer> candidates = candidates(offers);
+        return store.read(MachineKey.of(candidates))
+                .filter(id -> candidates.stream().anyMatch(offer -> offer.id().equals(id)));
+    }
+
+    /** Measures with the patience that a device's compiler needs, and remembers; the fastest comes first. */
+    public List<EngineTime> measurePatiently(List<EngineOffer> offers) {
+        return measure(candidates(offers), TrialLimits.PATIENT);
+    }
+
+    /** The JVM's engines come first: they need no compiler that could still be at work beside the next trial. */
+    private List<EngineTime> measure(List<EngineOffer> candidates, TrialLimits limits) {
+        List<EngineTime> times = candidates.stream()
+                .sorted(Comparator.comparing(TrialLimits::isDevice))
+                .map(offer -> new EngineTime(offer.id(), trial.frameTime(offer, limits.of(offer, candidates))))
+                .sorted(Comparator.comparing(
+                        time -> time.frame().orElse(null), Comparator.nullsLast(Comparator.naturalOrder())))
+                .toList();
+        times.stream()
+                .findFirst()
+                .filter(fastest -> fastest.frame().isPresent())
+                .ifPresent(fastest -> store.write(MachineKey.of(candidates), fastest.engine()));
+        return times;
+    }
+
+    /** Those that drew, the fastest first; where none was ready in time, the paper's baseline, then any. */
+    private static Engine openFirst(List<EngineOffer> candidates, List<EngineTime> times) {
+        List<String> order = Stream.of(
+                        times.stream().filter(time -> time.frame().isPresent()).map(EngineTime::engine),
+                        Stream.of(JvmEngines.PARALLEL),
+                        times.stream().map(EngineTime::engine))
+                .flatMap(ids -> ids)
+                .distinct()
+                .toList();
+        EngineException failure = new EngineException("no engine works here; 'twister devices' says why");
+        for (String id : order) {
+            for (EngineOffer offer : candidates) {
+                if (offer.id().equals(id)) {
+                    try {
+                        return offer.opener().get();
+                    } catch (EngineException notThis) {
+                        failure.addSuppressed(notThis);
+                    }
+                }
+            }
+        }
+        throw failure;
+    }
+
+    private static List<EngineOffer> candidates(List<EngineOffer> offers) {
+        return offers.stream()
+                .filter(EngineOffer::works)
+                .filter(offer -> !offer.id().equals(AUTO) && !offer.id().equals(JvmEngines.PLAIN))
+                .toList();
+    }
+}

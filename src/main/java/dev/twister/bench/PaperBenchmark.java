@@ -1,0 +1,85 @@
+package dev.twister.bench;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineException;
+import dev.twister.image.Frame;
+import dev.twister.world.FrameInput;
+import dev.twister.world.World;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+
+/** Repeats the paper's evaluation. */
+public final class PaperBenchmark {
+    private final Function<String, Engine> opener;
+    private final PaperPlan plan;
+    private final World world;
+    private final BenchmarkProgress progress;
+    private final Map<PaperSetting, Frame> references = new LinkedHashMap<>();
+    private final List<Measurement> measurements = new ArrayList<>();
+    private final List<EngineFailure> failures = new ArrayList<>();
+
+    private PaperBenchmark(Function<String, Engine> opener, PaperPlan plan, World world, BenchmarkProgress progress) {
+        this.opener = opener;
+        this.plan = plan;
+        this.world = world;
+        this.progress = progress;
+    }
+
+    /**
+     * Runs the plan. An engine that fails is in the report, and the others go on.
+     *
+     * @param opener opens the engine of an id
+     * @param scene what the report calls the world's scene
+     * @param world its settings' size, samples and bounces give way to the plan's
+     * @throws EngineException where the reference cannot be drawn
+     */
+    public static PaperReport run(
+            Function<String, Engine> opener, PaperPlan plan, String scene, World world, BenchmarkProgress progress) {
+        PaperBenchmark benchmark = new PaperBenchmark(opener, plan, world, progress);
+        benchmark.drawReferences();
+        plan.engines().forEach(benchmark::measure);
+        List<PaperPicture> pictures = plan.shown().stream()
+                .map(setting -> new PaperPicture(setting, benchmark.references.get(setting)))
+                .toList();
+        return new PaperReport(
+                MachineInfo.ofThisMachine(), plan, scene, benchmark.measurements, benchmark.failures, pictures);
+    }
+
+    private void drawReferences() {
+        try (Engine engine = opener.apply(Benchmark.REFERENCE)) {
+            for (PaperSetting setting : plan.settings()) {
+                progress.begins("reference", setting.size(), 1);
+                Frame frame =
+                        Frame.ofPixels(setting.size().width(), setting.size().height());
+                engine.render(inputAt(setting), frame);
+                progress.drewFrame();
+                references.put(setting, frame);
+            }
+        }
+    }
+
+    private void measure(String id) {
+        EngineMeasuring measuring =
+                new EngineMeasuring(plan.warmupFrames(), plan.frames(), plan.maxSeconds(), progress);
+        try (Engine engine = opener.apply(id)) {
+            for (PaperSetting setting : plan.settings()) {
+                progress.begins(engine.id(), setting.size(), plan.framesEach());
+                measurements.add(measuring.measure(
+                        engine, inputAt(setting), references.get(setting).argb()));
+            }
+        } catch (EngineException failure) {
+            failures.add(new EngineFailure(id, failure.getMessage()));
+        }
+    }
+
+    private FrameInput inputAt(PaperSetting setting) {
+        world.setSettings(world.settings()
+                .withSize(setting.size().width(), setting.size().height())
+                .withShadows(setting.shadowSamples())
+                .withBounces(setting.bounces()));
+        return world.snapshot();
+    }
+}

@@ -1,0 +1,67 @@
+package dev.twister.bench;
+
+import dev.twister.image.PngWriter;
+import dev.twister.image.WholeFile;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** Writes the evaluation into a folder: the numbers, the pictures, the plots, and the page that shows them all. */
+public final class PaperFolder {
+    /** The page that shows everything. */
+    public static final String PAGE = "index.html";
+
+    private static final String JSON = "paper.json";
+    private static final String CSV = "paper.csv";
+    private static final String PLOT_ENDING = ".svg";
+
+    private PaperFolder() {}
+
+    /**
+     * Writes all files, each whole or not at all; the numbers first, so that they are there whatever fails later.
+     *
+     * @param folder must be there
+     * @return the page
+     * @throws IOException as {@link WholeFile#write}, or where this system has no fonts to draw plots with
+     */
+    public static Path write(PaperReport report, Path folder) throws IOException {
+        PaperJson.write(report, folder.resolve(JSON));
+        PaperCsv.write(report, folder.resolve(CSV));
+        Map<PaperPicture, byte[]> pictures = new LinkedHashMap<>();
+        for (PaperPicture picture : report.pictures()) {
+            Path file = folder.resolve(picture.fileName());
+            PngWriter.write(
+                    file,
+                    picture.frame().width(),
+                    picture.frame().height(),
+                    picture.frame().argb());
+            pictures.put(picture, Files.readAllBytes(file));
+        }
+        Map<String, String> plots = plots(report, folder);
+        for (Map.Entry<String, String> plot : plots.entrySet()) {
+            writeText(folder.resolve(plot.getKey() + PLOT_ENDING), plot.getValue());
+        }
+        Path page = folder.resolve(PAGE);
+        writeText(page, PaperPage.of(report, plots, pictures));
+        return page;
+    }
+
+    private static Map<String, String> plots(PaperReport report, Path folder) throws IOException {
+        try {
+            return PaperPlots.of(report);
+        } catch (InternalError | UnsatisfiedLinkError noFonts) {
+            throw new IOException(
+                    "the plots cannot be drawn, because Java finds no fonts here (" + noFonts.getMessage()
+                            + "); install some (apt install fontconfig fonts-dejavu-core). The numbers are in "
+                            + folder,
+                    noFonts);
+        }
+    }
+
+    private static void writeText(Path file, String text) throws IOException {
+        WholeFile.write(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
+    }
+}

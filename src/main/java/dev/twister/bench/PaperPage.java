@@ -1,0 +1,193 @@
+package dev.twister.bench;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/** The evaluation for a person: one HTML page with everything in it, which leads to no other file. */
+final class PaperPage {
+    private static final String STYLE = "paper.css";
+
+    private final PaperReport report;
+    private final Map<String, String> plots;
+    private final Map<PaperPicture, byte[]> pictures;
+
+    private PaperPage(PaperReport report, Map<String, String> plots, Map<PaperPicture, byte[]> pictures) {
+        this.report = report;
+        this.plots = plots;
+        this.pictures = pictures;
+    }
+
+    /**
+     * The page's text.
+     *
+     * @param plots SVG documents by their names
+     * @param pictures their PNG files' content
+     */
+    static String of(PaperReport report, Map<String, String> plots, Map<PaperPicture, byte[]> pictures)
+            throws IOException {
+        return new PaperPage(report, plots, pictures).text(style());
+    }
+
+    private String text(String style) {
+        return """
+                <!DOCTYPE html>
+                <html lang="en">
+                <head>
+                <meta charset="utf-8">
+                <meta name="viewport" content="width=device-width, initial-scale=1">
+                <title>Twister: the paper's evaluation on this machine</title>
+                <style>
+                %s</style>
+                </head>
+                <body>
+                <main>
+                <h1>The paper's evaluation, here</h1>
+                <p class="lead">%s</p>
+                %s</main>
+                </body>
+                </html>
+                """.formatted(
+                        style,
+                        HtmlText.escaped(lead()),
+                        String.join("\n", problems(), sizes(), shadows(), bounces(), speedup(), drawn(), about()));
+    }
+
+    private String lead() {
+        PaperSetting first = report.plan().settings(PaperFigure.SIZES).getFirst();
+        String repeated = "Twister repeats the evaluation of “" + PublishedFigures.PAPER + "” ("
+                + PublishedFigures.AUTHORS + ") on " + report.machine().processor() + ", "
+                + report.machine().cores() + " cores.";
+        return report.engines().stream()
+                .flatMap(engine -> report.find(engine, first).stream())
+                .max(Comparator.comparingDouble(
+                        measurement -> measurement.times().fps()))
+                .map(fastest -> repeated + " The fastest engine, " + fastest.engine() + ", draws "
+                        + PlotLook.number(fastest.times().fps()) + " frames a second at "
+                        + PictureNames.of(first.size()) + " with hard shadows and one bounce"
+                        + PublishedFigures.fps(first.size())
+                                .map(fps -> "; the paper reports " + PlotLook.number(fps) + " on an "
+                                        + PublishedFigures.DEVICE + ".")
+                                .orElse("."))
+                .orElse(repeated);
+    }
+
+    private String problems() {
+        List<String> problems = new ArrayList<>();
+        report.failures().forEach(failure -> problems.add(failure.engine() + " failed: " + failure.message()));
+        for (Measurement measurement : report.measurements()) {
+            PictureComparison comparison = measurement.comparison();
+            if (!comparison.withinTolerance()) {
+                problems.add(measurement.engine() + " draws another picture than " + Benchmark.REFERENCE + " at "
+                        + PaperSetting.of(measurement) + ": " + comparison.differingPixels() + " of "
+                        + comparison.pixels() + " pixels differ");
+            }
+        }
+        return problems.stream()
+                .map(problem -> "<p class=\"failed\">" + HtmlText.escaped(problem) + "</p>\n")
+                .collect(Collectors.joining());
+    }
+
+    private String sizes() {
+        return section(
+                PaperFigure.SIZES.title(),
+                plot(
+                        PaperFigure.SIZES.id(),
+                        "Hard shadows (one sample), one bounce. The grey bars are the paper's own figures on an "
+                                + PublishedFigures.DEVICE + ", not measured here."),
+                PaperTables.sizes(report));
+    }
+
+    private String shadows() {
+        return section(
+                PaperFigure.SHADOW_SAMPLES.title(),
+                plot(PaperFigure.SHADOW_SAMPLES.id(), "Points on the light's disc, with one bounce."),
+                PaperTables.fps(report, PaperFigure.SHADOW_SAMPLES, setting -> setting.shadowSamples() + " samples"));
+    }
+
+    private String bounces() {
+        return section(
+                PaperFigure.BOUNCES.title(),
+                plot(
+                        PaperFigure.BOUNCES.id(),
+                        "Limit of reflections, with " + PaperPlan.SOFT_SHADOW_SAMPLES + " shadow samples."),
+                PaperTables.fps(
+                        report,
+                        PaperFigure.BOUNCES,
+                        setting -> setting.bounces() + (setting.bounces() == 1 ? " bounce" : " bounces")));
+    }
+
+    private String speedup() {
+        String figures = plots.keySet().stream()
+                .filter(name -> name.startsWith(PaperFigure.SPEEDUP.id()))
+                .map(name -> plot(
+                        name,
+                        "Mean times of a frame compared, with " + PaperPlan.SOFT_SHADOW_SAMPLES + " shadow samples and "
+                                + PaperPlan.MANY_BOUNCES + " bounces."))
+                .collect(Collectors.joining());
+        String note =
+                "<p class=\"note\">The paper's baseline is its own program's parallel streams; Twister's baselines"
+                        + " already have the kernel's shortcuts, so the same device gains less over them.</p>\n";
+        return section(PaperFigure.SPEEDUP.title(), figures, PaperTables.speedup(report) + note);
+    }
+
+    private String drawn() {
+        String figures = report.pictures().stream()
+                .map(picture -> "<figure>"
+                        + image(
+                                "The scene as drawn",
+                                "png",
+                                pictures.get(picture),
+                                picture.frame().width(),
+                                picture.frame().height())
+                        + "<figcaption>" + HtmlText.escaped(picture.setting().toString())
+                        + "</figcaption></figure>\n")
+                .collect(Collectors.joining());
+        return section("What was drawn", "<div class=\"pictures\">\n" + figures + "</div>\n", "");
+    }
+
+    private String about() {
+        return section("The machine", PaperTables.machine(report), "")
+                + section("How it was measured", PaperTables.parameters(report), "");
+    }
+
+    private String plot(String name, String caption) {
+        return Optional.ofNullable(plots.get(name))
+                .map(svg -> "<figure>"
+                        + image(
+                                caption,
+                                "svg+xml",
+                                svg.getBytes(StandardCharsets.UTF_8),
+                                PlotLook.WIDTH,
+                                PlotLook.HEIGHT)
+                        + "<figcaption>" + HtmlText.escaped(caption) + "</figcaption></figure>\n")
+                .orElse("");
+    }
+
+    /** An image each of its own, because the names within one SVG document would be taken for those of another. */
+    private static String image(String description, String type, byte[] content, int width, int height) {
+        return "<img alt=\"" + HtmlText.escaped(description) + "\" width=\"" + width + "\" height=\"" + height
+                + "\" src=\"data:image/" + type + ";base64,"
+                + Base64.getEncoder().encodeToString(content) + "\">";
+    }
+
+    private static String section(String title, String first, String second) {
+        return "<section>\n<h2>" + HtmlText.escaped(title) + "</h2>\n" + first + second + "</section>\n";
+    }
+
+    private static String style() throws IOException {
+        try (InputStream stream = PaperPage.class.getResourceAsStream(STYLE)) {
+            if (stream == null) {
+                throw new IOException("Twister's own " + STYLE + " is missing from its jar");
+            }
+            return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+        }
+    }
+}

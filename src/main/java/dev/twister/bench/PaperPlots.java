@@ -1,0 +1,180 @@
+package dev.twister.bench;
+
+import dev.twister.engine.JvmEngines;
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.ToIntFunction;
+import org.knowm.xchart.CategoryChart;
+import org.knowm.xchart.CategoryChartBuilder;
+import org.knowm.xchart.CategorySeries;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYChartBuilder;
+import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+
+/** The evaluation's plots. */
+final class PaperPlots {
+    private static final String FPS = "frames a second";
+    private static final float LINE_WIDTH = 2.5f;
+    private static final int MARKER_SIZE = 9;
+    private static final double BARS_SHARE = 0.85;
+
+    /** Above the bar. */
+    private static final double LABEL_POSITION = 1.04;
+
+    private final PaperReport report;
+
+    private PaperPlots(PaperReport report) {
+        this.report = report;
+    }
+
+    /** Each plot as SVG, by its name; those of which nothing was measured are missing. */
+    static Map<String, String> of(PaperReport report) {
+        PaperPlots plots = new PaperPlots(report);
+        Map<String, String> drawn = new LinkedHashMap<>();
+        if (!report.measurements().isEmpty()) {
+            drawn.put(PaperFigure.SIZES.id(), plots.sizes());
+            drawn.put(
+                    PaperFigure.SHADOW_SAMPLES.id(),
+                    plots.lines(PaperFigure.SHADOW_SAMPLES, "shadow samples", PaperSetting::shadowSamples));
+            drawn.put(PaperFigure.BOUNCES.id(), plots.lines(PaperFigure.BOUNCES, "bounces", PaperSetting::bounces));
+            for (String baseline : List.of(JvmEngines.SEQUENTIAL, JvmEngines.PARALLEL)) {
+                if (report.engines().contains(baseline) && report.engines().size() > 1) {
+                    drawn.put(PaperFigure.SPEEDUP.id() + "-over-" + baseline, plots.speedup(baseline));
+                }
+            }
+        }
+        return drawn;
+    }
+
+    private String sizes() {
+        CategoryChart chart = bars("Hard shadows, one bounce", FPS);
+        List<PaperSetting> settings = report.plan().settings(PaperFigure.SIZES);
+        List<Double> values = new ArrayList<>();
+        for (String engine : report.engines()) {
+            addBars(
+                    chart,
+                    engine,
+                    settings,
+                    setting -> report.find(engine, setting)
+                            .map(measurement -> measurement.times().fps()),
+                    values);
+        }
+        if (settings.stream()
+                .anyMatch(setting -> PublishedFigures.fps(setting.size()).isPresent())) {
+            addBars(
+                            chart,
+                            PublishedFigures.DEVICE + " (the paper's figure)",
+                            settings,
+                            setting -> PublishedFigures.fps(setting.size()),
+                            values)
+                    .setFillColor(PlotLook.published());
+        }
+        PlotLook.scale(chart.getStyler(), values);
+        return SvgPlot.of(chart, PaperFigure.SIZES.title());
+    }
+
+    private String speedup(String baseline) {
+        CategoryChart chart = bars(
+                "Times as fast as " + baseline + ", " + PaperPlan.SOFT_SHADOW_SAMPLES + " shadow samples, "
+                        + PaperPlan.MANY_BOUNCES + " bounces",
+                "speed-up");
+        List<Double> values = new ArrayList<>();
+        for (String engine : report.engines()) {
+            if (!engine.equals(baseline)) {
+                addBars(
+                        chart,
+                        engine,
+                        report.plan().settings(PaperFigure.SPEEDUP),
+                        setting -> report.find(engine, setting)
+                                .flatMap(measurement -> report.speedupOver(baseline, measurement)),
+                        values);
+            }
+        }
+        PlotLook.scale(chart.getStyler(), values);
+        return SvgPlot.of(chart, PaperFigure.SPEEDUP.title() + ": " + baseline);
+    }
+
+    private String lines(PaperFigure figure, String axis, ToIntFunction<PaperSetting> place) {
+        List<PaperSetting> settings = report.plan().settings(figure);
+        PaperSetting first = settings.getFirst();
+        String fixed = figure == PaperFigure.BOUNCES
+                ? first.shadowSamples() + " shadow samples"
+                : first.bounces() + (first.bounces() == 1 ? " bounce" : " bounces");
+        XYChart chart = new XYChartBuilder()
+                .width(PlotLook.WIDTH)
+                .height(PlotLook.HEIGHT)
+                .title(PictureNames.of(first.size()) + ", " + fixed)
+                .xAxisTitle(axis)
+                .yAxisTitle(FPS)
+                .build();
+        PlotLook.apply(chart.getStyler());
+        chart.getStyler().setMarkerSize(MARKER_SIZE);
+        List<Double> values = new ArrayList<>();
+        for (String engine : report.engines()) {
+            List<Measurement> measured = settings.stream()
+                    .flatMap(setting -> report.find(engine, setting).stream())
+                    .toList();
+            if (!measured.isEmpty()) {
+                List<Double> fps = measured.stream()
+                        .map(measurement -> measurement.times().fps())
+                        .toList();
+                List<Integer> places = measured.stream()
+                        .map(measurement -> place.applyAsInt(PaperSetting.of(measurement)))
+                        .toList();
+                XYSeries series = chart.addSeries(engine, places, fps);
+                series.setMarker(SeriesMarkers.CIRCLE);
+                series.setMarkerColor(colour(engine));
+                series.setLineColor(colour(engine));
+                series.setLineStyle(new BasicStroke(LINE_WIDTH));
+                values.addAll(fps);
+            }
+        }
+        chart.getStyler().setXAxisTickLabelsFormattingFunction(PlotLook::number);
+        PlotLook.scale(chart.getStyler(), values);
+        return SvgPlot.of(chart, figure.title());
+    }
+
+    private static CategoryChart bars(String title, String axis) {
+        CategoryChart chart = new CategoryChartBuilder()
+                .width(PlotLook.WIDTH)
+                .height(PlotLook.HEIGHT)
+                .title(title)
+                .xAxisTitle("picture size")
+                .yAxisTitle(axis)
+                .build();
+        PlotLook.apply(chart.getStyler());
+        chart.getStyler()
+                .setAvailableSpaceFill(BARS_SHARE)
+                .setLabelsVisible(true)
+                .setLabelsPosition(LABEL_POSITION);
+        return chart;
+    }
+
+    private CategorySeries addBars(
+            CategoryChart chart,
+            String name,
+            List<PaperSetting> settings,
+            Function<PaperSetting, Optional<Double>> value,
+            List<Double> values) {
+        List<String> places = settings.stream()
+                .map(setting -> PictureNames.of(setting.size()))
+                .toList();
+        List<Double> bars = new ArrayList<>();
+        settings.forEach(setting -> bars.add(value.apply(setting).orElse(null)));
+        bars.stream().filter(bar -> bar != null).forEach(values::add);
+        CategorySeries series = chart.addSeries(name, places, bars);
+        series.setFillColor(colour(name));
+        return series;
+    }
+
+    private Color colour(String engine) {
+        return PlotLook.colour(Math.max(0, report.engines().indexOf(engine)));
+    }
+}

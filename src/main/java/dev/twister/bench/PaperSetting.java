@@ -1,0 +1,14 @@
+package dev.twister.bench;
+
+/** One point of the paper's evaluation, for every engine. */
+public record PaperSetting(PictureSize size, int shadowSamples, int bounces) {
+    static PaperSetting of(Measurement measurement) {
+        return new PaperSetting(measurement.size(), measurement.shadowSamples(), measurement.bounces());
+    }
+
+    @Override
+    public String toString() {
+        return size + ", " + shadowSamples + (shadowSamples == 1 ? " shadow sample, " : " shadow samples, ") + bounces
+                + (bounces == 1 ? " bounce" : " bounces");
+    }
+}

@@ -1,0 +1,95 @@
+package dev.twister.bench;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+import java.util.List;
+import org.knowm.xchart.style.AxesChartStyler;
+import org.knowm.xchart.style.Styler.LegendLayout;
+import org.knowm.xchart.style.Styler.LegendPosition;
+
+/** How all plots look. */
+final class PlotLook {
+    static final int WIDTH = 960;
+    static final int HEIGHT = 480;
+
+    /** From this ratio between the largest and the smallest value on, a linear axis hides the smaller ones. */
+    private static final double LOGARITHMIC_FROM = 10;
+
+    private static final int DIGITS = 3;
+    private static final int TITLE_POINTS = 18;
+    private static final int TEXT_POINTS = 14;
+
+    /** Paul Tol's bright colours, which people who see colours differently can tell apart. */
+    private static final List<Color> COLOURS = List.of(
+            new Color(0x4477AA),
+            new Color(0xEE6677),
+            new Color(0x228833),
+            new Color(0xCCBB44),
+            new Color(0x66CCEE),
+            new Color(0xAA3377));
+
+    private static final Color PUBLISHED = new Color(0xBBBBBB);
+    private static final Color GRID = new Color(0xE4E4E8);
+    private static final Color INK = new Color(0x22, 0x26, 0x2E);
+
+    private PlotLook() {}
+
+    /** The colour of the engine at that place of the plan: the same in all plots. */
+    static Color colour(int engine) {
+        return COLOURS.get(engine % COLOURS.size());
+    }
+
+    /** The colour of the paper's own figures. */
+    static Color published() {
+        return PUBLISHED;
+    }
+
+    static void apply(AxesChartStyler styler) {
+        styler.setAxisTitleFont(new Font(Font.SANS_SERIF, Font.PLAIN, TEXT_POINTS))
+                .setAxisTickLabelsFont(new Font(Font.SANS_SERIF, Font.PLAIN, TEXT_POINTS))
+                .setAxisTickLabelsColor(INK)
+                .setPlotGridLinesColor(GRID)
+                .setPlotGridLinesStroke(new BasicStroke(1))
+                .setPlotGridVerticalLinesVisible(false)
+                .setPlotMargin(0);
+        styler.setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, TITLE_POINTS))
+                .setLegendFont(new Font(Font.SANS_SERIF, Font.PLAIN, TEXT_POINTS))
+                .setChartFontColor(INK)
+                .setChartBackgroundColor(Color.WHITE)
+                .setPlotBackgroundColor(Color.WHITE)
+                .setPlotBorderVisible(false)
+                .setLegendBorderColor(Color.WHITE)
+                .setLegendPosition(LegendPosition.OutsideS)
+                .setLegendLayout(LegendLayout.Horizontal)
+                .setChartPadding(TEXT_POINTS);
+        styler.setYAxisTickLabelsFormattingFunction(PlotLook::number);
+    }
+
+    /** Chooses the vertical axis for values above 0. */
+    static void scale(AxesChartStyler styler, List<Double> values) {
+        double least = values.stream().mapToDouble(Double::doubleValue).min().orElse(1);
+        double most = values.stream().mapToDouble(Double::doubleValue).max().orElse(1);
+        if (most / least >= LOGARITHMIC_FROM) {
+            styler.setYAxisLogarithmic(true)
+                    .setYAxisLogarithmicDecadeOnly(true)
+                    // A bar of the smallest value should still be seen.
+                    .setYAxisMin(Math.pow(10, Math.floor(Math.log10(least * 0.8))))
+                    .setYAxisMax(Math.pow(10, Math.ceil(Math.log10(most * 1.2))));
+        } else {
+            styler.setYAxisMin(0.0);
+        }
+    }
+
+    /** Three digits that count, without an exponent. */
+    static String number(double value) {
+        if (Math.abs(value) >= Math.pow(10, DIGITS)) {
+            return String.valueOf(Math.round(value));
+        }
+        BigDecimal rounded = BigDecimal.valueOf(value).round(new MathContext(DIGITS, RoundingMode.HALF_UP));
+        return rounded.signum() == 0 ? "0" : rounded.stripTrailingZeros().toPlainString();
+    }
+}

@@ -1,0 +1,10 @@
+package dev.twister.bench;
+
+import java.util.Optional;
+
+/** Knows how engines compare at the same setting. */
+@FunctionalInterface
+interface SpeedupSource {
+    /** How many times faster than the baseline, by the means; empty where that one was not measured. */
+    Optional<Double> speedupOver(String baseline, Measurement measurement);
+}

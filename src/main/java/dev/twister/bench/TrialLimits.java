@@ -1,0 +1,31 @@
+package dev.twister.bench;
+
+import dev.twister.engine.EngineOffer;
+import dev.twister.engine.Engines;
+import java.time.Duration;
+import java.util.List;
+
+/**
+ * How long the trials may take.
+ *
+ * @param jvm for all engines of the JVM together
+ * @param devices for all devices together, whose first frame waits for TornadoVM's compiler
+ */
+record TrialLimits(Duration jvm, Duration devices) {
+    /** Two seconds in all, at the start of a command. */
+    static final TrialLimits BRIEF = new TrialLimits(Duration.ofMillis(1200), Duration.ofMillis(800));
+
+    /** For a user who asked for it: time for devices to compile the kernel. */
+    static final TrialLimits PATIENT = new TrialLimits(Duration.ofSeconds(6), Duration.ofSeconds(60));
+
+    /** This engine's share. */
+    Duration of(EngineOffer offer, List<EngineOffer> all) {
+        boolean device = isDevice(offer);
+        long sharers = all.stream().filter(other -> isDevice(other) == device).count();
+        return (device ? devices : jvm).dividedBy(Math.max(1, sharers));
+    }
+
+    static boolean isDevice(EngineOffer offer) {
+        return offer.id().startsWith(Engines.TORNADO_PREFIX);
+    }
+}

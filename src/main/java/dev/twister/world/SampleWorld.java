@@ -1,0 +1,62 @@
+package dev.twister.world;
+
+import dev.twister.scene.Camera;
+import dev.twister.scene.Light;
+import dev.twister.scene.Plane;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import dev.twister.sky.Skybox;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.IntStream;
+
+/** A world of the default kind that needs no file: five spheres on the plane under a plain sky. */
+public final class SampleWorld {
+    private static final int SKY_WIDTH = 512;
+    private static final int SKY_HEIGHT = 256;
+    private static final int CHANNELS = 3;
+    private static final int SPHERES = 5;
+    private static final double SPACING = 4;
+    private static final double REFLECTIVITY_STEP = 12;
+
+    private SampleWorld() {}
+
+    /** The world, with the default shadow samples and bounces, at that size. */
+    public static World ofSize(int width, int height) {
+        RenderSettings settings = RenderSettings.DEFAULT.withSize(width, height);
+        Scene scene = new Scene(
+                "Sample",
+                "Five spheres in a row.",
+                new Camera(new Vector3(0, -5, -15), 0, 7, 50),
+                new Light(new Vector3(0, 0, 0), 1.2, new Rgb(1, 1, 1)),
+                new Plane(48, -9.75, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32),
+                spheres(),
+                Path.of(""),
+                Scene.DEFAULT_AMBIENT,
+                settings);
+        return World.of(scene, new Skybox(SKY_WIDTH, SKY_HEIGHT, gradient()));
+    }
+
+    private static List<Sphere> spheres() {
+        return IntStream.range(0, SPHERES)
+                .mapToObj(index -> new Sphere(
+                        new Vector3((index - SPHERES / 2) * SPACING, -8, 0),
+                        1.75,
+                        new Rgb(index % 2, 0.5, 1 - index % 2),
+                        (index + 1) * REFLECTIVITY_STEP))
+                .toList();
+    }
+
+    /** Brighter towards the zenith, so that no two rows of texels are alike. */
+    private static float[] gradient() {
+        float[] radiance = new float[CHANNELS * SKY_WIDTH * SKY_HEIGHT];
+        for (int i = 0; i < radiance.length; i++) {
+            int row = i / (CHANNELS * SKY_WIDTH);
+            radiance[i] = 1 - (float) row / SKY_HEIGHT;
+        }
+        return radiance;
+    }
+}

@@ -1,0 +1,185 @@
+package dev.twister.bench;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineException;
+import dev.twister.engine.EngineOffer;
+import dev.twister.engine.Engines;
+import dev.twister.image.FrameTimes;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class FastestEngineTest {
+    private static final Map<String, Integer> MILLIS =
+            Map.of("sequential", 40, "parallel", 20, "vector", 5, "tornado:0:0", 9, "plain", 1, "auto", 1);
+
+    @TempDir
+    private Path folder;
+
+    private final List<String> tried = new ArrayList<>();
+
+    @Test
+    void takesTheFastest() {
+        assertThat(open(offers("sequential", "parallel", "vector", "tornado:0:0")))
+                .isEqualTo("vector");
+    }
+
+    @Test
+    void leavesOutPlainItselfAndWhatDoesNotWork() {
+        List<EngineOffer> offers = new ArrayList<>(offers("auto", "plain", "sequential", "parallel"));
+        offers.add(EngineOffer.impossible("vector", "lanes", "wide", "no module"));
+
+        assertThat(open(offers)).isEqualTo("parallel");
+        assertThat(tried).containsExactly("sequential", "parallel");
+    }
+
+    @Test
+    void devicesAreTriedLast() {
+        open(offers("tornado:0:0", "sequential", "parallel"));
+
+        assertThat(tried).containsExactly("sequential", "parallel", "tornado:0:0");
+    }
+
+    @Test
+    void measuresOnceForTheSameEngines() {
+        List<EngineOffer> offers = offers("sequential", "parallel");
+        open(offers);
+        tried.clear();
+
+        assertThat(open(offers)).isEqualTo("parallel");
+        assertThat(tried).isEmpty();
+        assertThat(fastest().remembered(offers)).contains("parallel");
+    }
+
+    @Test
+    void anotherEngineIsMeasuredAgain() {
+        open(offers("sequential", "parallel"));
+        tried.clear();
+
+        assertThat(open(offers("sequential", "parallel", "vector"))).isEqualTo("vector");
+        assertThat(tried).hasSize(3);
+    }
+
+    @Test
+    void aDamagedFileIsMeasuredAgain() throws IOException {
+        List<EngineOffer> offers = offers("sequential", "parallel");
+        for (String damage : List.of("", "engine=\\u00zz", "engine=warp", "\0\0\0")) {
+            open(offers);
+            Files.writeString(onlyFile(), damage);
+            assertThat(fastest().remembered(offers)).isEmpty();
+
+            assertThat(open(offers)).isEqualTo("parallel");
+            assertThat(fastest().remembered(offers)).contains("parallel");
+        }
+    }
+
+    @Test
+    void whereNothingCanBeWrittenItMeasuresEachTime() throws IOException {
+        Path file = Files.createFile(folder.resolve("not-a-folder"));
+        List<EngineOffer> offers = offers("sequential", "parallel");
+        for (Optional<Path> place : List.of(Optional.of(file), Optional.<Path>empty())) {
+            FastestEngine fastest = new FastestEngine(this::time, new ChoiceStore(place));
+            try (Engine engine = fastest.open(offers)) {
+                assertThat(engine.id()).isEqualTo("parallel");
+            }
+            assertThat(fastest.remembered(offers)).isEmpty();
+        }
+    }
+
+    @Test
+    void anEngineThatDoesNotOpenGivesWayToTheNext() {
+        List<EngineOffer> offers = new ArrayList<>(offers("sequential", "parallel"));
+        offers.add(EngineOffer.working("vector", "lanes", "wide", () -> {
+            throw new EngineException("out of order");
+        }));
+
+        assertThat(open(offers)).isEqualTo("parallel");
+        assertThat(open(offers)).isEqualTo("parallel");
+    }
+
+    @Test
+    void whereNoneIsReadyInTimeParallelIsTakenAndNothingRemembered() {
+        List<EngineOffer> offers = offers("sequential", "parallel");
+        FastestEngine fastest =
+                new FastestEngine((offer, limit) -> Optional.empty(), new ChoiceStore(Optional.of(folder)));
+
+        try (Engine engine = fastest.open(offers)) {
+            assertThat(engine.id()).isEqualTo("parallel");
+        }
+        assertThat(fastest.remembered(offers)).isEmpty();
+    }
+
+    @Test
+    void withoutAnyEngineItSaysSo() {
+        FastestEngine fastest = fastest();
+
+        assertThatThrownBy(() -> fastest.open(List.of()))
+                .isInstanceOf(EngineException.class)
+                .hasMessageContaining("no engine works here");
+    }
+
+    @Test
+    void measuringPatientlyListsTheFastestFirst() {
+        assertThat(fastest().measurePatiently(offers("sequential", "unready", "tornado:0:0", "parallel")))
+                .extracting(EngineTime::engine)
+                .containsExactly("tornado:0:0", "parallel", "sequential", "unready");
+    }
+
+    @Test
+    void theTrialsShareTwoSeconds() {
+        List<EngineOffer> offers = offers("sequential", "parallel", "vector", "tornado:0:0", "tornado:1:0");
+
+        Duration all = offers.stream()
+                .map(offer -> TrialLimits.BRIEF.of(offer, offers))
+                .reduce(Duration.ZERO, Duration::plus);
+
+        assertThat(all).isEqualTo(Duration.ofSeconds(2));
+    }
+
+    @Test
+    void autoIsAnEngineByName() {
+        assertThat(Engines.offers()).extracting(EngineOffer::id).contains("auto");
+        try (Engine engine = Engines.open("auto")) {
+            assertThat(engine.id()).isNotEqualTo("auto");
+        }
+    }
+
+    private FastestEngine fastest() {
+        return new FastestEngine(this::time, new ChoiceStore(Optional.of(folder)));
+    }
+
+    private String open(List<EngineOffer> offers) {
+        try (Engine engine = fastest().open(offers)) {
+            return engine.id();
+        }
+    }
+
+    private Optional<Duration> time(EngineOffer offer, Duration limit) {
+        tried.add(offer.id());
+        return Optional.ofNullable(MILLIS.get(offer.id())).map(Duration::ofMillis);
+    }
+
+    private Path onlyFile() throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.findFirst().orElseThrow();
+        }
+    }
+
+    private static List<EngineOffer> offers(String... ids) {
+        return Stream.of(ids)
+                .map(id ->
+                        EngineOffer.working(id, "a device", "draws", () -> new FakeEngine(id, 0, FrameTimes.onJvm(1))))
+                .toList();
+    }
+}

@@ -1,0 +1,190 @@
+package dev.twister.bench;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineException;
+import dev.twister.image.FrameTimes;
+import java.io.IOException;
+import java.io.Reader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.apache.commons.csv.CSVFormat;
+import org.apache.commons.csv.CSVRecord;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+class PaperBenchmarkTest {
+    private static final int GREY = 0xff808080;
+    private static final PaperPlan PLAN = new PaperPlan(
+            List.of("sequential", "parallel", "<fast>", "broken"),
+            List.of(new PictureSize(8, 4), new PictureSize(12, 6)),
+            List.of(1, 200),
+            List.of(1, 2, 3),
+            0,
+            1,
+            100);
+    private static final PaperReport REPORT = run(PLAN);
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void settingsAreThePapersEachOnce() {
+        PaperPlan full = PaperPlan.full(List.of("sequential"));
+
+        assertThat(full.settings(PaperFigure.SIZES))
+                .extracting(PaperSetting::toString)
+                .containsExactly(
+                        "1280x720, 1 shadow sample, 1 bounce",
+                        "1920x1080, 1 shadow sample, 1 bounce",
+                        "3840x2160, 1 shadow sample, 1 bounce");
+        assertThat(full.settings(PaperFigure.SHADOW_SAMPLES))
+                .extracting(PaperSetting::shadowSamples)
+                .startsWith(1)
+                .endsWith(400);
+        assertThat(full.settings(PaperFigure.BOUNCES))
+                .allMatch(setting -> setting.shadowSamples() == 200)
+                .extracting(PaperSetting::bounces)
+                .containsExactly(1, 2, 3, 4, 5, 6);
+        assertThat(full.settings(PaperFigure.SPEEDUP))
+                .allMatch(setting -> setting.shadowSamples() == 200 && setting.bounces() == 3)
+                .hasSize(3);
+        assertThat(full.settings()).doesNotHaveDuplicates().hasSize(15);
+    }
+
+    @Test
+    void quickStaysWithinItsMinutesHoweverManyEngines() {
+        for (int engines : List.of(1, 4, 40)) {
+            PaperPlan quick = PaperPlan.quick(Stream.iterate(1, i -> i + 1)
+                    .limit(engines)
+                    .map(i -> "e" + i)
+                    .toList());
+            assertThat(quick.maxSeconds() * engines * quick.settings().size()).isLessThanOrEqualTo(361);
+        }
+    }
+
+    @Test
+    void measuresEveryEngineAtEverySettingOnce() {
+        assertThat(REPORT.measurements()).hasSize(3 * PLAN.settings().size());
+        assertThat(REPORT.failures()).containsExactly(new EngineFailure("broken", "out of order"));
+        Measurement fast = REPORT.find("<fast>", new PaperSetting(new PictureSize(12, 6), 200, 3))
+                .orElseThrow();
+        assertThat(REPORT.speedupOver("sequential", fast)).contains(400.0);
+        assertThat(REPORT.speedupOver("parallel", fast)).contains(200.0);
+        assertThat(REPORT.pictures()).hasSize(2);
+    }
+
+    @Test
+    void jsonHasTheFigures() throws IOException {
+        PaperFolder.write(REPORT, folder);
+
+        JsonNode json = JsonMapper.builder().build().readTree(Files.readString(folder.resolve("paper.json")));
+        assertThat(json.at("/figures/sizes").size()).isEqualTo(6);
+        assertThat(json.at("/figures/shadow-samples").size()).isEqualTo(6);
+        assertThat(json.at("/figures/bounces").size()).isEqualTo(9);
+        assertThat(json.at("/figures/speed-up").size()).isEqualTo(6);
+        assertThat(json.at("/figures/speed-up/2/engine").asString()).isEqualTo("<fast>");
+        assertThat(json.at("/figures/speed-up/2/speedupOverParallel").asDouble())
+                .isEqualTo(200);
+        assertThat(json.at("/published/largestSpeedupOverParallel").asDouble()).isEqualTo(796);
+        assertThat(json.at("/machine/cores").asInt()).isPositive();
+        assertThat(json.at("/parameters/scene").asString()).isEqualTo("test");
+        assertThat(json.at("/failures/0/message").asString()).isEqualTo("out of order");
+        assertThat(json.at("/passed").asBoolean()).isFalse();
+    }
+
+    @Test
+    void csvHasALineForEachFigureSettingAndEngine() throws IOException {
+        PaperFolder.write(REPORT, folder);
+
+        try (Reader reader = Files.newBufferedReader(folder.resolve("paper.csv"))) {
+            List<CSVRecord> records = CSVFormat.RFC4180
+                    .builder()
+                    .setHeader()
+                    .setSkipHeaderRecord(true)
+                    .get()
+                    .parse(reader)
+                    .getRecords();
+            assertThat(records).hasSize(6 + 6 + 9 + 6 + 1);
+            CSVRecord first = records.getFirst();
+            assertThat(first.get("figure")).isEqualTo("sizes");
+            assertThat(first.get("engine")).isEqualTo("sequential");
+            assertThat(first.get("width")).isEqualTo("8");
+            assertThat(first.get("shadowSamples")).isEqualTo("1");
+            assertThat(first.get("msMean")).isEqualTo("8.000000");
+            assertThat(first.get("scene")).isEqualTo("test");
+            assertThat(records.getLast().get("failure")).isEqualTo("out of order");
+        }
+    }
+
+    @Test
+    void pageHoldsEverythingAndLeadsNowhere() throws IOException {
+        String page = Files.readString(PaperFolder.write(REPORT, folder));
+
+        assertThat(page)
+                .contains("&lt;fast&gt;", "broken failed: out of order")
+                .contains("796", "RTX 2060", "the paper's figure")
+                .contains(REPORT.machine().jdk())
+                .contains("data:image/png;base64,", "data:image/svg+xml;base64,")
+                .doesNotContain("<fast>", "<script", "<link", "src=\"http");
+        assertThat(page.split("<img", -1)).hasSize(1 + 5 + 2);
+    }
+
+    @Test
+    void publishedFiguresStandBesideTheirSizes() throws IOException {
+        PaperPlan plan =
+                new PaperPlan(List.of("sequential"), List.of(PictureSize.HD), List.of(1), List.of(1), 0, 1, 100);
+
+        String page = Files.readString(PaperFolder.write(run(plan), folder));
+
+        assertThat(page).contains("<td class=\"theirs\">234</td>").contains("the paper reports 234 on an RTX 2060");
+    }
+
+    @Test
+    void plotsAreDocumentsOfTheirOwn() throws Exception {
+        PaperFolder.write(REPORT, folder);
+
+        try (Stream<Path> files = Files.list(folder)) {
+            List<Path> plots =
+                    files.filter(file -> file.toString().endsWith(".svg")).toList();
+            assertThat(plots).hasSize(5);
+            for (Path plot : plots) {
+                assertThat(DocumentBuilderFactory.newDefaultNSInstance()
+                                .newDocumentBuilder()
+                                .parse(plot.toFile())
+                                .getDocumentElement()
+                                .getNamespaceURI())
+                        .isEqualTo("http://www.w3.org/2000/svg");
+            }
+        }
+    }
+
+    @Test
+    void withoutAnyMeasurementThereIsStillAPage() throws IOException {
+        PaperPlan plan = new PaperPlan(List.of("broken"), PLAN.sizes(), List.of(1), List.of(1), 0, 1, 100);
+
+        assertThat(PaperFolder.write(run(plan), folder))
+                .isRegularFile()
+                .content()
+                .contains("out of order");
+    }
+
+    private static PaperReport run(PaperPlan plan) {
+        return PaperBenchmark.run(PaperBenchmarkTest::open, plan, "test", TestWorld.create(), BenchmarkProgress.SILENT);
+    }
+
+    private static Engine open(String id) {
+        return switch (id) {
+            case "sequential" -> new FakeEngine(id, GREY, FrameTimes.onJvm(8_000_000));
+            case "parallel" -> new FakeEngine(id, GREY, FrameTimes.onJvm(4_000_000));
+            case "<fast>" -> new FakeEngine(id, GREY, FrameTimes.onJvm(20_000));
+            default -> throw new EngineException("out of order");
+        };
+    }
+}
