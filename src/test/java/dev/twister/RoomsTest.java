@@ -39,6 +39,7 @@ class RoomsTest {
                 room("physics", "world"),
                 room("engine", "kernel", "world", "image"),
                 room("engine.tornado", "kernel", "world", "image", "engine"),
+                room("engine.vector", "kernel", "world", "image", "engine"),
                 room("bench", "engine", "image", "world", "scene"),
                 room("gui", "scene", "sky", "kernel", "world", "physics", "engine", "image", "bench"),
                 room("cli", "scene", "sky", "kernel", "world", "physics", "engine", "image", "bench", "gui"));
