@@ -25,6 +25,9 @@ final class PaperPlots {
     private static final int MARKER_SIZE = 9;
     private static final double BARS_SHARE = 0.85;
 
+    /** Less than the whole width, so that the outermost markers are not cut. */
+    private static final double LINES_SHARE = 0.96;
+
     /** Above the bar. */
     private static final double LABEL_POSITION = 1.04;
 
@@ -115,7 +118,7 @@ final class PaperPlots {
                 .yAxisTitle(FPS)
                 .build();
         PlotLook.apply(chart.getStyler());
-        chart.getStyler().setMarkerSize(MARKER_SIZE);
+        chart.getStyler().setMarkerSize(MARKER_SIZE).setPlotContentSize(LINES_SHARE);
         List<Double> values = new ArrayList<>();
         for (String engine : report.engines()) {
             List<Measurement> measured = settings.stream()
@@ -153,7 +156,10 @@ final class PaperPlots {
         chart.getStyler()
                 .setAvailableSpaceFill(BARS_SHARE)
                 .setLabelsVisible(true)
-                .setLabelsPosition(LABEL_POSITION);
+                .setLabelsPosition(LABEL_POSITION)
+                .setLabelsFont(PlotLook.labelFont())
+                // The bars stand on the axis.
+                .setPlotContentSize(1);
         return chart;
     }
 

@@ -22,6 +22,12 @@ final class PlotLook {
     private static final int DIGITS = 3;
     private static final int TITLE_POINTS = 18;
     private static final int TEXT_POINTS = 14;
+    private static final int LABEL_POINTS = 13;
+    private static final int TICK_GAP = 6;
+    private static final int LEGEND_GAP = 16;
+
+    /** Room above the largest value, for its label. */
+    private static final double HEADROOM = 1.1;
 
     /** Paul Tol's bright colours, which people who see colours differently can tell apart. */
     private static final List<Color> COLOURS = List.of(
@@ -48,6 +54,10 @@ final class PlotLook {
         return PUBLISHED;
     }
 
+    static Font labelFont() {
+        return new Font(Font.SANS_SERIF, Font.PLAIN, LABEL_POINTS);
+    }
+
     static void apply(AxesChartStyler styler) {
         styler.setAxisTitleFont(new Font(Font.SANS_SERIF, Font.PLAIN, TEXT_POINTS))
                 .setAxisTickLabelsFont(new Font(Font.SANS_SERIF, Font.PLAIN, TEXT_POINTS))
@@ -55,6 +65,7 @@ final class PlotLook {
                 .setPlotGridLinesColor(GRID)
                 .setPlotGridLinesStroke(new BasicStroke(1))
                 .setPlotGridVerticalLinesVisible(false)
+                .setAxisTickPadding(TICK_GAP)
                 .setPlotMargin(0);
         styler.setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, TITLE_POINTS))
                 .setLegendFont(new Font(Font.SANS_SERIF, Font.PLAIN, TEXT_POINTS))
@@ -65,6 +76,7 @@ final class PlotLook {
                 .setLegendBorderColor(Color.WHITE)
                 .setLegendPosition(LegendPosition.OutsideS)
                 .setLegendLayout(LegendLayout.Horizontal)
+                .setLegendPadding(LEGEND_GAP)
                 .setChartPadding(TEXT_POINTS);
         styler.setYAxisTickLabelsFormattingFunction(PlotLook::number);
     }
@@ -78,9 +90,9 @@ final class PlotLook {
                     .setYAxisLogarithmicDecadeOnly(true)
                     // A bar of the smallest value should still be seen.
                     .setYAxisMin(Math.pow(10, Math.floor(Math.log10(least * 0.8))))
-                    .setYAxisMax(Math.pow(10, Math.ceil(Math.log10(most * 1.2))));
+                    .setYAxisMax(Math.pow(10, Math.ceil(Math.log10(most * HEADROOM))));
         } else {
-            styler.setYAxisMin(0.0);
+            styler.setYAxisMin(0.0).setYAxisMax(most * HEADROOM);
         }
     }
 

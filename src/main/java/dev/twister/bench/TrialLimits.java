@@ -13,10 +13,10 @@ import java.util.List;
  */
 record TrialLimits(Duration jvm, Duration devices) {
     /** Two seconds in all, at the start of a command. */
-    static final TrialLimits BRIEF = new TrialLimits(Duration.ofMillis(1200), Duration.ofMillis(800));
+    static final TrialLimits BRIEF = new TrialLimits(Duration.ofMillis(1500), Duration.ofMillis(500));
 
     /** For a user who asked for it: time for devices to compile the kernel. */
-    static final TrialLimits PATIENT = new TrialLimits(Duration.ofSeconds(6), Duration.ofSeconds(60));
+    static final TrialLimits PATIENT = new TrialLimits(Duration.ofSeconds(12), Duration.ofSeconds(60));
 
     /** This engine's share. */
     Duration of(EngineOffer offer, List<EngineOffer> all) {
