@@ -9,9 +9,10 @@ import jdk.incubator.vector.VectorOperators;
 final class HitSorting {
     private HitSorting() {}
 
-    /** Fills the lists of skies, grounds, spheres and surfaces, and adds the light's colour where it is met. */
-    static void sort(Tile tile, BodyColumns bodies) {
+    /** Fills the lists of skies, lights, grounds, spheres and surfaces. */
+    static void sort(Tile tile) {
         tile.skies.clear();
+        tile.lights.clear();
         tile.grounds.clear();
         tile.spheres.clear();
         tile.surfaces.clear();
@@ -25,7 +26,7 @@ final class HitSorting {
                 tile.skies.add(at);
             }
             if (hit.compare(VectorOperators.EQ, Layout.LIGHT).anyTrue()) {
-                addLight(t, at, bodies);
+                tile.lights.add(at);
             }
             boolean ground = hit.compare(VectorOperators.EQ, Layout.PLANE).anyTrue();
             boolean sphere = hit.compare(VectorOperators.GT, Layout.PLANE).anyTrue();
@@ -39,19 +40,5 @@ final class HitSorting {
                 tile.surfaces.add(at);
             }
         }
-    }
-
-    private static void addLight(float[] t, int at, BodyColumns bodies) {
-        FloatVector throughput = Lanes.all(0f)
-                .blend(
-                        Lanes.load(t, at + Tile.THROUGHPUT),
-                        Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.LIGHT));
-        add(t, at + Tile.RED, throughput, bodies.red[Layout.LIGHT]);
-        add(t, at + Tile.GREEN, throughput, bodies.green[Layout.LIGHT]);
-        add(t, at + Tile.BLUE, throughput, bodies.blue[Layout.LIGHT]);
-    }
-
-    private static void add(float[] t, int at, FloatVector throughput, float radiance) {
-        throughput.fma(Lanes.all(radiance), Lanes.load(t, at)).intoArray(t, at);
     }
 }

@@ -35,18 +35,35 @@ final class ShadowFrame {
                 .intoArray(frame, ShadowScratch.SCALE);
     }
 
-    /** Writes the candidates' places in the frame, and whether each lies wholly between. */
+    /** Writes the candidates' places in the frame. */
     static void placeAll(Tile tile, int at, BodyColumns bodies, ShadowScratch scratch) {
         BodyList found = scratch.candidates;
         scratch.reserveFacts(found.count);
-        boolean between = true;
         for (int c = 0; c < found.count; c++) {
-            between &= place(tile, at, bodies, found.bodies[c], scratch, c * ShadowScratch.STRIDE);
+            place(tile, at, bodies, found.bodies[c], scratch, c * ShadowScratch.STRIDE);
         }
-        scratch.between = between;
     }
 
-    private static boolean place(Tile tile, int at, BodyColumns bodies, int body, ShadowScratch scratch, int to) {
+    /** Writes the squared radii, or less than 0 in lanes that a sphere cannot shade. */
+    static void limitAll(Tile tile, int at, BodyColumns bodies, ShadowScratch scratch) {
+        BodyList found = scratch.candidates;
+        for (int c = 0; c < found.count; c++) {
+            int body = found.bodies[c];
+            limit(tile.values, at, body, bodies.radius[body], scratch.facts, c * ShadowScratch.STRIDE);
+        }
+    }
+
+    /** Writes whether each candidate lies wholly between, as seen from every lane that it may shade. */
+    static void judgeAll(Tile tile, int at, BodyColumns bodies, ShadowScratch scratch) {
+        BodyList found = scratch.candidates;
+        long across = 0;
+        for (int c = 0; c < found.count; c++) {
+            across |= across(tile.values, at, bodies.radius[found.bodies[c]], scratch, c * ShadowScratch.STRIDE);
+        }
+        scratch.between = across == 0;
+    }
+
+    private static void place(Tile tile, int at, BodyColumns bodies, int body, ShadowScratch scratch, int to) {
         float[] t = tile.values;
         float[] frame = scratch.frame;
         FloatVector x = Lanes.all(bodies.x[body]).sub(Lanes.load(t, at + Tile.POINT_X));
@@ -62,43 +79,38 @@ final class ShadowFrame {
         along.intoArray(scratch.facts, to + ShadowScratch.ALONG);
         u.intoArray(scratch.facts, to + ShadowScratch.ACROSS_U);
         w.intoArray(scratch.facts, to + ShadowScratch.ACROSS_W);
-        return limit(t, at, body, bodies.radius[body], scratch, to);
     }
 
-    /** Writes the squared radius, or less than 0 in lanes that the sphere cannot shade. */
-    private static boolean limit(float[] t, int at, int body, float radius, ShadowScratch scratch, int to) {
-        float[] candidates = scratch.facts;
-        FloatVector along = Lanes.load(candidates, to + ShadowScratch.ALONG);
-        FloatVector u = Lanes.load(candidates, to + ShadowScratch.ACROSS_U);
-        FloatVector w = Lanes.load(candidates, to + ShadowScratch.ACROSS_W);
+    private static void limit(float[] t, int at, int body, float radius, float[] facts, int to) {
+        FloatVector along = Lanes.load(facts, to + ShadowScratch.ALONG);
+        FloatVector u = Lanes.load(facts, to + ShadowScratch.ACROSS_U);
+        FloatVector w = Lanes.load(facts, to + ShadowScratch.ACROSS_W);
         FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
         float radiusSquared = radius * radius;
-        long shades = along.compare(VectorOperators.GT, -radius)
+        VectorMask<Float> shades = along.compare(VectorOperators.GT, -radius)
                 .and(along.sub(radius).compare(VectorOperators.LT, distance.mul(RELATIVE_MARGIN)))
                 .and(along.fma(along, u.fma(u, w.mul(w))).compare(VectorOperators.GT, radiusSquared))
                 .and(Lanes.load(t, at + Tile.HIT).compare(VectorOperators.NE, body))
-                .and(Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f))
-                .toLong();
-        Lanes.all(-1f)
-                .blend(radiusSquared, VectorMask.fromLong(Lanes.FLOATS, shades))
-                .intoArray(candidates, to + ShadowScratch.RADIUS_SQUARED);
-        return (shades & ~between(t, at, radius, scratch, to)) == 0;
+                .and(Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f));
+        Lanes.all(-1f).blend(radiusSquared, shades).intoArray(facts, to + ShadowScratch.RADIUS_SQUARED);
     }
 
     /**
-     * One bit a lane where every line to the disc that meets the sphere does so between the point, which is outside, and
-     * the disc: the centre is in front of every plane through the point across such a line, and the sphere before the
-     * disc.
+     * One bit a lane that the sphere may shade, but not wholly from between the point and the disc. Between, every line
+     * to the disc that meets the sphere does so in front of the point, which is outside, and before the disc: the centre
+     * is in front of every plane through the point across such a line, and the sphere ends before the disc.
      */
-    private static long between(float[] t, int at, float radius, ShadowScratch scratch, int to) {
+    private static long across(float[] t, int at, float radius, ShadowScratch scratch, int to) {
         FloatVector along = Lanes.load(scratch.facts, to + ShadowScratch.ALONG);
         FloatVector u = Lanes.load(scratch.facts, to + ShadowScratch.ACROSS_U);
         FloatVector w = Lanes.load(scratch.facts, to + ShadowScratch.ACROSS_W);
         FloatVector widest = u.fma(u, w.mul(w)).sqrt().mul(Lanes.load(scratch.frame, ShadowScratch.SCALE));
         FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
         return along.mul(WITHIN)
-                .compare(VectorOperators.GT, widest)
-                .and(along.add(radius).compare(VectorOperators.LT, distance.mul(WITHIN)))
+                .compare(VectorOperators.LE, widest)
+                .or(along.add(radius).compare(VectorOperators.GE, distance.mul(WITHIN)))
+                .and(Lanes.load(scratch.facts, to + ShadowScratch.RADIUS_SQUARED)
+                        .compare(VectorOperators.GE, 0f))
                 .toLong();
     }
 }

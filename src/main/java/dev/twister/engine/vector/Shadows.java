@@ -10,6 +10,8 @@ final class Shadows {
     private static final PacketStage[] SAMPLING = {
         (tile, drawing, at) -> ShadowFrame.findAxes(tile, at, drawing, tile.shadow),
         (tile, drawing, at) -> ShadowFrame.placeAll(tile, at, drawing.bodies, tile.shadow),
+        (tile, drawing, at) -> ShadowFrame.limitAll(tile, at, drawing.bodies, tile.shadow),
+        (tile, drawing, at) -> ShadowFrame.judgeAll(tile, at, drawing.bodies, tile.shadow),
         (tile, drawing, at) -> ShadowConics.prepare(tile.shadow),
         (tile, drawing, at) -> count(tile, drawing, at),
         (tile, drawing, at) -> finish(tile, drawing, at),

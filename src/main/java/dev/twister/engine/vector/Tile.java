@@ -127,6 +127,7 @@ final class Tile {
     final PacketList live = new PacketList();
 
     final PacketList skies = new PacketList();
+    final PacketList lights = new PacketList();
     final PacketList grounds = new PacketList();
     final PacketList spheres = new PacketList();
     final PacketList surfaces = new PacketList();

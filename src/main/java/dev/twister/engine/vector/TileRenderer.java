@@ -14,7 +14,8 @@ final class TileRenderer {
         (tile, drawing) -> tile.rays.cull(drawing.bodies, Layout.LIGHT, tile.candidates),
         (tile, drawing) -> NearestSphere.find(tile, drawing.bodies, tile.candidates),
         (tile, drawing) -> GroundHit.find(tile, drawing.planeHeight, drawing.planeHalfSide),
-        (tile, drawing) -> HitSorting.sort(tile, drawing.bodies),
+        (tile, drawing) -> HitSorting.sort(tile),
+        (tile, drawing) -> LightHit.add(tile, drawing.bodies),
     };
 
     private static final Stage[] SKY = {

@@ -3,7 +3,6 @@ package dev.twister.engine.vector;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import com.sun.management.ThreadMXBean;
 import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
 import dev.twister.image.Frame;
@@ -17,7 +16,6 @@ import dev.twister.scene.ToneMap;
 import dev.twister.sky.SkyboxReader;
 import dev.twister.world.FrameInput;
 import dev.twister.world.World;
-import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -163,31 +161,6 @@ final class VectorEngineTest {
             }
         }
     }
-
-    /** Once the compiler is done; until then vectors are objects. */
-    @Test
-    void allocatesNextToNothingInAWarmFrame() {
-        World world = shipped("benchmark");
-        world.setSettings(world.settings().withSize(640, 360));
-        FrameInput input = world.snapshot();
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        try (Engine vector = VectorEngines.open(2)) {
-            Frame frame = Frame.ofPixels(input.width(), input.rows());
-            long allocated = Long.MAX_VALUE;
-            long until = System.nanoTime() + 60_000_000_000L;
-            while (allocated > BYTES_A_FRAME && System.nanoTime() < until) {
-                long before = threads.getTotalThreadAllocatedBytes();
-                for (int i = 0; i < 20; i++) {
-                    vector.render(input, frame);
-                }
-                allocated = (threads.getTotalThreadAllocatedBytes() - before) / 20;
-            }
-            assertThat(allocated).isLessThanOrEqualTo(BYTES_A_FRAME);
-        }
-    }
-
-    /** Boxed vectors would be megabytes. */
-    private static final long BYTES_A_FRAME = 16_384;
 
     private static void assertSame(int bits, FrameInput input) {
         try (Engine sequential = Engines.open("sequential");

@@ -1,0 +1,30 @@
+package dev.twister.engine.vector;
+
+import dev.twister.kernel.Layout;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorOperators;
+
+/** The light where it is met: its own colour, unshaded. */
+final class LightHit {
+    private LightHit() {}
+
+    static void add(Tile tile, BodyColumns bodies) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.lights.count; k++) {
+            int at = tile.lights.places[k];
+            FloatVector throughput = Lanes.all(0f)
+                    .blend(
+                            Lanes.load(t, at + Tile.THROUGHPUT),
+                            Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.LIGHT));
+            throughput
+                    .fma(Lanes.all(bodies.red[Layout.LIGHT]), Lanes.load(t, at + Tile.RED))
+                    .intoArray(t, at + Tile.RED);
+            throughput
+                    .fma(Lanes.all(bodies.green[Layout.LIGHT]), Lanes.load(t, at + Tile.GREEN))
+                    .intoArray(t, at + Tile.GREEN);
+            throughput
+                    .fma(Lanes.all(bodies.blue[Layout.LIGHT]), Lanes.load(t, at + Tile.BLUE))
+                    .intoArray(t, at + Tile.BLUE);
+        }
+    }
+}

@@ -1,0 +1,79 @@
+package dev.twister.engine.vector;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.sun.management.ThreadMXBean;
+import dev.twister.engine.Engine;
+import dev.twister.image.Frame;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneReader;
+import dev.twister.sky.SkyboxReader;
+import dev.twister.world.FrameInput;
+import dev.twister.world.World;
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Whether a warm frame allocates. Each width has a JVM of its own, as a user's has: one that has seen several widths
+ * compiles worse.
+ */
+final class AllocationTest {
+    /** The frame's times, and what the JVM does beside; boxed vectors would be megabytes. */
+    private static final long BYTES_A_FRAME = 16_384;
+
+    /** At which it is not warming up but failing. */
+    private static final long MOST_NANOS = 60_000_000_000L;
+
+    private static final int FRAMES = 20;
+
+    @ParameterizedTest
+    @ValueSource(ints = {128, 256, 512})
+    void allocatesNextToNothingInAWarmFrame(int bits) throws IOException, InterruptedException {
+        Process java = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "--add-modules=jdk.incubator.vector",
+                        "-D" + Lanes.BITS_PROPERTY + "=" + bits,
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        WarmFrames.class.getName())
+                .redirectErrorStream(true)
+                .start();
+        String output = new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertThat(java.waitFor()).as(output).isZero();
+    }
+
+    /** Draws until frames allocate next to nothing, and fails where that does not happen. */
+    static final class WarmFrames {
+        private WarmFrames() {}
+
+        public static void main(String[] arguments) {
+            Scene scene = SceneReader.read(Path.of("scenes", "benchmark.json"));
+            World world = World.of(scene, SkyboxReader.read(scene.skybox()));
+            world.setSettings(world.settings().withSize(640, 360));
+            FrameInput input = world.snapshot();
+            Frame frame = Frame.ofPixels(input.width(), input.rows());
+            try (Engine vector = VectorEngines.open(2)) {
+                long allocated = Long.MAX_VALUE;
+                long start = System.nanoTime();
+                while (allocated > BYTES_A_FRAME && System.nanoTime() - start < MOST_NANOS) {
+                    allocated = bytesAFrame(vector, input, frame);
+                }
+                System.out.println(allocated + " bytes a frame");
+                System.exit(allocated > BYTES_A_FRAME ? 1 : 0);
+            }
+        }
+
+        private static long bytesAFrame(Engine vector, FrameInput input, Frame frame) {
+            ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+            long before = threads.getTotalThreadAllocatedBytes();
+            for (int i = 0; i < FRAMES; i++) {
+                vector.render(input, frame);
+            }
+            return (threads.getTotalThreadAllocatedBytes() - before) / FRAMES;
+        }
+    }
+}
