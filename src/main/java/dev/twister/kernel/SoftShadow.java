@@ -23,12 +23,12 @@ public final class SoftShadow {
     public static final int SCRATCH_LENGTH = REMEMBERED * STRIDE;
 
     /** Culling must err on one side only: this much is added to a reach, so that rounding never drops a blocker. */
-    private static final float RELATIVE_MARGIN = 1.0005f;
+    public static final float RELATIVE_MARGIN = 1.0005f;
 
-    private static final float ABSOLUTE_MARGIN = 1.0e-5f;
+    public static final float ABSOLUTE_MARGIN = 1.0e-5f;
 
     /** And this much is asked more of a sphere that is to hide the whole disc without a look at the samples. */
-    private static final float UMBRA_MARGIN = 0.999f;
+    public static final float UMBRA_MARGIN = 0.999f;
 
     private SoftShadow() {}
 

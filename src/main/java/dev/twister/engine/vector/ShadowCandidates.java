@@ -1,14 +1,12 @@
 package dev.twister.engine.vector;
 
+import dev.twister.kernel.SoftShadow;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Which spheres may come between a packet's points and the light's disc: {@link dev.twister.kernel.SoftShadow}'s culling. */
+/** Which spheres may come between a packet's points and the light's disc: {@link SoftShadow}'s culling. */
 final class ShadowCandidates {
-    private static final float RELATIVE_MARGIN = 1.0005f;
-    private static final float ABSOLUTE_MARGIN = 1e-5f;
-    private static final float UMBRA_MARGIN = 0.999f;
 
     private ShadowCandidates() {}
 
@@ -78,15 +76,15 @@ final class ShadowCandidates {
         FloatVector acrossZ = z.sub(along.mul(Lanes.load(t, at + Tile.TO_LIGHT_Z)));
         FloatVector across = acrossX.fma(acrossX, acrossY.fma(acrossY, acrossZ.mul(acrossZ)));
         FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
-        FloatVector margin = along.abs().add(distance).add(radius).mul(ABSOLUTE_MARGIN);
+        FloatVector margin = along.abs().add(distance).add(radius).mul(SoftShadow.ABSOLUTE_MARGIN);
         FloatVector reach = along.fma(
                         Lanes.load(t, at + Tile.DISC_TANGENT),
                         Lanes.load(t, at + Tile.DISC_SECANT).mul(radius))
-                .fma(Lanes.all(RELATIVE_MARGIN), margin);
+                .fma(Lanes.all(SoftShadow.RELATIVE_MARGIN), margin);
         return reach.compare(VectorOperators.GT, 0f)
                 .and(across.compare(VectorOperators.LE, reach.mul(reach)))
                 .and(along.compare(VectorOperators.GT, -radius))
-                .and(along.sub(radius).compare(VectorOperators.LT, distance.mul(RELATIVE_MARGIN)))
+                .and(along.sub(radius).compare(VectorOperators.LT, distance.mul(SoftShadow.RELATIVE_MARGIN)))
                 .toLong();
     }
 
@@ -124,9 +122,10 @@ final class ShadowCandidates {
         FloatVector secant = Lanes.load(t, at + Tile.DISC_SECANT);
         FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
         return along.compare(VectorOperators.GT, radius)
-                .and(along.add(radius).compare(VectorOperators.LT, distance.mul(UMBRA_MARGIN)))
+                .and(along.add(radius).compare(VectorOperators.LT, distance.mul(SoftShadow.UMBRA_MARGIN)))
                 .and(along.compare(VectorOperators.GT, perpendicular.mul(tangent)))
-                .and(along.fma(tangent, perpendicular).compare(VectorOperators.LE, secant.mul(radius * UMBRA_MARGIN)))
+                .and(along.fma(tangent, perpendicular)
+                        .compare(VectorOperators.LE, secant.mul(radius * SoftShadow.UMBRA_MARGIN)))
                 .toLong();
     }
 }

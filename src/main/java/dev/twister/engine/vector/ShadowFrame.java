@@ -1,12 +1,12 @@
 package dev.twister.engine.vector;
 
+import dev.twister.kernel.SoftShadow;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Candidates as a packet's points see them, in the frame of {@link dev.twister.kernel.SoftShadow}. */
+/** Candidates as a packet's points see them, in the frame of {@link SoftShadow}. */
 final class ShadowFrame {
-    private static final float RELATIVE_MARGIN = 1.0005f;
     private static final float WITHIN = 0.9995f;
 
     private ShadowFrame() {}
@@ -88,7 +88,7 @@ final class ShadowFrame {
         FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
         float radiusSquared = radius * radius;
         VectorMask<Float> shades = along.compare(VectorOperators.GT, -radius)
-                .and(along.sub(radius).compare(VectorOperators.LT, distance.mul(RELATIVE_MARGIN)))
+                .and(along.sub(radius).compare(VectorOperators.LT, distance.mul(SoftShadow.RELATIVE_MARGIN)))
                 .and(along.fma(along, u.fma(u, w.mul(w))).compare(VectorOperators.GT, radiusSquared))
                 .and(Lanes.load(t, at + Tile.HIT).compare(VectorOperators.NE, body))
                 .and(Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f));
