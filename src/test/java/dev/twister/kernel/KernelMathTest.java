@@ -20,7 +20,7 @@ class KernelMathTest {
         assertThat(KernelMath.floor(x)).isEqualTo(floor);
     }
 
-    @Property
+    @Property(seed = "20261121")
     void floorIsStrictMaths(@ForAll @FloatRange(min = -1e9f, max = 1e9f) float x) {
         assertThat(KernelMath.floor(x)).isEqualTo((int) StrictMath.floor(x));
     }
@@ -30,7 +30,7 @@ class KernelMathTest {
         assertThat(KernelMath.inverseRoot(0f)).isZero();
     }
 
-    @Property
+    @Property(seed = "20261121")
     void inverseRootIsStrictMaths(@ForAll @DoubleRange(min = -30, max = 30) double logarithm) {
         float squared = (float) Math.pow(10, logarithm);
         double expected = 1 / StrictMath.sqrt(squared);
@@ -50,14 +50,14 @@ class KernelMathTest {
         assertThat(largest).isLessThan(4e-5);
     }
 
-    @Property
+    @Property(seed = "20261121")
     void powKeepsItsBoundAtSmallBases(
             @ForAll @DoubleRange(min = -30, max = 0) double logarithm,
             @ForAll @FloatRange(min = 0f, max = 128f) float exponent) {
         assertThat(powError((float) Math.pow(10, logarithm), exponent)).isLessThan(4e-5);
     }
 
-    @Property
+    @Property(seed = "20261121")
     void powKeepsItsBoundAtFractions(
             @ForAll @DoubleRange(min = -30, max = 0) double logarithm,
             @ForAll @FloatRange(min = 0f, max = 1f) float exponent) {

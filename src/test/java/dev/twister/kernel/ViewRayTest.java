@@ -8,13 +8,13 @@ import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
 class ViewRayTest {
-    @Property
+    @Property(seed = "20261121")
     void middleColumnOfAnEvenWidthIsExactlyZero(
             @ForAll @IntRange(min = 1, max = 8192) int halfWidth, @ForAll @IntRange(min = 1, max = 16384) int height) {
         assertThat(ViewRay.u(halfWidth, 2 * halfWidth, height)).isZero();
     }
 
-    @Property
+    @Property(seed = "20261121")
     void middleRowOfAnEvenHeightIsExactlyZero(
             @ForAll @IntRange(min = 1, max = 16384) int width, @ForAll @IntRange(min = 1, max = 8192) int halfHeight) {
         assertThat(ViewRay.v(halfHeight, width, 2 * halfHeight)).isZero();

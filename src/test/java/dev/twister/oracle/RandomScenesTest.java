@@ -32,17 +32,17 @@ class RandomScenesTest {
         return RandomScenes.ofManyBounces();
     }
 
-    @Property(tries = 250, shrinking = ShrinkingMode.OFF)
+    @Property(seed = "20261121", tries = 250, shrinking = ShrinkingMode.OFF)
     void shortcutsDrawWhatTheOracleDraws(@ForAll("fewBounces") LitScene random) {
         judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, random.scene(), random.sky()), random.scene(), random.sky());
     }
 
-    @Property(tries = 100, shrinking = ShrinkingMode.OFF)
+    @Property(seed = "20261121", tries = 100, shrinking = ShrinkingMode.OFF)
     void plainEquationsDrawWhatTheOracleDraws(@ForAll("fewBounces") LitScene random) {
         judge.judge(Pictures.argb(JvmEngines.PLAIN, random.scene(), random.sky()), random.scene(), random.sky());
     }
 
-    @Property(tries = 100, shrinking = ShrinkingMode.OFF)
+    @Property(seed = "20261121", tries = 100, shrinking = ShrinkingMode.OFF)
     void shortcutsDrawWhatThePlainEquationsDraw(@ForAll("fewBounces") LitScene random) {
         judge.judgeAgainst(
                 Pictures.argb(JvmEngines.PLAIN, random.scene(), random.sky()),
@@ -51,7 +51,7 @@ class RandomScenesTest {
                 random.sky());
     }
 
-    @Property(tries = 150, shrinking = ShrinkingMode.OFF)
+    @Property(seed = "20261121", tries = 150, shrinking = ShrinkingMode.OFF)
     void manyBouncesAreWhatTheOracleDraws(@ForAll("manyBounces") LitScene random) {
         pixelsAnExcuse = MANY_BOUNCES_PIXELS_AN_EXCUSE;
         judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, random.scene(), random.sky()), random.scene(), random.sky());
