@@ -5,15 +5,20 @@ import java.math.BigDecimal;
 /**
  * The numbers that a field may have, both ends inside.
  *
- * @param unit what is counted, for the message; may be empty
+ * @param unit what is counted, for a person; may be empty
  */
-record Range(double min, double max, String unit) {
-    Range(double min, double max) {
+public record Range(double min, double max, String unit) {
+    public Range(double min, double max) {
         this(min, max, "");
     }
 
-    boolean contains(double number) {
+    public boolean contains(double number) {
         return number >= min && number <= max;
+    }
+
+    /** The number, or the end that it lies beyond; NaN stays NaN. */
+    public double clamp(double number) {
+        return Math.min(max, Math.max(min, number));
     }
 
     /** {@code from -90 to 90 degrees}. */

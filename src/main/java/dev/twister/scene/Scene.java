@@ -29,4 +29,24 @@ public record Scene(
     public Scene {
         spheres = List.copyOf(spheres);
     }
+
+    public Scene withCamera(Camera newCamera) {
+        return new Scene(name, description, newCamera, light, plane, spheres, skybox, ambient, settings);
+    }
+
+    public Scene withLight(Light newLight) {
+        return new Scene(name, description, camera, newLight, plane, spheres, skybox, ambient, settings);
+    }
+
+    public Scene withSpheres(List<Sphere> newSpheres) {
+        return new Scene(name, description, camera, light, plane, newSpheres, skybox, ambient, settings);
+    }
+
+    public Scene withSkybox(Path newSkybox) {
+        return new Scene(name, description, camera, light, plane, spheres, newSkybox, ambient, settings);
+    }
+
+    public Scene withSettings(RenderSettings newSettings) {
+        return new Scene(name, description, camera, light, plane, spheres, skybox, ambient, newSettings);
+    }
 }

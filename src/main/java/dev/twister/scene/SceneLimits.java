@@ -1,31 +1,31 @@
 package dev.twister.scene;
 
 /** The values that a scene file may have. {@code scenes/scene.schema.json} says the same to editors. */
-final class SceneLimits {
+public final class SceneLimits {
     /** Keeps every position, and its square, far from where floats overflow or lose metres. */
-    static final Range POSITION = new Range(-1e6, 1e6, "metres");
+    public static final Range POSITION = new Range(-1e6, 1e6, "metres");
 
     /** Above 0, so that no normal is divided by 0. */
-    static final Range LENGTH = new Range(1e-6, 1e6, "metres");
+    public static final Range LENGTH = new Range(1e-6, 1e6, "metres");
 
-    static final Range YAW = new Range(-1e6, 1e6, "degrees");
-    static final Range PITCH = new Range(-90, 90, "degrees");
-    static final Range FIELD_OF_VIEW = new Range(1, 179, "degrees");
-    static final Range ALBEDO = new Range(0, 1);
-    static final Range RADIANCE = new Range(0, 1e6);
-    static final Range REFLECTIVITY = new Range(0, 128);
-    static final Range AMBIENT = new Range(0, 1);
-    static final Range SIDE = new Range(1, RenderSettings.MAX_SIDE, "pixels");
-    static final Range SHADOW_SAMPLES = new Range(1, RenderSettings.MAX_SHADOW_SAMPLES);
-    static final Range BOUNCES = new Range(0, RenderSettings.MAX_BOUNCES);
-    static final Range SAMPLES_PER_PIXEL = new Range(1, RenderSettings.MAX_SAMPLES_PER_PIXEL);
-    static final Range EXPOSURE =
+    public static final Range YAW = new Range(-1e6, 1e6, "degrees");
+    public static final Range PITCH = new Range(-90, 90, "degrees");
+    public static final Range FIELD_OF_VIEW = new Range(1, 179, "degrees");
+    public static final Range ALBEDO = new Range(0, 1);
+    public static final Range RADIANCE = new Range(0, 1e6);
+    public static final Range REFLECTIVITY = new Range(0, 128);
+    public static final Range AMBIENT = new Range(0, 1);
+    public static final Range SIDE = new Range(1, RenderSettings.MAX_SIDE, "pixels");
+    public static final Range SHADOW_SAMPLES = new Range(1, RenderSettings.MAX_SHADOW_SAMPLES);
+    public static final Range BOUNCES = new Range(0, RenderSettings.MAX_BOUNCES);
+    public static final Range SAMPLES_PER_PIXEL = new Range(1, RenderSettings.MAX_SAMPLES_PER_PIXEL);
+    public static final Range EXPOSURE =
             new Range(-RenderSettings.MAX_EXPOSURE_STOPS, RenderSettings.MAX_EXPOSURE_STOPS, "stops");
 
-    static final int MAX_SPHERES = 500_000;
-    static final int MAX_NAME_LENGTH = 200;
-    static final int MAX_DESCRIPTION_LENGTH = 2000;
-    static final int MAX_PATH_LENGTH = 1000;
+    public static final int MAX_SPHERES = 500_000;
+    public static final int MAX_NAME_LENGTH = 200;
+    public static final int MAX_DESCRIPTION_LENGTH = 2000;
+    public static final int MAX_PATH_LENGTH = 1000;
 
     private SceneLimits() {}
 }

@@ -88,4 +88,34 @@ public record FrameInput(
                 shadowDisc,
                 pixelOffsets);
     }
+
+    /**
+     * The same picture by other samples: as many of the sequence that a pixel's samples are taken from, beginning with
+     * that one. Runs that follow each other, each weighed by its samples, come to the picture with as many samples in one.
+     *
+     * @throws IllegalArgumentException where there is no sample, or a place below 0
+     */
+    public FrameInput withSamples(int first, int samples) {
+        if (first < 0 || samples < 1) {
+            throw new IllegalArgumentException(samples + " samples from " + first);
+        }
+        float[] properties = rayTracingProperties.clone();
+        properties[Layout.PIXEL_SAMPLES] = samples;
+        return new FrameInput(
+                dimensions,
+                camera,
+                properties,
+                bodyPositions,
+                bodySizes,
+                bodyColors,
+                bodyReflectivities,
+                skybox,
+                skyboxDimensions,
+                shadowDisc,
+                PixelOffsets.places(first, samples));
+    }
+
+    public int samplesPerPixel() {
+        return (int) rayTracingProperties[Layout.PIXEL_SAMPLES];
+    }
 }

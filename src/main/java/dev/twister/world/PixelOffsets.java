@@ -9,12 +9,15 @@ final class PixelOffsets {
 
     /** {@code 2 * count} floats in [0, 1): x and y of each sample. A single sample is the pixel's corner. */
     static float[] places(int count) {
+        return count == 1 ? new float[2] : places(0, count);
+    }
+
+    /** As many of the sequence's places, from that one on: runs that follow each other are those of one long run. */
+    static float[] places(int first, int count) {
         float[] places = new float[2 * count];
-        if (count > 1) {
-            for (int i = 0; i < count; i++) {
-                places[2 * i] = fraction(0.5 + i / PLASTIC);
-                places[2 * i + 1] = fraction(0.5 + i / (PLASTIC * PLASTIC));
-            }
+        for (int i = 0; i < count; i++) {
+            places[2 * i] = fraction(0.5 + (first + i) / PLASTIC);
+            places[2 * i + 1] = fraction(0.5 + (first + i) / (PLASTIC * PLASTIC));
         }
         return places;
     }

@@ -39,4 +39,23 @@ class FrameInputTest {
         assertThat(whole.shadowSamples()).isEqualTo(5);
         assertThat(whole.bounces()).isEqualTo(6);
     }
+
+    @Test
+    void runsOfSamplesFollowEachOther() {
+        FrameInput start = whole.withSamples(0, 2);
+        FrameInput rest = whole.withSamples(2, 3);
+        FrameInput all = whole.withSamples(0, 5);
+        assertThat(all.samplesPerPixel()).isEqualTo(5);
+        assertThat(all.pixelOffsets())
+                .startsWith(start.pixelOffsets())
+                .endsWith(rest.pixelOffsets())
+                .isEqualTo(PixelOffsets.places(5));
+        assertThat(all.camera()).isSameAs(whole.camera());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"-1, 5", "0, 0", "3, -1"})
+    void samplesThatAreNoneAreRefused(int first, int samples) {
+        assertThatThrownBy(() -> whole.withSamples(first, samples)).isInstanceOf(IllegalArgumentException.class);
+    }
 }
