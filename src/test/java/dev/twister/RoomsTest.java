@@ -36,7 +36,7 @@ class RoomsTest {
                 room("scene"),
                 room("sky"),
                 room("image"),
-                room("physics", "world"),
+                room("physics", "scene", "world"),
                 room("engine", "kernel", "world", "image"),
                 room("engine.tornado", "kernel", "world", "image", "engine"),
                 room("engine.vector", "kernel", "world", "image", "engine"),

@@ -2,14 +2,19 @@ package dev.twister.scene;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * What a scene file says.
  *
  * @param name a short title, may be empty
  * @param description a sentence for a person, may be empty
+ * @param spheres those that are there from the start
  * @param skybox the panorama's file, already resolved against the scene file's folder
  * @param ambient the ambient strength a in [0, 1], {@value #DEFAULT_AMBIENT} where the file is silent
+ * @param physics how bodies move, where they do
+ * @param pour spheres that come one after the other while bodies move
  */
 public record Scene(
         String name,
@@ -20,7 +25,9 @@ public record Scene(
         List<Sphere> spheres,
         Path skybox,
         double ambient,
-        RenderSettings settings) {
+        RenderSettings settings,
+        Physics physics,
+        Optional<Pour> pour) {
     /** The version of the file format that this program reads and writes. */
     public static final int VERSION = 1;
 
@@ -30,23 +37,74 @@ public record Scene(
         spheres = List.copyOf(spheres);
     }
 
+    /** A scene whose bodies move by default, if they do, and where nothing is poured. */
+    public Scene(
+            String name,
+            String description,
+            Camera camera,
+            Light light,
+            Plane plane,
+            List<Sphere> spheres,
+            Path skybox,
+            double ambient,
+            RenderSettings settings) {
+        this(
+                name,
+                description,
+                camera,
+                light,
+                plane,
+                spheres,
+                skybox,
+                ambient,
+                settings,
+                Physics.DEFAULT,
+                Optional.empty());
+    }
+
+    /** The spheres that are there from the start, then those that are poured, in the order in which they come. */
+    public List<Sphere> allSpheres() {
+        return pour.map(coming -> Stream.concat(spheres.stream(), coming.spheres().stream())
+                        .toList())
+                .orElse(spheres);
+    }
+
     public Scene withCamera(Camera newCamera) {
-        return new Scene(name, description, newCamera, light, plane, spheres, skybox, ambient, settings);
+        return new Scene(name, description, newCamera, light, plane, spheres, skybox, ambient, settings, physics, pour);
     }
 
     public Scene withLight(Light newLight) {
-        return new Scene(name, description, camera, newLight, plane, spheres, skybox, ambient, settings);
+        return new Scene(name, description, camera, newLight, plane, spheres, skybox, ambient, settings, physics, pour);
     }
 
     public Scene withSpheres(List<Sphere> newSpheres) {
-        return new Scene(name, description, camera, light, plane, newSpheres, skybox, ambient, settings);
+        return new Scene(name, description, camera, light, plane, newSpheres, skybox, ambient, settings, physics, pour);
     }
 
     public Scene withSkybox(Path newSkybox) {
-        return new Scene(name, description, camera, light, plane, spheres, newSkybox, ambient, settings);
+        return new Scene(name, description, camera, light, plane, spheres, newSkybox, ambient, settings, physics, pour);
     }
 
     public Scene withSettings(RenderSettings newSettings) {
-        return new Scene(name, description, camera, light, plane, spheres, skybox, ambient, newSettings);
+        return new Scene(name, description, camera, light, plane, spheres, skybox, ambient, newSettings, physics, pour);
+    }
+
+    public Scene withPhysics(Physics newPhysics) {
+        return new Scene(name, description, camera, light, plane, spheres, skybox, ambient, settings, newPhysics, pour);
+    }
+
+    public Scene withPour(Pour newPour) {
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                plane,
+                spheres,
+                skybox,
+                ambient,
+                settings,
+                physics,
+                Optional.of(newPour));
     }
 }

@@ -7,7 +7,8 @@ import java.util.List;
 /** Builds a scene from a file's text. */
 final class SceneDocument {
     private static final List<String> REQUIRED = List.of("version", "camera", "light", "plane", "spheres", "skybox");
-    private static final List<String> OPTIONAL = List.of("$schema", "name", "description", "shading", "rendering");
+    private static final List<String> OPTIONAL =
+            List.of("$schema", "name", "description", "shading", "rendering", "physics", "pour");
 
     /** Looks at the skybox's file, and throws the place's failure if it will not do. */
     interface SkyboxCheck {
@@ -27,16 +28,19 @@ final class SceneDocument {
         fields.find("version").ifPresent(SceneDocument::checkVersion);
         fields.check(REQUIRED, OPTIONAL);
         fields.find("$schema").ifPresent(place -> place.text(0, SceneLimits.MAX_PATH_LENGTH));
+        List<Sphere> spheres = SceneParts.spheres(fields.get("spheres"));
         return new Scene(
                 text(fields, "name", SceneLimits.MAX_NAME_LENGTH),
                 text(fields, "description", SceneLimits.MAX_DESCRIPTION_LENGTH),
                 SceneParts.camera(fields.get("camera")),
                 SceneParts.light(fields.get("light")),
                 SceneParts.plane(fields.get("plane")),
-                SceneParts.spheres(fields.get("spheres")),
+                spheres,
                 skybox(fields.get("skybox"), folder, skyboxCheck),
                 fields.find("shading").map(SceneDocument::ambient).orElse(Scene.DEFAULT_AMBIENT),
-                fields.find("rendering").map(SceneParts::settings).orElse(RenderSettings.DEFAULT));
+                fields.find("rendering").map(SceneParts::settings).orElse(RenderSettings.DEFAULT),
+                fields.find("physics").map(MotionParts::physics).orElse(Physics.DEFAULT),
+                fields.find("pour").map(place -> MotionParts.pour(place, spheres.size())));
     }
 
     private static void checkVersion(Place place) {

@@ -22,6 +22,14 @@ public final class SceneLimits {
     public static final Range EXPOSURE =
             new Range(-RenderSettings.MAX_EXPOSURE_STOPS, RenderSettings.MAX_EXPOSURE_STOPS, "stops");
 
+    public static final Range GRAVITY = new Range(-1000, 1000, "m/s^2");
+    public static final Range ELASTICITY = new Range(0, 1);
+    public static final Range FRICTION = new Range(0, 10);
+    public static final Range DAMPING = new Range(0, 100, "1/s");
+    public static final Range POUR_RATE = new Range(1e-3, 1e6, "spheres a second");
+    public static final Range POUR_SPEED = new Range(1e-3, 100, "m/s");
+    public static final Range SEED = new Range(0, Integer.MAX_VALUE);
+
     public static final int MAX_SPHERES = 500_000;
     public static final int MAX_NAME_LENGTH = 200;
     public static final int MAX_DESCRIPTION_LENGTH = 2000;

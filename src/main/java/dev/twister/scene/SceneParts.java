@@ -12,7 +12,7 @@ final class SceneParts {
     static Camera camera(Place place) {
         Fields fields = place.fields().check(List.of("position", "yaw", "pitch", "fieldOfView"));
         return new Camera(
-                position(fields.get("position")),
+                fields.get("position").vector(SceneLimits.POSITION),
                 fields.get("yaw").number(SceneLimits.YAW),
                 fields.get("pitch").number(SceneLimits.PITCH),
                 fields.get("fieldOfView").number(SceneLimits.FIELD_OF_VIEW));
@@ -21,7 +21,7 @@ final class SceneParts {
     static Light light(Place place) {
         Fields fields = place.fields().check(List.of("position", "radius", "color"));
         return new Light(
-                position(fields.get("position")),
+                fields.get("position").vector(SceneLimits.POSITION),
                 fields.get("radius").number(SceneLimits.LENGTH),
                 color(fields.get("color"), SceneLimits.RADIANCE));
     }
@@ -62,16 +62,10 @@ final class SceneParts {
     private static Sphere sphere(Place place) {
         Fields fields = place.fields().check(List.of("position", "radius", "color", "reflectivity"));
         return new Sphere(
-                position(fields.get("position")),
+                fields.get("position").vector(SceneLimits.POSITION),
                 fields.get("radius").number(SceneLimits.LENGTH),
                 color(fields.get("color"), SceneLimits.ALBEDO),
                 fields.get("reflectivity").number(SceneLimits.REFLECTIVITY));
-    }
-
-    private static Vector3 position(Place place) {
-        List<Double> axes =
-                place.items(3, 3, "an array of 3 numbers [x, y, z]", item -> item.number(SceneLimits.POSITION));
-        return new Vector3(axes.get(0), axes.get(1), axes.get(2));
     }
 
     private static Rgb color(Place place, Range range) {

@@ -33,6 +33,10 @@ final class SceneText {
         members.add(member("skybox", string(skybox)));
         members.add(member("shading", object(member("ambient", number(scene.ambient())))));
         members.add(member("rendering", settings(scene.settings())));
+        if (!scene.physics().equals(Physics.DEFAULT)) {
+            members.add(member("physics", physics(scene.physics())));
+        }
+        scene.pour().ifPresent(pour -> members.add(member("pour", pour(pour))));
         members.add(member("spheres", spheres(scene.spheres())));
         return "{\n  " + String.join(",\n  ", members) + "\n}\n";
     }
@@ -70,6 +74,29 @@ final class SceneText {
                 member("exposure", number(settings.exposure())),
                 member("toneMap", string(ToneMapNames.of(settings.toneMap()))),
                 member("srgb", String.valueOf(settings.srgb())));
+    }
+
+    private static String physics(Physics physics) {
+        return object(
+                member("gravity", vector(physics.gravity())),
+                member("elasticity", number(physics.elasticity())),
+                member("friction", number(physics.friction())),
+                member("damping", number(physics.damping())),
+                member("walls", String.valueOf(physics.walls())),
+                member("solidLight", String.valueOf(physics.solidLight())));
+    }
+
+    private static String pour(Pour pour) {
+        return object(
+                member("count", String.valueOf(pour.count())),
+                member("rate", number(pour.rate())),
+                member("position", vector(pour.position())),
+                member("width", number(pour.width())),
+                member("speed", number(pour.speed())),
+                member("radius", array(number(pour.minRadius()), number(pour.maxRadius()))),
+                member("palette", string(PaletteNames.of(pour.palette()))),
+                member("reflectivity", number(pour.reflectivity())),
+                member("seed", String.valueOf(pour.seed())));
     }
 
     private static String spheres(List<Sphere> spheres) {

@@ -15,10 +15,10 @@ final class SphereVortex {
     static final double MIRROR_RADIUS = 4.5;
 
     private static final double HOLE_RADIUS = 6.5;
-    private static final double GOLDEN_ANGLE = Math.PI * (3 - StrictMath.sqrt(5));
+    static final double GOLDEN_ANGLE = Math.PI * (3 - StrictMath.sqrt(5));
 
     /** Neighbours are more than 1.5 spacings apart, found by trying all; half of that, less a gap, is the most. */
-    private static final double MAX_RADIUS_IN_SPACINGS = 0.72;
+    static final double MAX_RADIUS_IN_SPACINGS = 0.72;
 
     private final int count;
     private final double spacing;

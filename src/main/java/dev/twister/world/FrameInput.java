@@ -5,16 +5,18 @@ import dev.twister.kernel.Layout;
 /**
  * A snapshot of the world as the flat arrays that the kernel reads; {@link Layout} has the places in them.
  *
+ * <p>The bodies' arrays have room for all that a scene may come to have; the first {@link #bodies} of them are there.
+ *
  * <p>No array changes once it is in a snapshot: a world that moves on makes new ones and keeps those that still hold.
  * So an engine may know by the array's identity that what it holds (on a device, say) is still right.
  *
- * @param dimensions {@code int[5]}: width and height of the picture in pixels, first row and number of rows to draw, bodies
+ * @param dimensions {@code int[5]}: width and height of the picture in pixels, first row and number of rows to draw, bodies that are there
  * @param camera {@code float[13]}: position, right, up, forward, eye distance
  * @param rayTracingProperties {@code float[10]}
- * @param bodyPositions {@code float[3 * bodies]}: centres; the plane's is (0, height, 0)
- * @param bodySizes {@code float[bodies]}: radii; the plane's side
- * @param bodyColors {@code float[3 * bodies]}: albedos; the light's radiance; the plane's first colour
- * @param bodyReflectivities {@code float[bodies]}: in [0, 128]
+ * @param bodyPositions {@code float[3 * room]}: centres; the plane's is (0, height, 0)
+ * @param bodySizes {@code float[room]}: radii; the plane's side
+ * @param bodyColors {@code float[3 * room]}: albedos; the light's radiance; the plane's first colour
+ * @param bodyReflectivities {@code float[room]}: in [0, 128]
  * @param skybox {@code float[3 * width * height]}: linear radiance, row by row from the top
  * @param skyboxDimensions {@code int[2]}: width, height in texels
  * @param shadowDisc {@code float[2 * shadowSamples]}: the unit sunflower's points, {@code sqrt(i / n)} from the centre
@@ -50,9 +52,9 @@ public record FrameInput(
         return dimensions[Layout.ROWS];
     }
 
-    /** Light, plane and spheres together. */
+    /** Light, plane and spheres together, as many as are there now. */
     public int bodies() {
-        return bodySizes.length;
+        return dimensions[Layout.BODIES];
     }
 
     public int shadowSamples() {

@@ -12,6 +12,7 @@ import dev.twister.scene.Sphere;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
+import java.util.List;
 
 /**
  * The living state between frames: what a scene said, as it is now. Used by one thread; engines see snapshots.
@@ -19,29 +20,32 @@ import dev.twister.sky.Skybox;
 public final class World {
     private final int[] skyboxDimensions;
     private final float[] skybox;
-    private final float[] bodyPositions;
     private final float[] bodySizes;
     private final float[] bodyColors;
     private final float[] bodyReflectivities;
     private final Rgb planeOddColor;
     private final double ambient;
+    private float[] bodyPositions;
+    private int bodies;
     private Camera camera;
     private RenderSettings settings;
     private float[] shadowDisc;
     private float[] pixelOffsets;
 
     private World(Scene scene, Skybox sky) {
-        int bodies = Layout.FIRST_SPHERE + scene.spheres().size();
-        bodyPositions = new float[3 * bodies];
-        bodySizes = new float[bodies];
-        bodyColors = new float[3 * bodies];
-        bodyReflectivities = new float[bodies];
+        List<Sphere> spheres = scene.allSpheres();
+        bodies = Layout.FIRST_SPHERE + scene.spheres().size();
+        int room = Layout.FIRST_SPHERE + spheres.size();
+        bodyPositions = new float[3 * room];
+        bodySizes = new float[room];
+        bodyColors = new float[3 * room];
+        bodyReflectivities = new float[room];
         Light light = scene.light();
         put(Layout.LIGHT, light.position(), light.radius(), light.color(), 0);
         Plane plane = scene.plane();
         put(Layout.PLANE, new Vector3(0, plane.height(), 0), plane.size(), plane.evenColor(), plane.reflectivity());
         int body = Layout.FIRST_SPHERE;
-        for (Sphere sphere : scene.spheres()) {
+        for (Sphere sphere : spheres) {
             put(body++, sphere.position(), sphere.radius(), sphere.color(), sphere.reflectivity());
         }
         planeOddColor = plane.oddColor();
@@ -56,6 +60,7 @@ public final class World {
         pixelOffsets = PixelOffsets.places(settings.samplesPerPixel());
     }
 
+    /** The world at the start, when nothing has been poured yet. */
     public static World of(Scene scene, Skybox sky) {
         return new World(scene, sky);
     }
@@ -82,6 +87,25 @@ public final class World {
         settings = newSettings;
     }
 
+    /**
+     * Moves the bodies.
+     *
+     * @param positions {@code float[3 * room]}, laid out as {@link FrameInput#bodyPositions}: the light's and the plane's
+     *     places too, then those of all spheres, poured or not; taken over, nobody may write to it any more
+     * @param newBodies how many of them are there, light and plane included
+     * @throws IllegalArgumentException where the length is another one, or there cannot be so many bodies
+     */
+    public void setBodyPositions(float[] positions, int newBodies) {
+        if (positions.length != bodyPositions.length) {
+            throw new IllegalArgumentException(positions.length + " coordinates for " + bodySizes.length + " bodies");
+        }
+        if (newBodies < Layout.FIRST_SPHERE || newBodies > bodySizes.length) {
+            throw new IllegalArgumentException(newBodies + " bodies of " + bodySizes.length);
+        }
+        bodyPositions = positions;
+        bodies = newBodies;
+    }
+
     /** The world as it is now, for an engine to draw whole. */
     public FrameInput snapshot() {
         return new FrameInput(
@@ -103,7 +127,7 @@ public final class World {
         dimensions[Layout.WIDTH] = settings.width();
         dimensions[Layout.HEIGHT] = settings.height();
         dimensions[Layout.ROWS] = settings.height();
-        dimensions[Layout.BODIES] = bodySizes.length;
+        dimensions[Layout.BODIES] = bodies;
         return dimensions;
     }
 

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -83,8 +84,9 @@ class SceneFilePropertyTest {
                         planes(),
                         spheres().list().ofMaxSize(8),
                         number(0, 1),
-                        settings())
-                .as((name, description, camera, light, plane, spheres, ambient, settings) -> new Scene(
+                        Combinators.combine(settings(), physics(), pours().optional())
+                                .as(Motion::new))
+                .as((name, description, camera, light, plane, spheres, ambient, motion) -> new Scene(
                         name,
                         description,
                         camera,
@@ -93,7 +95,36 @@ class SceneFilePropertyTest {
                         spheres,
                         FOLDER.resolve("sky.hdr"),
                         ambient,
-                        settings));
+                        motion.settings(),
+                        motion.physics(),
+                        motion.pour()));
+    }
+
+    /** Three parts in one, because jqwik combines eight at most. */
+    private record Motion(RenderSettings settings, Physics physics, Optional<Pour> pour) {}
+
+    private static Arbitrary<Physics> physics() {
+        Arbitrary<Vector3> gravities = Combinators.combine(
+                        number(-1000, 1000), number(-1000, 1000), number(-1000, 1000))
+                .as(Vector3::new);
+        Arbitrary<Boolean> flags = Arbitraries.of(List.of(true, false));
+        return Combinators.combine(gravities, number(0, 1), number(0, 10), number(0, 100), flags, flags)
+                .as(Physics::new);
+    }
+
+    // Slow enough for the narrowest spout.
+    private static Arbitrary<Pour> pours() {
+        return Combinators.combine(
+                        Arbitraries.integers().between(1, 499_992),
+                        number(0.001, 0.4),
+                        positions(),
+                        number(1e-6, 1e6),
+                        number(1, 100),
+                        number(1e-6, 1),
+                        Arbitraries.of(Palette.class),
+                        Arbitraries.integers().between(0, Integer.MAX_VALUE))
+                .as((count, rate, position, width, speed, radius, palette, seed) -> new Pour(
+                        count, rate, position, width, speed, radius, 1.25 * radius, palette, seed % 129, seed));
     }
 
     private static Arbitrary<Camera> cameras() {

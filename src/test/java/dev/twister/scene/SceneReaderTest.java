@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.assertj.core.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -39,12 +40,16 @@ class SceneReaderTest {
                                 new Sphere(new Vector3(0, -8, 0), 1.5, new Rgb(0, 1, 0), 36)),
                         folder.resolve("sky.hdr"),
                         0.25,
-                        new RenderSettings(640, 360, 16, 2, 4, -0.5, ToneMap.ACES, true)));
+                        new RenderSettings(640, 360, 16, 2, 4, -0.5, ToneMap.ACES, true),
+                        new Physics(new Vector3(0, -1.62, 0), 0.75, 0.125, 0.05, false, true),
+                        Optional.of(
+                                new Pour(30, 5.5, new Vector3(1, 2, 3), 1.25, 2.5, 0.2, 0.3, Palette.LAGOON, 12, 9))));
     }
 
     @Test
     void fillsInWhatIsOptional() {
-        String text = SampleScene.TEXT.replaceAll("(?m)^  \"(\\$schema|name|description|shading|rendering)\".*\n", "");
+        String text = SampleScene.TEXT.replaceAll(
+                "(?m)^  \"(\\$schema|name|description|shading|rendering|physics|pour)\".*\n", "");
 
         Scene scene = SceneReader.read(SampleScene.put(folder, text));
 
@@ -52,6 +57,8 @@ class SceneReaderTest {
         assertThat(scene.description()).isEmpty();
         assertThat(scene.ambient()).isEqualTo(Scene.DEFAULT_AMBIENT);
         assertThat(scene.settings()).isEqualTo(RenderSettings.DEFAULT);
+        assertThat(scene.physics()).isEqualTo(Physics.DEFAULT);
+        assertThat(scene.pour()).isEmpty();
     }
 
     @Test
@@ -101,7 +108,7 @@ class SceneReaderTest {
     @Test
     void refusesAbsurdNesting() {
         assertThat(message(SampleScene.put(folder, SampleScene.with("1.5", "[".repeat(100_000)))))
-                .endsWith("scene.json:14:53: objects and arrays are nested more than 16 deep");
+                .endsWith("scene.json:16:53: objects and arrays are nested more than 16 deep");
     }
 
     @Test

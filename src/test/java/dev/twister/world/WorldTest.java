@@ -1,10 +1,13 @@
 package dev.twister.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.ToneMapping;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Palette;
+import dev.twister.scene.Pour;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
 import org.junit.jupiter.api.Test;
@@ -37,6 +40,39 @@ class WorldTest {
     void toneMapsHaveTheKernelsNumbers(ToneMap toneMap, float number) {
         world.setSettings(world.settings().withTone(0, toneMap, false));
         assertThat(world.snapshot().rayTracingProperties()[Layout.TONE_MAP]).isEqualTo(number);
+    }
+
+    @Test
+    void movedBodiesAreInALaterSnapshotOnly() {
+        FrameInput before = world.snapshot();
+        float[] moved = before.bodyPositions().clone();
+        moved[6] = 99;
+        world.setBodyPositions(moved, 3);
+        assertThat(before.bodyPositions()[6]).isEqualTo(20);
+        assertThat(before.bodies()).isEqualTo(4);
+        assertThat(world.snapshot().bodyPositions()).isSameAs(moved);
+        assertThat(world.snapshot().bodies()).isEqualTo(3);
+    }
+
+    @Test
+    void refusesPositionsThatDoNotFit() {
+        assertThatThrownBy(() -> world.setBodyPositions(new float[9], 3))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("9 coordinates for 4 bodies");
+        float[] positions = world.snapshot().bodyPositions();
+        assertThatThrownBy(() -> world.setBodyPositions(positions, 5))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("5 bodies of 4");
+        assertThatThrownBy(() -> world.setBodyPositions(positions, 1)).isInstanceOf(IllegalArgumentException.class);
+    }
+
+    @Test
+    void whatIsPouredIsNotThereAtTheStart() {
+        Pour pour = new Pour(5, 1, new Vector3(1, 2, 3), 1, 1, 0.1, 0.1, Palette.DUSK, 8, 1);
+        FrameInput input = World.of(Worlds.scene().withPour(pour), Worlds.SKY).snapshot();
+        assertThat(input.bodies()).isEqualTo(4);
+        assertThat(input.bodySizes()).hasSize(9).endsWith(0.1f);
+        assertThat(input.bodyPositions()).hasSize(27);
     }
 
     @Test

@@ -31,6 +31,7 @@ final class BodyColumns {
     @SuppressWarnings("ReferenceEquality") // an input's arrays never change
     void take(FrameInput input) {
         boolean same = source != null
+                && source.bodies() == input.bodies()
                 && source.bodyPositions() == input.bodyPositions()
                 && source.bodySizes() == input.bodySizes()
                 && source.bodyColors() == input.bodyColors()

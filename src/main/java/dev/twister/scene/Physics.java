@@ -1,0 +1,41 @@
+package dev.twister.scene;
+
+/**
+ * How bodies move. Spheres have one density, so their mass is as their volume.
+ *
+ * @param gravity acceleration in m/s^2
+ * @param elasticity coefficient of restitution in [0, 1]: the share of the approach speed with which two bodies part
+ * @param friction Coulomb's coefficient, 0 or more; spheres do not spin, so that it stands for rolling resistance too
+ * @param damping share of the speed that is lost in a second, as a rate c in 1/s: v' = -c v
+ * @param walls whether four walls without an upper end stand on the plane's border
+ * @param solidLight whether the light is a body that can be hit, at rest for ever; otherwise spheres pass through it
+ */
+public record Physics(
+        Vector3 gravity, double elasticity, double friction, double damping, boolean walls, boolean solidLight) {
+    /** What a scene file that is silent gets. */
+    public static final Physics DEFAULT = new Physics(new Vector3(0, -9.81, 0), 0.5, 0.3, 0, true, false);
+
+    public Physics withGravity(Vector3 newGravity) {
+        return new Physics(newGravity, elasticity, friction, damping, walls, solidLight);
+    }
+
+    public Physics withElasticity(double newElasticity) {
+        return new Physics(gravity, newElasticity, friction, damping, walls, solidLight);
+    }
+
+    public Physics withFriction(double newFriction) {
+        return new Physics(gravity, elasticity, newFriction, damping, walls, solidLight);
+    }
+
+    public Physics withDamping(double newDamping) {
+        return new Physics(gravity, elasticity, friction, newDamping, walls, solidLight);
+    }
+
+    public Physics withWalls(boolean newWalls) {
+        return new Physics(gravity, elasticity, friction, damping, newWalls, solidLight);
+    }
+
+    public Physics withSolidLight(boolean newSolidLight) {
+        return new Physics(gravity, elasticity, friction, damping, walls, newSolidLight);
+    }
+}

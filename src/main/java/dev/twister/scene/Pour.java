@@ -1,0 +1,43 @@
+package dev.twister.scene;
+
+import java.util.List;
+
+/**
+ * Spheres that come out of a round spout one after the other, at a steady rate: number i, from 0, at i / rate seconds.
+ * Before that they are not there. Those that a file describes so need no line each.
+ *
+ * @param count how many, 1 or more
+ * @param rate spheres a second, at most {@link #maxRate}
+ * @param position the spout's centre, in metres; the spheres' centres start in the level disc about it
+ * @param width the disc's diameter, in metres
+ * @param speed downwards at the spout, in m/s, above 0
+ * @param minRadius of a sphere, in metres, above 0
+ * @param maxRadius of a sphere, in metres; the radii are even between the two
+ * @param palette the colours
+ * @param reflectivity p in [0, 128], as a sphere's
+ * @param seed another one gives other places, radii and colours
+ */
+public record Pour(
+        int count,
+        double rate,
+        Vector3 position,
+        double width,
+        double speed,
+        double minRadius,
+        double maxRadius,
+        Palette palette,
+        double reflectivity,
+        int seed) {
+    /** The spheres in the order in which they come out, where they start: none that is out touches the next. */
+    public List<Sphere> spheres() {
+        return PouredSpheres.of(this);
+    }
+
+    /**
+     * The most spheres a second that come out without touching: those that start at one place of the disc follow one
+     * another by a diameter at the spout's speed.
+     */
+    public double maxRate() {
+        return PouredSpheres.places(this) * speed / (2 * maxRadius);
+    }
+}
