@@ -12,10 +12,13 @@ public final class Oracle {
     /** The plastic number, the real root of x^3 = x + 1: of Roberts's R2 sequence. */
     private static final double PLASTIC = 1.324717957244746;
 
-    /** Two, four and sixteen roundings of a float either way. */
+    /** None, and two, four and sixteen roundings of a float either way. */
     private static final double[] GROWTHS = {
-        1 - 0x1p-20, 1 - 0x1p-22, 1 - 0x1p-23, 1 + 0x1p-23, 1 + 0x1p-22, 1 + 0x1p-20
+        1 - 0x1p-20, 1 - 0x1p-22, 1 - 0x1p-23, 1, 1 + 0x1p-23, 1 + 0x1p-22, 1 + 0x1p-20
     };
+
+    /** Two roundings inwards, none, two outwards. */
+    private static final double[] LIFTS = {-0x1p-23, 0, 0x1p-23};
 
     private final Scene rounded;
     private final Skybox sky;
@@ -61,12 +64,15 @@ public final class Oracle {
     /**
      * Between what colours a pixel swings where its samples' places, its view rays or the spheres' radii are changed by a
      * few roundings of a float: at an edge, or where mirrors amplify, far; elsewhere not at all. The radii count where a
-     * sphere is large as a planet: beside its surface, distances are small differences of large numbers.
+     * sphere is large as a planet: beside its surface, distances are small differences of large numbers. So do the points
+     * on it, and all of that at once: where a planet comes out of the plane, rounding may hit the planet just below the
+     * plane, and what is reflected there is the plane.
      */
     PixelSpan span(int column, int row) {
         Color lowest = Color.BLACK;
         Color highest = Color.BLACK;
         double step = Math.ulp((float) Math.max(width, height));
+        List<OracleTracer> roundings = roundedTracers();
         List<Ray> rays = viewRays(column, row);
         List<Ray> lefts = viewRays(column - step, row - step);
         List<Ray> rights = viewRays(column + step, row + step);
@@ -74,23 +80,32 @@ public final class Oracle {
             Color low = tracer.color(rays.get(i));
             Color high = low;
             List<Ray> movedRays = moves.of(rays.get(i));
+            movedRays.add(rays.get(i));
             movedRays.add(lefts.get(i));
             movedRays.add(rights.get(i));
-            for (Ray moved : movedRays) {
-                Color color = tracer.color(moved);
-                low = low.min(color);
-                high = high.max(color);
-            }
-            for (double factor : GROWTHS) {
-                Color color = new OracleTracer(FloatScene.grown(rounded, factor), sky).color(rays.get(i));
-                low = low.min(color);
-                high = high.max(color);
+            for (OracleTracer rounding : roundings) {
+                for (Ray moved : movedRays) {
+                    Color color = rounding.color(moved);
+                    low = low.min(color);
+                    high = high.max(color);
+                }
             }
             lowest = lowest.plus(low);
             highest = highest.plus(high);
         }
         double share = 1.0 / samplesPerPixel;
         return new PixelSpan(tone.argb(lowest.times(share)), tone.argb(highest.times(share)));
+    }
+
+    private List<OracleTracer> roundedTracers() {
+        List<OracleTracer> tracers = new ArrayList<>();
+        for (double factor : GROWTHS) {
+            Scene grown = FloatScene.grown(rounded, factor);
+            for (double lift : LIFTS) {
+                tracers.add(new OracleTracer(grown, sky, lift));
+            }
+        }
+        return tracers;
     }
 
     private Color average(int column, int row) {

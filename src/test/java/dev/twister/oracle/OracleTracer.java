@@ -19,8 +19,19 @@ final class OracleTracer {
     private final OracleSky sky;
     private final double ambient;
     private final int bounceLimit;
+    private final double lift;
 
     OracleTracer(Scene scene, Skybox skybox) {
+        this(scene, skybox, 0);
+    }
+
+    /**
+     * A tracer whose points on spheres are off the surface, as rounding has them.
+     *
+     * @param lift how far outwards, in radii; the true picture's is 0
+     */
+    OracleTracer(Scene scene, Skybox skybox, double lift) {
+        this.lift = lift;
         Light sceneLight = scene.light();
         light = new SphereBody(vector(sceneLight.position()), sceneLight.radius(), Color.of(sceneLight.color()), 0);
         Plane plane = scene.plane();
@@ -56,8 +67,11 @@ final class OracleTracer {
         if (body == light) {
             return light.color();
         }
-        Vector point = ray.at(body.distance(ray));
-        Vector normal = body.normal(point);
+        Vector surfacePoint = ray.at(body.distance(ray));
+        Vector normal = body.normal(surfacePoint);
+        Vector point = body instanceof SphereBody sphere
+                ? surfacePoint.plus(normal.times(lift * sphere.radius()))
+                : surfacePoint;
         double mirror = bounce < bounceLimit ? body.reflectivity() / PERFECT_MIRROR : 0;
         Color base = body.albedo(point).times(1 - mirror);
         if (mirror > 0) {

@@ -32,7 +32,8 @@ class RandomScenesTest {
         return RandomScenes.ofManyBounces();
     }
 
-    @Property(seed = "20261121", tries = 250, shrinking = ShrinkingMode.OFF)
+    /** This seed has the edge of a planet-sized sphere, reflected: moving ray and radius one at a time does not reach it. */
+    @Property(seed = "9054642568918783129", tries = 250, shrinking = ShrinkingMode.OFF)
     void shortcutsDrawWhatTheOracleDraws(@ForAll("fewBounces") LitScene random) {
         judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, random.scene(), random.sky()), random.scene(), random.sky());
     }
