@@ -41,7 +41,19 @@ class RoomsTest {
                 room("engine.tornado", "kernel", "world", "image", "engine"),
                 room("engine.vector", "kernel", "world", "image", "engine"),
                 room("bench", "engine", "image", "world", "scene"),
-                room("gui", "scene", "sky", "kernel", "world", "physics", "engine", "image", "bench"),
+                room("gui.drawing", "scene", "sky", "world", "engine", "image", "gui.model"),
+                room(
+                        "gui",
+                        "scene",
+                        "sky",
+                        "kernel",
+                        "world",
+                        "physics",
+                        "engine",
+                        "image",
+                        "bench",
+                        "gui.drawing",
+                        "gui.model"),
                 room("cli", "scene", "sky", "kernel", "world", "physics", "engine", "image", "bench", "gui"));
     }
 

@@ -2,6 +2,7 @@ package dev.twister.cli;
 
 import dev.twister.engine.EngineException;
 import dev.twister.engine.UnknownEngineException;
+import dev.twister.gui.NoDisplayException;
 import dev.twister.scene.SceneException;
 import dev.twister.sky.SkyException;
 import java.io.IOException;
@@ -30,8 +31,12 @@ final class Failures {
     static int explain(Exception failure, CommandLine command, ParseResult parsed) {
         PrintWriter err = command.getErr();
         return switch (failure) {
-            case BadInputException _, SceneException _, SkyException _, UnknownEngineException _, IOException _ ->
-                say(err, failure, Main.BAD_INPUT);
+            case BadInputException _,
+                    SceneException _,
+                    SkyException _,
+                    UnknownEngineException _,
+                    NoDisplayException _,
+                    IOException _ -> say(err, failure, Main.BAD_INPUT);
             case UncheckedIOException wrapped -> say(err, wrapped.getCause(), Main.BAD_INPUT);
             case EngineException _ -> say(err, failure, Main.FAILED);
             default -> {

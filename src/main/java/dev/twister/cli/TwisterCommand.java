@@ -1,12 +1,11 @@
 package dev.twister.cli;
 
+import java.util.concurrent.Callable;
 import picocli.AutoComplete;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ScopeType;
-import picocli.CommandLine.Spec;
 
-/** {@code twister} itself: shows what there is. */
+/** {@code twister} itself: opens the window. */
 @Command(
         name = "twister",
         description = "A real-time ray tracer written entirely in Java.",
@@ -14,6 +13,7 @@ import picocli.CommandLine.Spec;
         versionProvider = VersionProvider.class,
         scope = ScopeType.INHERIT,
         subcommands = {
+            GuiCommand.class,
             RenderCommand.class,
             BenchmarkCommand.class,
             DevicesCommand.class,
@@ -21,12 +21,9 @@ import picocli.CommandLine.Spec;
             SceneCommand.class,
             AutoComplete.GenerateCompletion.class
         })
-final class TwisterCommand implements Runnable {
-    @Spec
-    private CommandSpec spec;
-
+final class TwisterCommand implements Callable<Integer> {
     @Override
-    public void run() {
-        spec.commandLine().usage(spec.commandLine().getOut());
+    public Integer call() {
+        return new GuiCommand().call();
     }
 }

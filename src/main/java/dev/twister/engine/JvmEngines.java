@@ -14,16 +14,21 @@ public final class JvmEngines implements EngineProvider {
     public static final String PARALLEL = "parallel";
     public static final String PLAIN = "plain";
 
+    /** The engine that opens at once everywhere, and uses the whole processor. */
+    public static EngineOffer parallel() {
+        int threads = Runtime.getRuntime().availableProcessors();
+        return offer(
+                PARALLEL,
+                threads == 1 ? "one thread of this JVM" : threads + " threads of this JVM",
+                "plain Java, a parallel stream over the rows",
+                JvmEngines::drawInParallel);
+    }
+
     @Override
     public List<EngineOffer> offers() {
-        int threads = Runtime.getRuntime().availableProcessors();
         return List.of(
                 offer(SEQUENTIAL, "one thread of this JVM", "plain Java, one thread", JvmEngines::drawInTurn),
-                offer(
-                        PARALLEL,
-                        threads == 1 ? "one thread of this JVM" : threads + " threads of this JVM",
-                        "plain Java, a parallel stream over the rows",
-                        JvmEngines::drawInParallel),
+                parallel(),
                 offer(
                         PLAIN,
                         "one thread of this JVM",

@@ -17,15 +17,16 @@ class CommandsTest {
     private Path folder;
 
     @Test
-    void withoutArgumentsThereIsHelp() {
-        Outcome outcome = Outcome.of();
+    void helpNamesEveryCommand() {
+        Outcome outcome = Outcome.of("--help");
 
         assertThat(outcome.exitCode()).isZero();
-        assertThat(outcome.out()).contains("render", "benchmark", "devices", "sky", "scene", "generate-completion");
+        assertThat(outcome.out())
+                .contains("gui", "render", "benchmark", "devices", "sky", "scene", "generate-completion");
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"render", "benchmark", "devices", "sky", "scene"})
+    @ValueSource(strings = {"gui", "render", "benchmark", "devices", "sky", "scene"})
     void everyCommandHasHelpWithExamples(String command) {
         Outcome outcome = Outcome.of(command, "--help");
 

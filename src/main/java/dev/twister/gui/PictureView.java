@@ -1,0 +1,71 @@
+package dev.twister.gui;
+
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.image.Frame;
+import java.nio.IntBuffer;
+import java.util.HashMap;
+import java.util.Map;
+import javafx.scene.image.ImageView;
+import javafx.scene.image.PixelBuffer;
+import javafx.scene.image.PixelFormat;
+import javafx.scene.image.WritableImage;
+import javafx.scene.layout.Pane;
+
+/**
+ * Shows the newest picture, as large as fits, without copying it: each of the frames that go round has an image that looks
+ * at the same pixels.
+ */
+final class PictureView extends Pane {
+    private final ImageView view = new ImageView();
+    private final Map<Frame, ShownFrame> frames = new HashMap<>();
+    private final Studio studio;
+
+    /** A frame as JavaFX sees it. */
+    private record ShownFrame(PixelBuffer<IntBuffer> pixels, WritableImage image) {
+        static ShownFrame of(Frame frame) {
+            PixelBuffer<IntBuffer> pixels = new PixelBuffer<>(
+                    frame.width(), frame.height(), IntBuffer.wrap(frame.argb()), PixelFormat.getIntArgbPreInstance());
+            return new ShownFrame(pixels, new WritableImage(pixels));
+        }
+    }
+
+    PictureView(Studio studio) {
+        this.studio = studio;
+        getStyleClass().add("picture");
+        view.setPreserveRatio(true);
+        view.setManaged(false);
+        getChildren().add(view);
+        studio.pictureProperty().subscribe(picture -> picture.ifPresent(this::show));
+    }
+
+    /** The image that is shown. */
+    ImageView image() {
+        return view;
+    }
+
+    /** Asks for a picture of as many pixels as the screen has here. */
+    void tellSize() {
+        double scaleX = getScene().getWindow().getOutputScaleX();
+        double scaleY = getScene().getWindow().getOutputScaleY();
+        studio.setViewSize((int) Math.floor(getWidth() * scaleX), (int) Math.floor(getHeight() * scaleY));
+    }
+
+    @Override
+    protected void layoutChildren() {
+        view.setFitWidth(getWidth());
+        view.setFitHeight(getHeight());
+        double width = view.getBoundsInLocal().getWidth();
+        double height = view.getBoundsInLocal().getHeight();
+        view.relocate((getWidth() - width) / 2, (getHeight() - height) / 2);
+    }
+
+    private void show(DrawnPicture picture) {
+        Frame frame = picture.frame();
+        // Frames of another size do not come back.
+        frames.keySet().removeIf(old -> old.width() != frame.width() || old.height() != frame.height());
+        ShownFrame shown = frames.computeIfAbsent(frame, ShownFrame::of);
+        shown.pixels().updateBuffer(_ -> null);
+        view.setImage(shown.image());
+        requestLayout();
+    }
+}

@@ -1,0 +1,24 @@
+package dev.twister.gui.drawing;
+
+import dev.twister.image.Frame;
+import dev.twister.image.FrameTimes;
+
+/**
+ * A finished picture.
+ *
+ * @param frame 8-bit pixels; they stay as they are until the picture has been given back
+ * @param request the request that it answers
+ * @param engine the id of the engine that drew it
+ * @param device what did the work, for a person
+ * @param times where its time went
+ * @param number counts the pictures up; every one that the engine drew counts, shown or not
+ * @param finishedNanos when it was finished, by {@link System#nanoTime}
+ */
+public record DrawnPicture(
+        Frame frame,
+        DrawingRequest request,
+        String engine,
+        String device,
+        FrameTimes times,
+        long number,
+        long finishedNanos) {}

@@ -1,0 +1,85 @@
+package dev.twister.world;
+
+import dev.twister.scene.Camera;
+import dev.twister.scene.Plane;
+import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Vector3;
+
+/** How a person moves the camera; the same at any frame rate. */
+public final class CameraMotion {
+    public static final double WALK_METRES_PER_SECOND = 5;
+    public static final double RUN_METRES_PER_SECOND = 20;
+
+    /** The camera stays this far above the plane, in metres. */
+    public static final double CLEARANCE_METRES = 0.1;
+
+    /** Field of view that one notch of the wheel leaves of it. */
+    public static final double ZOOM_OF_A_NOTCH = 0.95;
+
+    private static final double TURN_DEGREES = 360;
+
+    private CameraMotion() {}
+
+    /**
+     * Moves over the ground the way the camera looks, and straight up or down; slantwise not faster than straight on, and
+     * never below the plane.
+     *
+     * @param seconds since the last step, 0 or more
+     */
+    public static Camera walk(Camera camera, Walk walk, double seconds, Plane plane) {
+        if (walk.isStill()) {
+            return camera;
+        }
+        double length = Math.hypot(Math.hypot(walk.right(), walk.up()), walk.forward());
+        double metres = (walk.running() ? RUN_METRES_PER_SECOND : WALK_METRES_PER_SECOND) * seconds;
+        double scale = metres / Math.max(1, length);
+        double yaw = Math.toRadians(camera.yawDegrees());
+        Vector3 from = camera.position();
+        Vector3 to = new Vector3(
+                from.x() + scale * (walk.right() * Math.cos(yaw) + walk.forward() * Math.sin(yaw)),
+                from.y() + scale * walk.up(),
+                from.z() + scale * (walk.forward() * Math.cos(yaw) - walk.right() * Math.sin(yaw)));
+        return above(at(camera, to), plane);
+    }
+
+    /** Turns; yaw comes out in [-180, 180), pitch in [-90, 90]. */
+    public static Camera look(Camera camera, double rightDegrees, double downDegrees) {
+        double yaw = camera.yawDegrees() + rightDegrees;
+        return new Camera(
+                camera.position(),
+                yaw - TURN_DEGREES * Math.floor(yaw / TURN_DEGREES + 0.5),
+                SceneLimits.PITCH.clamp(camera.pitchDegrees() + downDegrees),
+                camera.fieldOfViewDegrees());
+    }
+
+    /**
+     * Narrows the field of view, or widens it.
+     *
+     * @param notches of the mouse's wheel, turned away from the hand; may be a fraction, and negative
+     */
+    public static Camera zoom(Camera camera, double notches) {
+        return new Camera(
+                camera.position(),
+                camera.yawDegrees(),
+                camera.pitchDegrees(),
+                SceneLimits.FIELD_OF_VIEW.clamp(camera.fieldOfViewDegrees() * Math.pow(ZOOM_OF_A_NOTCH, notches)));
+    }
+
+    /** The camera, lifted over the plane where it is below. */
+    public static Camera above(Camera camera, Plane plane) {
+        double lowest = plane.height() + CLEARANCE_METRES;
+        Vector3 position = camera.position();
+        return position.y() >= lowest ? camera : at(camera, new Vector3(position.x(), lowest, position.z()));
+    }
+
+    private static Camera at(Camera camera, Vector3 position) {
+        return new Camera(
+                new Vector3(
+                        SceneLimits.POSITION.clamp(position.x()),
+                        SceneLimits.POSITION.clamp(position.y()),
+                        SceneLimits.POSITION.clamp(position.z())),
+                camera.yawDegrees(),
+                camera.pitchDegrees(),
+                camera.fieldOfViewDegrees());
+    }
+}

@@ -1,0 +1,43 @@
+package dev.twister.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+
+/** Starts Twister as a process of its own, as on a server. */
+class NoDisplayTest {
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void withoutADisplayOneLineNamesWhatNeedsNone() throws IOException {
+        assertOneLine("DISPLAY is not set", "");
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void aDisplayThatIsNotThereIsTheSame() throws IOException {
+        assertOneLine("no window can be opened", "nowhere:99");
+    }
+
+    private static void assertOneLine(String why, String display) throws IOException {
+        ProcessBuilder start = new ProcessBuilder(List.of(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "--enable-native-access=ALL-UNNAMED",
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        Main.class.getName(),
+                        "gui"))
+                .redirectErrorStream(true);
+        start.environment().put("DISPLAY", display);
+        Process twister = start.start();
+        try (Stream<String> lines = twister.inputReader().lines()) {
+            assertThat(lines.toList()).singleElement().asString().contains(why, "twister render", "twister benchmark");
+        }
+        assertThat(twister.onExit().join().exitValue()).isEqualTo(Main.BAD_INPUT);
+    }
+}

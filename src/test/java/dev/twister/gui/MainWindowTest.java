@@ -1,0 +1,38 @@
+package dev.twister.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.gui.drawing.DrawnPicture;
+import javafx.geometry.Bounds;
+import javafx.scene.paint.Color;
+import org.junit.jupiter.api.Test;
+
+class MainWindowTest {
+    private static final double ROUNDING = 1.5 / 255;
+
+    @Test
+    void theScreenShowsTheEnginesPixels() {
+        try (WindowDriver driver = WindowDriver.open()) {
+            driver.pulse();
+            driver.pulse();
+            DrawnPicture picture = driver.awaitCurrentPicture();
+            Bounds area = WindowDriver.call(() -> driver.stage
+                    .getScene()
+                    .getRoot()
+                    .lookup(".picture")
+                    .localToScreen(
+                            driver.stage.getScene().getRoot().lookup(".picture").getLayoutBounds()));
+
+            for (int[] place : new int[][] {{10, 10}, {100, 120}, {200, 150}, {160, 100}}) {
+                int argb = picture.frame().argb()[place[1] * picture.frame().width() + place[0]];
+                Color seen = driver.pixel(area.getMinX() + place[0], area.getMinY() + place[1]);
+
+                assertThat(Math.abs(seen.getRed() - (argb >> 16 & 0xFF) / 255.0))
+                        .isLessThan(ROUNDING);
+                assertThat(Math.abs(seen.getGreen() - (argb >> 8 & 0xFF) / 255.0))
+                        .isLessThan(ROUNDING);
+                assertThat(Math.abs(seen.getBlue() - (argb & 0xFF) / 255.0)).isLessThan(ROUNDING);
+            }
+        }
+    }
+}

@@ -1,0 +1,173 @@
+package dev.twister.gui;
+
+import dev.twister.engine.EngineOffer;
+import dev.twister.engine.JvmEngines;
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneReader;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.BooleanSupplier;
+import java.util.function.Predicate;
+import javafx.application.Platform;
+import javafx.scene.input.KeyCode;
+import javafx.scene.paint.Color;
+import javafx.scene.robot.Robot;
+import javafx.stage.Stage;
+
+/** The window on JavaFX's headless screen, with a hand on its keyboard and mouse. */
+final class WindowDriver implements AutoCloseable {
+    static final double WIDTH = 320;
+    static final double HEIGHT = 240;
+
+    /** Long enough for the slowest machine; only a failure takes it. */
+    private static final long LIMIT_SECONDS = 60;
+
+    final Stage stage;
+    final Studio studio;
+    final MainWindow window;
+    private final Robot robot;
+
+    /** Started once for all tests of this JVM; it ends with it. */
+    private static final class Toolkit {
+        private static final CompletableFuture<Void> STARTED = new CompletableFuture<>();
+
+        static {
+            Platform.startup(() -> STARTED.complete(null));
+            Platform.setImplicitExit(false);
+        }
+    }
+
+    private WindowDriver(Scene scene, EngineOffer engine) {
+        stage = new Stage();
+        stage.setX(0);
+        stage.setY(0);
+        studio = Studio.start(new GuiOptions(scene, Path.of("test.json"), engine));
+        window = new MainWindow(stage, studio);
+        stage.setWidth(WIDTH);
+        stage.setHeight(HEIGHT);
+        window.show();
+        robot = new Robot();
+    }
+
+    static Scene shipped(String name) {
+        return SceneReader.read(Path.of("scenes", name + ".json"));
+    }
+
+    /** A small window that shows its first picture. */
+    static WindowDriver open() {
+        return open(shipped("teaching"), JvmEngines.parallel());
+    }
+
+    static WindowDriver open(Scene scene, EngineOffer engine) {
+        Toolkit.STARTED.join();
+        Scene quick = scene.withSettings(scene.settings().withShadows(1).withBounces(1));
+        WindowDriver driver = call(() -> new WindowDriver(quick, engine));
+        driver.await(() -> driver.studio.pictureProperty().get().isPresent());
+        return driver;
+    }
+
+    /** Does that on JavaFX's thread. */
+    static <T> T call(Callable<T> action) {
+        CompletableFuture<T> result = new CompletableFuture<>();
+        Platform.runLater(() -> {
+            try {
+                result.complete(action.call());
+            } catch (Exception | Error problem) {
+                result.completeExceptionally(problem);
+            }
+        });
+        try {
+            return result.get(LIMIT_SECONDS, TimeUnit.SECONDS);
+        } catch (InterruptedException | ExecutionException | TimeoutException problem) {
+            throw new AssertionError(problem);
+        }
+    }
+
+    void run(Runnable action) {
+        call(() -> {
+            action.run();
+            return true;
+        });
+    }
+
+    /** Lets pulses go by until that is so. */
+    void await(BooleanSupplier condition) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(LIMIT_SECONDS);
+        while (!call(condition::getAsBoolean)) {
+            if (System.nanoTime() > end) {
+                throw new AssertionError("did not come to be; "
+                        + call(() -> studio.drawingProperty().get().toString()));
+            }
+            pulse();
+        }
+    }
+
+    /** Waits for a picture of that kind, and returns it. */
+    DrawnPicture awaitPicture(Predicate<DrawnPicture> wanted) {
+        await(() -> studio.pictureProperty().get().filter(wanted).isPresent());
+        return call(() -> studio.pictureProperty().get().orElseThrow());
+    }
+
+    /** Waits for a picture of what the studio holds now. */
+    DrawnPicture awaitCurrentPicture() {
+        Scene now = call(studio::scene);
+        return awaitPicture(picture -> picture.request().scene().equals(now));
+    }
+
+    /** Waits for a pulse to have gone by. */
+    void pulse() {
+        CompletableFuture<Void> pulsed = new CompletableFuture<>();
+        Runnable listener = () -> pulsed.complete(null);
+        run(() -> stage.getScene().addPostLayoutPulseListener(listener));
+        Platform.runLater(Platform::requestNextPulse);
+        try {
+            pulsed.get(LIMIT_SECONDS, TimeUnit.SECONDS);
+        } catch (InterruptedException | ExecutionException | TimeoutException problem) {
+            throw new AssertionError(problem);
+        }
+        run(() -> stage.getScene().removePostLayoutPulseListener(listener));
+    }
+
+    void press(KeyCode... keys) {
+        for (KeyCode key : keys) {
+            run(() -> robot.keyPress(key));
+        }
+        pulse();
+    }
+
+    void release(KeyCode... keys) {
+        for (KeyCode key : keys) {
+            run(() -> robot.keyRelease(key));
+        }
+        pulse();
+    }
+
+    void type(KeyCode key) {
+        press(key);
+        release(key);
+    }
+
+    /** The robot itself, for the mouse. */
+    void withRobot(java.util.function.Consumer<Robot> action) {
+        run(() -> action.accept(robot));
+        pulse();
+    }
+
+    /** What is seen there on the screen. */
+    Color pixel(double x, double y) {
+        return call(() -> robot.getPixelColor(x, y));
+    }
+
+    @Override
+    public void close() {
+        run(() -> {
+            stage.hide();
+            window.close();
+        });
+    }
+}
