@@ -41,6 +41,7 @@ class RoomsTest {
                 room("engine.tornado", "kernel", "world", "image", "engine"),
                 room("engine.vector", "kernel", "world", "image", "engine"),
                 room("bench", "engine", "image", "world", "scene"),
+                room("gui.model", "scene", "sky", "kernel", "world", "physics", "engine", "image", "bench"),
                 room("gui.drawing", "scene", "sky", "world", "engine", "image", "gui.model"),
                 room(
                         "gui",

@@ -18,8 +18,7 @@ record ChoiceStore(Optional<Path> folder) {
     private static final String ENGINE = "engine";
 
     static ChoiceStore ofThisUser() {
-        return new ChoiceStore(CacheFolder.find(
-                System.getProperty("os.name", ""), System.getProperty("user.home", ""), System.getenv()));
+        return new ChoiceStore(UserFolder.CACHE.ofThisUser());
     }
 
     Optional<String> read(MachineKey key) {

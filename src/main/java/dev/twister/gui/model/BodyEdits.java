@@ -1,0 +1,141 @@
+package dev.twister.gui.model;
+
+import dev.twister.gui.model.NumberSetting.Scale;
+import dev.twister.kernel.Layout;
+import dev.twister.scene.Light;
+import dev.twister.scene.Range;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.BiFunction;
+import java.util.function.ToDoubleFunction;
+import java.util.function.UnaryOperator;
+
+/** Edits of a scene's spheres, which are numbered as the kernel has them, from {@link Layout#FIRST_SPHERE} on. */
+public final class BodyEdits {
+    private BodyEdits() {}
+
+    /** Whether a scene has a sphere of that number. */
+    public static boolean isSphere(Scene scene, int body) {
+        return body >= Layout.FIRST_SPHERE
+                && body < Layout.FIRST_SPHERE + scene.spheres().size();
+    }
+
+    /** Whether the body can be taken and moved: the light and the spheres. */
+    public static boolean isMovable(Scene scene, int body) {
+        return body == Layout.LIGHT || isSphere(scene, body);
+    }
+
+    public static Sphere sphere(Scene scene, int body) {
+        return scene.spheres().get(body - Layout.FIRST_SPHERE);
+    }
+
+    /** The centre of a movable body. */
+    public static Vector3 position(Scene scene, int body) {
+        return body == Layout.LIGHT
+                ? scene.light().position()
+                : sphere(scene, body).position();
+    }
+
+    /** The radius of a movable body. */
+    public static double radius(Scene scene, int body) {
+        return body == Layout.LIGHT
+                ? scene.light().radius()
+                : sphere(scene, body).radius();
+    }
+
+    /** The scene with a movable body elsewhere. */
+    public static Scene moved(Scene scene, int body, Vector3 position) {
+        if (body == Layout.LIGHT) {
+            return scene.withLight(
+                    new Light(position, scene.light().radius(), scene.light().color()));
+        }
+        return edited(
+                scene, body, sphere -> new Sphere(position, sphere.radius(), sphere.color(), sphere.reflectivity()));
+    }
+
+    public static Scene colored(Scene scene, int body, Rgb albedo) {
+        return edited(
+                scene, body, sphere -> new Sphere(sphere.position(), sphere.radius(), albedo, sphere.reflectivity()));
+    }
+
+    /** The scene with one sphere more, which is the last. */
+    public static Scene inserted(Scene scene, Sphere sphere) {
+        List<Sphere> spheres = new ArrayList<>(scene.spheres());
+        spheres.add(sphere);
+        return scene.withSpheres(spheres);
+    }
+
+    public static Scene deleted(Scene scene, int body) {
+        List<Sphere> spheres = new ArrayList<>(scene.spheres());
+        spheres.remove(body - Layout.FIRST_SPHERE);
+        return scene.withSpheres(spheres);
+    }
+
+    public static NumberSetting x(int body) {
+        return place(body, "x", "from left to right", Vector3::x, (place, x) -> new Vector3(x, place.y(), place.z()));
+    }
+
+    public static NumberSetting y(int body) {
+        return place(body, "y", "in height", Vector3::y, (place, y) -> new Vector3(place.x(), y, place.z()));
+    }
+
+    public static NumberSetting z(int body) {
+        return place(body, "z", "from near to far", Vector3::z, (place, z) -> new Vector3(place.x(), place.y(), z));
+    }
+
+    public static NumberSetting radiusOf(int body) {
+        return new NumberSetting(
+                "Sphere radius",
+                "The sphere's radius.",
+                SceneLimits.LENGTH,
+                new Range(0.05, 10),
+                Scale.LOGARITHMIC,
+                2,
+                "m",
+                scene -> sphere(scene, body).radius(),
+                (scene, radius) -> edited(
+                        scene,
+                        body,
+                        sphere -> new Sphere(sphere.position(), radius, sphere.color(), sphere.reflectivity())));
+    }
+
+    public static NumberSetting reflectivityOf(int body) {
+        return new NumberSetting(
+                "Sphere reflectivity",
+                "0 is matt, 128 a perfect mirror.",
+                SceneLimits.REFLECTIVITY,
+                SceneLimits.REFLECTIVITY,
+                Scale.LINEAR,
+                0,
+                "",
+                scene -> sphere(scene, body).reflectivity(),
+                (scene, reflectivity) -> edited(
+                        scene,
+                        body,
+                        sphere -> new Sphere(sphere.position(), sphere.radius(), sphere.color(), reflectivity)));
+    }
+
+    private static NumberSetting place(
+            int body,
+            String axis,
+            String direction,
+            ToDoubleFunction<Vector3> reader,
+            BiFunction<Vector3, Double, Vector3> writer) {
+        return SceneNumbers.place(
+                "Sphere " + axis,
+                "The place of the sphere's centre " + direction + ".",
+                scene -> reader.applyAsDouble(position(scene, body)),
+                (scene, number) -> moved(scene, body, writer.apply(position(scene, body), number)));
+    }
+
+    private static Scene edited(Scene scene, int body, UnaryOperator<Sphere> edit) {
+        List<Sphere> spheres = new ArrayList<>(scene.spheres());
+        spheres.set(body - Layout.FIRST_SPHERE, edit.apply(sphere(scene, body)));
+        return scene.withSpheres(spheres);
+    }
+}

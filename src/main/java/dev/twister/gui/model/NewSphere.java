@@ -1,0 +1,67 @@
+package dev.twister.gui.model;
+
+import dev.twister.kernel.ClosestHit;
+import dev.twister.kernel.Layout;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import dev.twister.world.FrameInput;
+
+/** The sphere that a person inserts: in the middle of the picture, before what is seen there. */
+public final class NewSphere {
+    private static final double RADIUS = 1.5;
+    private static final double REFLECTIVITY = 32;
+
+    /** Where the middle of the picture shows the sky. */
+    private static final double DISTANCE = 15;
+
+    /** Turns of the hue from one sphere to the next, so that neighbours differ. */
+    private static final double GOLDEN_RATIO = 0.6180339887;
+
+    private NewSphere() {}
+
+    /** The sphere, which touches what lies behind it and never sinks into the plane. */
+    public static Sphere inFrontOf(FrameInput input, Scene scene) {
+        double centerX = input.width() / 2.0;
+        double centerY = input.height() / 2.0;
+        PointerRay ray = PointerRay.through(input, centerX, centerY);
+        double distance = distance(input, ray, BodyPicker.bodyAt(input, centerX, centerY));
+        double y = ray.originY() + distance * ray.directionY();
+        double ground = scene.plane().height();
+        boolean above = scene.camera().position().y() >= ground;
+        Vector3 center = new Vector3(
+                SceneLimits.POSITION.clamp(ray.originX() + distance * ray.directionX()),
+                SceneLimits.POSITION.clamp(above ? Math.max(y, ground + RADIUS) : Math.min(y, ground - RADIUS)),
+                SceneLimits.POSITION.clamp(ray.originZ() + distance * ray.directionZ()));
+        return new Sphere(center, RADIUS, color(scene.spheres().size()), REFLECTIVITY);
+    }
+
+    private static double distance(FrameInput input, PointerRay ray, int body) {
+        if (body == Layout.NOTHING) {
+            return DISTANCE;
+        }
+        double behind = ClosestHit.distance(
+                body,
+                ray.originX(),
+                ray.originY(),
+                ray.originZ(),
+                ray.directionX(),
+                ray.directionY(),
+                ray.directionZ(),
+                input.bodyPositions(),
+                input.bodySizes());
+        // At least beyond the camera itself, else it would be inside the sphere.
+        return Math.max(2 * RADIUS, Math.min(behind, DISTANCE) - RADIUS);
+    }
+
+    private static Rgb color(int spheres) {
+        double hue = spheres * GOLDEN_RATIO;
+        return new Rgb(channel(hue), channel(hue + 1.0 / 3), channel(hue + 2.0 / 3));
+    }
+
+    private static double channel(double turns) {
+        return 0.5 + 0.4 * Math.cos(2 * Math.PI * turns);
+    }
+}

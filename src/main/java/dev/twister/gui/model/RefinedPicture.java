@@ -1,0 +1,140 @@
+package dev.twister.gui.model;
+
+import dev.twister.image.Frame;
+import dev.twister.kernel.Layout;
+import dev.twister.kernel.ToneMapping;
+import dev.twister.world.FrameInput;
+import java.nio.IntBuffer;
+import java.util.Arrays;
+import java.util.stream.IntStream;
+
+/**
+ * A picture at rest that gets better: the samples of each pass are added to those before, so that the picture after
+ * passes of n1, n2, ... samples is the one that n1 + n2 + ... samples a pixel draw in one go, rounding aside. Used by one
+ * thread.
+ *
+ * <p>A pass is {@code engine.render(picture.next(input, n), linearFrame)}, then {@code picture.add(linearFrame, n)}.
+ */
+public final class RefinedPicture {
+    private static final int CHANNELS = 3;
+    private static final int OPAQUE = 0xFF000000;
+
+    private final int width;
+    private final int height;
+    private final int limit;
+    private final float[] sums;
+    private int samples;
+
+    /**
+     * An empty picture.
+     *
+     * @param limit the samples a pixel at which it is done, 1 or more
+     */
+    public RefinedPicture(int width, int height, int limit) {
+        this.width = width;
+        this.height = height;
+        this.limit = limit;
+        sums = new float[Math.multiplyExact(CHANNELS, Math.multiplyExact(width, height))];
+    }
+
+    /** Starts anew: the scene, the camera or a setting that changes radiance has changed. */
+    public void reset() {
+        Arrays.fill(sums, 0);
+        samples = 0;
+    }
+
+    /** The samples a pixel so far. */
+    public int samples() {
+        return samples;
+    }
+
+    public int limit() {
+        return limit;
+    }
+
+    public boolean isDone() {
+        return samples >= limit;
+    }
+
+    public boolean fits(int pictureWidth, int pictureHeight) {
+        return width == pictureWidth && height == pictureHeight;
+    }
+
+    /** How many samples a pass of at most so many has: fewer at the limit. */
+    public int samplesOfNextPass(int most) {
+        return Math.min(most, limit - samples);
+    }
+
+    /** What the next pass is to draw. */
+    public FrameInput next(FrameInput input, int passSamples) {
+        return input.withSamples(samples, passSamples);
+    }
+
+    /**
+     * Adds a pass.
+     *
+     * @param pass linear, drawn from {@link #next} of as many samples
+     * @throws IllegalArgumentException where the frame is not linear or of another size
+     */
+    public void add(Frame pass, int passSamples) {
+        if (!pass.isLinear() || !fits(pass.width(), pass.height())) {
+            throw new IllegalArgumentException("a pass must be linear and " + width + " x " + height + " pixels, not "
+                    + pass.width() + " x " + pass.height());
+        }
+        float[] radiance = pass.radiance();
+        rows().forEach(row -> {
+            int end = CHANNELS * width * (row + 1);
+            for (int i = CHANNELS * width * row; i < end; i++) {
+                sums[i] += passSamples * radiance[i];
+            }
+        });
+        samples += passSamples;
+    }
+
+    /**
+     * Tone-maps the picture so far as the kernel does.
+     *
+     * @param input whose exposure, tone map and sRGB curve count, and nothing else
+     * @param argb receives 0xAARRGGBB, row by row from the top, from index 0 on
+     * @throws IllegalStateException where no pass was added yet
+     */
+    public void show(FrameInput input, IntBuffer argb) {
+        if (samples == 0) {
+            throw new IllegalStateException("there is no pass to show");
+        }
+        float[] properties = input.rayTracingProperties();
+        float exposureScale = properties[Layout.EXPOSURE_SCALE];
+        int toneMap = (int) properties[Layout.TONE_MAP];
+        float srgb = properties[Layout.SRGB];
+        float average = 1f / samples;
+        rows().forEach(row -> {
+            int end = width * (row + 1);
+            for (int pixel = width * row; pixel < end; pixel++) {
+                int at = CHANNELS * pixel;
+                argb.put(
+                        pixel,
+                        OPAQUE
+                                | (ToneMapping.quantized(sums[at] * average, exposureScale, toneMap, srgb) << 16)
+                                | (ToneMapping.quantized(sums[at + 1] * average, exposureScale, toneMap, srgb) << 8)
+                                | ToneMapping.quantized(sums[at + 2] * average, exposureScale, toneMap, srgb));
+            }
+        });
+    }
+
+    /** The linear picture so far, as {@link Frame#radiance} has it. */
+    public float[] radiance() {
+        float average = samples == 0 ? 0 : 1f / samples;
+        float[] radiance = new float[sums.length];
+        rows().forEach(row -> {
+            int end = CHANNELS * width * (row + 1);
+            for (int i = CHANNELS * width * row; i < end; i++) {
+                radiance[i] = sums[i] * average;
+            }
+        });
+        return radiance;
+    }
+
+    private IntStream rows() {
+        return IntStream.range(0, height).parallel();
+    }
+}

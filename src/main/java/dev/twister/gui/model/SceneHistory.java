@@ -1,0 +1,139 @@
+package dev.twister.gui.model;
+
+import dev.twister.scene.Camera;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import java.util.ArrayDeque;
+import java.util.Collections;
+import java.util.Deque;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * A scene with the edits that led to it, which can be taken back and made again. Successive edits of one gesture (a
+ * drag, a slider's movement) count as one. Where the camera stands and looks is no edit: taking one back leaves the
+ * viewer where they are. Used by one thread.
+ */
+public final class SceneHistory {
+    static final int MAX_STEPS = 1000;
+
+    /** In the lists that are held besides the present one; 16 to 32 MB of references. */
+    static final long MAX_HELD_SPHERES = 4_000_000;
+
+    /**
+     * A scene that can be returned to.
+     *
+     * @param what the edit between it and its neighbour on the present's side
+     * @param version tells scenes apart that were edited; moving the camera does not change it
+     */
+    private record Step(String what, Scene scene, long version) {}
+
+    private final Deque<Step> past = new ArrayDeque<>();
+    private final Deque<Step> future = new ArrayDeque<>();
+    private Optional<String> gesture = Optional.empty();
+    private Scene present;
+    private long version;
+    private long newestVersion;
+    private long savedVersion;
+
+    /** A scene as its file has it: nothing to take back, nothing to save. */
+    public SceneHistory(Scene scene) {
+        present = scene;
+    }
+
+    public Scene present() {
+        return present;
+    }
+
+    /**
+     * Makes an edit. One of the same name as the last belongs to the same gesture, until {@link #endGesture}; one that
+     * changes nothing is none.
+     *
+     * @param what names the edit to a person, such as "light's size"
+     */
+    public void edit(String what, Scene edited) {
+        if (edited.equals(present)) {
+            return;
+        }
+        if (gesture.filter(what::equals).isEmpty()) {
+            past.push(new Step(what, present, version));
+            gesture = Optional.of(what);
+        }
+        future.clear();
+        present = edited;
+        newestVersion++;
+        version = newestVersion;
+        forgetTheOldest();
+    }
+
+    /** The next edit is a new step, whatever its name. */
+    public void endGesture() {
+        gesture = Optional.empty();
+    }
+
+    /** What is no edit: the camera has moved, or time has moved the bodies. */
+    public void carryOn(Scene now) {
+        present = now;
+    }
+
+    /** The edit that {@link #undo} takes back. */
+    public Optional<String> undoable() {
+        return Optional.ofNullable(past.peek()).map(Step::what);
+    }
+
+    /** The edit that {@link #redo} makes again. */
+    public Optional<String> redoable() {
+        return Optional.ofNullable(future.peek()).map(Step::what);
+    }
+
+    /** Takes the last edit back, where there is one. */
+    public void undo() {
+        step(past, future);
+    }
+
+    /** Makes the edit again that was taken back last, where there is one. */
+    public void redo() {
+        step(future, past);
+    }
+
+    /** Whether the scene was edited since it was opened or saved. */
+    public boolean hasChanged() {
+        return version != savedVersion;
+    }
+
+    public void markSaved() {
+        savedVersion = version;
+        endGesture();
+    }
+
+    private void step(Deque<Step> from, Deque<Step> to) {
+        endGesture();
+        Step step = from.poll();
+        if (step == null) {
+            return;
+        }
+        to.push(new Step(step.what(), present, version));
+        present = step.scene().withCamera(seenFromHere(step.scene().camera()));
+        version = step.version();
+    }
+
+    private Camera seenFromHere(Camera edited) {
+        Camera here = present.camera();
+        return new Camera(here.position(), here.yawDegrees(), here.pitchDegrees(), edited.fieldOfViewDegrees());
+    }
+
+    private void forgetTheOldest() {
+        while (past.size() > MAX_STEPS || (past.size() > 1 && heldSpheres() > MAX_HELD_SPHERES)) {
+            past.removeLast();
+        }
+    }
+
+    private long heldSpheres() {
+        Set<List<Sphere>> lists = Collections.newSetFromMap(new IdentityHashMap<>());
+        past.forEach(step -> lists.add(step.scene().spheres()));
+        lists.remove(present.spheres());
+        return lists.stream().mapToLong(List::size).sum();
+    }
+}

@@ -1,0 +1,145 @@
+package dev.twister.gui.model;
+
+import dev.twister.gui.model.NumberSetting.Scale;
+import dev.twister.scene.Camera;
+import dev.twister.scene.Light;
+import dev.twister.scene.Range;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Vector3;
+import java.util.function.BiFunction;
+import java.util.function.ToDoubleFunction;
+import java.util.function.UnaryOperator;
+
+/** The numbers of a scene, apart from its bodies', that the panel changes. */
+public final class SceneNumbers {
+    /** Where the shipped scenes take place, with room around them. */
+    private static final Range NEARBY = new Range(-30, 30);
+
+    private static final Range SMALL_LENGTHS = new Range(0.05, 10);
+
+    public static final NumberSetting SHADOW_SAMPLES = new NumberSetting(
+            "Shadow samples",
+            "Points on the light that every shadow is made of. 1 is a hard shadow; more are softer and slower.",
+            SceneLimits.SHADOW_SAMPLES,
+            new Range(1, 400),
+            Scale.LOGARITHMIC,
+            0,
+            "",
+            scene -> scene.settings().shadowSamples(),
+            (scene, count) -> scene.withSettings(scene.settings().withShadows(count.intValue())));
+
+    public static final NumberSetting BOUNCES = new NumberSetting(
+            "Reflection bounces",
+            "How often a ray is reflected before it ends. 0 is no reflection.",
+            SceneLimits.BOUNCES,
+            new Range(0, 6),
+            Scale.LINEAR,
+            0,
+            "",
+            scene -> scene.settings().bounces(),
+            (scene, count) -> scene.withSettings(scene.settings().withBounces(count.intValue())));
+
+    public static final NumberSetting SAMPLES_PER_PIXEL = new NumberSetting(
+            "Samples per pixel",
+            "View rays for each pixel of a moving picture. More make smoother edges, and every frame slower.",
+            SceneLimits.SAMPLES_PER_PIXEL,
+            new Range(1, 64),
+            Scale.LOGARITHMIC,
+            0,
+            "",
+            scene -> scene.settings().samplesPerPixel(),
+            (scene, count) -> scene.withSettings(scene.settings().withSamplesPerPixel(count.intValue())));
+
+    public static final NumberSetting EXPOSURE = new NumberSetting(
+            "Exposure",
+            "One stop more makes the picture twice as bright.",
+            SceneLimits.EXPOSURE,
+            new Range(-6, 6),
+            Scale.LINEAR,
+            2,
+            "stops",
+            scene -> scene.settings().exposure(),
+            (scene, stops) -> scene.withSettings(scene.settings()
+                    .withTone(
+                            stops, scene.settings().toneMap(), scene.settings().srgb())));
+
+    public static final NumberSetting FIELD_OF_VIEW = new NumberSetting(
+            "Field of view",
+            "The angle over the picture's shorter side. Small is a telephoto lens, large a wide angle.",
+            SceneLimits.FIELD_OF_VIEW,
+            new Range(10, 120),
+            Scale.LINEAR,
+            1,
+            "degrees",
+            scene -> scene.camera().fieldOfViewDegrees(),
+            (scene, degrees) -> scene.withCamera(new Camera(
+                    scene.camera().position(),
+                    scene.camera().yawDegrees(),
+                    scene.camera().pitchDegrees(),
+                    degrees)));
+
+    public static final NumberSetting LIGHT_X = lightPlace(
+            "Light x",
+            "The light's place from left to right.",
+            Vector3::x,
+            (place, x) -> new Vector3(x, place.y(), place.z()));
+
+    public static final NumberSetting LIGHT_Y = lightPlace(
+            "Light y", "The light's height.", Vector3::y, (place, y) -> new Vector3(place.x(), y, place.z()));
+
+    public static final NumberSetting LIGHT_Z = lightPlace(
+            "Light z",
+            "The light's place from near to far.",
+            Vector3::z,
+            (place, z) -> new Vector3(place.x(), place.y(), z));
+
+    public static final NumberSetting LIGHT_RADIUS = new NumberSetting(
+            "Light size",
+            "The light's radius. A larger light makes softer shadows.",
+            SceneLimits.LENGTH,
+            SMALL_LENGTHS,
+            Scale.LOGARITHMIC,
+            2,
+            "m",
+            scene -> scene.light().radius(),
+            (scene, radius) -> light(scene, light -> new Light(light.position(), radius, light.color())));
+
+    public static final NumberSetting LIGHT_STRENGTH = new NumberSetting(
+            "Light strength",
+            "The brightest channel of the light's colour; 1 is white paper lit from straight above.",
+            SceneLimits.RADIANCE,
+            new Range(0.05, 20),
+            Scale.LOGARITHMIC,
+            2,
+            "",
+            scene -> Radiance.of(scene.light().color()).strength(),
+            (scene, strength) -> light(
+                    scene,
+                    light -> new Light(
+                            light.position(),
+                            light.radius(),
+                            new Radiance(Radiance.of(light.color()).hue(), strength).color())));
+
+    private SceneNumbers() {}
+
+    static NumberSetting place(
+            String label, String hint, ToDoubleFunction<Scene> reader, BiFunction<Scene, Double, Scene> writer) {
+        return new NumberSetting(label, hint, SceneLimits.POSITION, NEARBY, Scale.LINEAR, 2, "m", reader, writer);
+    }
+
+    private static NumberSetting lightPlace(
+            String label, String hint, ToDoubleFunction<Vector3> reader, BiFunction<Vector3, Double, Vector3> writer) {
+        return place(
+                label,
+                hint,
+                scene -> reader.applyAsDouble(scene.light().position()),
+                (scene, number) -> light(
+                        scene,
+                        light -> new Light(writer.apply(light.position(), number), light.radius(), light.color())));
+    }
+
+    private static Scene light(Scene scene, UnaryOperator<Light> edit) {
+        return scene.withLight(edit.apply(scene.light()));
+    }
+}

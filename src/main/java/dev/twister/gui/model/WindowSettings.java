@@ -1,0 +1,127 @@
+package dev.twister.gui.model;
+
+import dev.twister.bench.FastestEngine;
+import dev.twister.scene.Camera;
+import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Vector3;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+
+/**
+ * What the window keeps from one run to the next.
+ *
+ * @param width of the window, in the screen's units, {@value #MIN_SIDE} to {@value #MAX_SIDE}
+ * @param height as the width
+ * @param maximized whether the window fills the screen
+ * @param panelShown whether the panel is shown
+ * @param engine an engine's id
+ * @param recentScenes scene files as absolute paths, the newest first, at most {@value #MAX_RECENT}
+ * @param views the cameras kept under the keys 0 to 9
+ */
+public record WindowSettings(
+        int width,
+        int height,
+        boolean maximized,
+        boolean panelShown,
+        String engine,
+        List<String> recentScenes,
+        Map<Integer, Camera> views) {
+    public static final int MIN_SIDE = 200;
+    public static final int MAX_SIDE = 16384;
+    public static final int MAX_RECENT = 10;
+    private static final int MAX_KEY = 9;
+    private static final int MAX_TEXT_LENGTH = 4096;
+
+    public static final WindowSettings DEFAULT =
+            new WindowSettings(1280, 800, false, true, FastestEngine.AUTO, List.of(), Map.of());
+
+    /**
+     * Checks what may come from a file.
+     *
+     * @throws IllegalArgumentException where a value is out of range
+     */
+    public WindowSettings {
+        require(width >= MIN_SIDE && width <= MAX_SIDE, "width");
+        require(height >= MIN_SIDE && height <= MAX_SIDE, "height");
+        require(engine != null && engine.length() <= MAX_TEXT_LENGTH, "engine");
+        require(
+                recentScenes != null
+                        && recentScenes.size() <= MAX_RECENT
+                        && recentScenes.stream().allMatch(file -> file != null && file.length() <= MAX_TEXT_LENGTH),
+                "recentScenes");
+        require(
+                views != null
+                        && views.entrySet().stream()
+                                .allMatch(view ->
+                                        view.getKey() >= 0 && view.getKey() <= MAX_KEY && isUsable(view.getValue())),
+                "views");
+        recentScenes = List.copyOf(recentScenes);
+        views = Map.copyOf(views);
+    }
+
+    public WindowSettings withWindow(int newWidth, int newHeight, boolean newMaximized) {
+        return new WindowSettings(
+                Math.clamp(newWidth, MIN_SIDE, MAX_SIDE),
+                Math.clamp(newHeight, MIN_SIDE, MAX_SIDE),
+                newMaximized,
+                panelShown,
+                engine,
+                recentScenes,
+                views);
+    }
+
+    public WindowSettings withPanelShown(boolean shown) {
+        return new WindowSettings(width, height, maximized, shown, engine, recentScenes, views);
+    }
+
+    public WindowSettings withEngine(String id) {
+        return new WindowSettings(width, height, maximized, panelShown, id, recentScenes, views);
+    }
+
+    /** The file comes first; where there are too many, the oldest is forgotten. */
+    public WindowSettings withRecentScene(String file) {
+        List<String> newest = Stream.concat(Stream.of(file), recentScenes.stream())
+                .distinct()
+                .limit(MAX_RECENT)
+                .toList();
+        return new WindowSettings(width, height, maximized, panelShown, engine, newest, views);
+    }
+
+    /** Without a file that is no longer there. */
+    public WindowSettings withoutRecentScene(String file) {
+        List<String> rest =
+                recentScenes.stream().filter(recent -> !recent.equals(file)).toList();
+        return new WindowSettings(width, height, maximized, panelShown, engine, rest, views);
+    }
+
+    /** Keeps a camera under a key from 0 to 9. */
+    public WindowSettings withView(int key, Camera camera) {
+        Map<Integer, Camera> kept = new LinkedHashMap<>(new TreeMap<>(views));
+        kept.put(key, camera);
+        return new WindowSettings(width, height, maximized, panelShown, engine, recentScenes, kept);
+    }
+
+    private static boolean isUsable(Camera camera) {
+        return camera != null
+                && isUsable(camera.position())
+                && SceneLimits.YAW.contains(camera.yawDegrees())
+                && SceneLimits.PITCH.contains(camera.pitchDegrees())
+                && SceneLimits.FIELD_OF_VIEW.contains(camera.fieldOfViewDegrees());
+    }
+
+    private static boolean isUsable(Vector3 place) {
+        return place != null
+                && SceneLimits.POSITION.contains(place.x())
+                && SceneLimits.POSITION.contains(place.y())
+                && SceneLimits.POSITION.contains(place.z());
+    }
+
+    private static void require(boolean holds, String field) {
+        if (!holds) {
+            throw new IllegalArgumentException(field + " is out of range");
+        }
+    }
+}

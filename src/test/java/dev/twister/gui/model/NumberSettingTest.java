@@ -1,0 +1,110 @@
+package dev.twister.gui.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.twister.kernel.Layout;
+import dev.twister.scene.Scene;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class NumberSettingTest {
+    private final Scene scene = Scenes.scene();
+
+    static Stream<NumberSetting> all() {
+        int body = Layout.FIRST_SPHERE + 1;
+        return Stream.of(
+                SceneNumbers.SHADOW_SAMPLES,
+                SceneNumbers.BOUNCES,
+                SceneNumbers.SAMPLES_PER_PIXEL,
+                SceneNumbers.EXPOSURE,
+                SceneNumbers.FIELD_OF_VIEW,
+                SceneNumbers.LIGHT_X,
+                SceneNumbers.LIGHT_Y,
+                SceneNumbers.LIGHT_Z,
+                SceneNumbers.LIGHT_RADIUS,
+                SceneNumbers.LIGHT_STRENGTH,
+                BodyEdits.x(body),
+                BodyEdits.y(body),
+                BodyEdits.z(body),
+                BodyEdits.radiusOf(body),
+                BodyEdits.reflectivityOf(body));
+    }
+
+    @ParameterizedTest
+    @MethodSource("all")
+    void whatIsWrittenIsRead(NumberSetting setting) {
+        for (double place : new double[] {0, 0.3, 1}) {
+            double number = setting.numberAt(place);
+            assertThat(setting.read(setting.write(scene, number))).isCloseTo(number, within(1e-9));
+            assertThat(setting.allowed().contains(number)).isTrue();
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("all")
+    void nothingElseIsWritten(NumberSetting setting) {
+        double before = setting.read(scene);
+        Scene there = setting.write(scene, setting.numberAt(0.9));
+        assertThat(there).isNotEqualTo(scene);
+        assertThat(setting.write(there, before)).isEqualTo(scene);
+    }
+
+    @ParameterizedTest
+    @MethodSource("all")
+    void arrowKeysMoveAndComeToTheEnds(NumberSetting setting) {
+        double number = setting.slid().min();
+        int steps = 0;
+        while (number < setting.slid().max() && steps < 1000) {
+            double next = setting.stepped(number, 1);
+            assertThat(next).isGreaterThan(number);
+            number = next;
+            steps++;
+        }
+        assertThat(number).isEqualTo(setting.slid().max());
+        assertThat(setting.stepped(number, 1)).isEqualTo(number);
+        assertThat(setting.stepped(number, -1)).isLessThan(number);
+        assertThat(setting.stepped(setting.slid().min(), -1))
+                .isEqualTo(setting.slid().min());
+    }
+
+    @ParameterizedTest
+    @MethodSource("all")
+    void whatIsShownIsUnderstood(NumberSetting setting) {
+        double number = setting.numberAt(0.37);
+        assertThat(setting.parse(setting.text(number))).contains(number);
+    }
+
+    @Test
+    void whatIsTypedIsCheckedAgainstTheScenesLimits() {
+        NumberSetting shadows = SceneNumbers.SHADOW_SAMPLES;
+        assertThat(shadows.parse(" 700 ")).contains(700.0);
+        assertThat(shadows.parse("0")).isEmpty();
+        assertThat(shadows.parse("1025")).isEmpty();
+        assertThat(shadows.parse("many")).isEmpty();
+        assertThat(shadows.parse("NaN")).isEmpty();
+        assertThat(shadows.parse("")).isEmpty();
+        assertThat(shadows.parse("1e999999999")).isEmpty();
+        assertThat(SceneNumbers.EXPOSURE.parse("-0,5")).contains(-0.5);
+        assertThat(shadows.complaint("many"))
+                .isEqualTo("Shadow samples is 'many', but must be a number from 1 to 1024");
+    }
+
+    @Test
+    void placesFollowTheScale() {
+        NumberSetting shadows = SceneNumbers.SHADOW_SAMPLES;
+        assertThat(shadows.placeOf(20)).isCloseTo(0.5, within(1e-9));
+        assertThat(shadows.numberAt(0.5)).isEqualTo(20);
+        assertThat(shadows.placeOf(1000)).isEqualTo(1);
+        assertThat(SceneNumbers.EXPOSURE.placeOf(0)).isEqualTo(0.5);
+    }
+
+    @Test
+    void aLightThatIsOutCanBeLitAgain() {
+        Scene out = SceneNumbers.LIGHT_STRENGTH.write(scene, 0);
+        Scene lit = SceneNumbers.LIGHT_STRENGTH.write(out, 3);
+        assertThat(SceneNumbers.LIGHT_STRENGTH.read(lit)).isEqualTo(3);
+    }
+}

@@ -1,0 +1,139 @@
+package dev.twister.gui.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.twister.kernel.Layout;
+import dev.twister.scene.Camera;
+import dev.twister.scene.Light;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import dev.twister.world.FrameInput;
+import java.util.List;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.DoubleRange;
+import org.junit.jupiter.api.Test;
+
+/** What the pointer finds, takes and inserts. */
+class PickingTest {
+    private static final double TAN = Math.tan(Math.toRadians(30));
+    private final Scene scene = Scenes.scene();
+    private final FrameInput input = Scenes.input(scene);
+
+    /** Where a place appears, by the pinhole camera's textbook equation. */
+    private static double[] pixelOf(Vector3 place) {
+        double depth = place.z() + 10;
+        double half = Scenes.HEIGHT / 2.0;
+        double x = Scenes.WIDTH / 2.0 + half * place.x() / (depth * TAN);
+        double y = half - half * (place.y() - 2) / (depth * TAN);
+        return new double[] {x, y};
+    }
+
+    private int bodyAt(Vector3 place) {
+        double[] pixel = pixelOf(place);
+        return BodyPicker.bodyAt(input, pixel[0], pixel[1]);
+    }
+
+    @Test
+    void bodiesAreFoundWhereTheyAreSeen() {
+        assertThat(bodyAt(new Vector3(0, 2, 0))).isEqualTo(Layout.FIRST_SPHERE);
+        assertThat(bodyAt(new Vector3(4, 2, 2))).isEqualTo(Layout.FIRST_SPHERE + 1);
+        assertThat(bodyAt(scene.light().position())).isEqualTo(Layout.LIGHT);
+        assertThat(bodyAt(new Vector3(0, 0, -5))).isEqualTo(Layout.PLANE);
+        assertThat(bodyAt(new Vector3(0, 7, 0))).isEqualTo(Layout.NOTHING);
+    }
+
+    @Test
+    void aSphereEndsAtItsRim() {
+        double distance = 10;
+        double rim = distance * Math.tan(Math.asin(1.5 / distance));
+        assertThat(bodyAt(new Vector3(0.99 * rim, 2, 0))).isEqualTo(Layout.FIRST_SPHERE);
+        assertThat(bodyAt(new Vector3(1.01 * rim, 2, 0))).isNotEqualTo(Layout.FIRST_SPHERE);
+    }
+
+    @Property(seed = "20261121", tries = 200)
+    void aDraggedSphereStaysUnderThePointer(
+            @ForAll @DoubleRange(min = 0, max = Scenes.WIDTH) double x,
+            @ForAll @DoubleRange(min = 0, max = Scenes.HEIGHT) double y,
+            @ForAll @DoubleRange(min = -180, max = 180) double yaw,
+            @ForAll @DoubleRange(min = -80, max = 80) double pitch) {
+        Camera camera = new Camera(new Vector3(3, 4, -2), yaw, pitch, 70);
+        FrameInput view = Scenes.input(scene.withCamera(camera));
+        Vector3 forward = forward(camera);
+        Vector3 center = new Vector3(3 + 6 * forward.x(), 4 + 6 * forward.y(), -2 + 6 * forward.z());
+        // The sphere lies in the middle of the picture, where it is taken.
+        SphereDrag drag = SphereDrag.start(view, center, Scenes.WIDTH / 2.0, Scenes.HEIGHT / 2.0);
+        Vector3 moved = drag.centerAt(view, x, y);
+        double depth = (moved.x() - 3) * forward.x() + (moved.y() - 4) * forward.y() + (moved.z() + 2) * forward.z();
+        assertThat(depth).isCloseTo(6, within(1e-4));
+        Scene dragged = BodyEdits.moved(scene.withCamera(camera), Layout.FIRST_SPHERE, moved);
+        Scene alone = dragged.withSpheres(dragged.spheres().subList(0, 1)).withLight(farAway());
+        // Only the plane may hide it.
+        assertThat(BodyPicker.bodyAt(Scenes.input(alone), x, y)).isIn(Layout.FIRST_SPHERE, Layout.PLANE);
+    }
+
+    private Light farAway() {
+        return new Light(new Vector3(0, 1e5, 0), 0.5, scene.light().color());
+    }
+
+    private static Vector3 forward(Camera camera) {
+        double yaw = Math.toRadians(camera.yawDegrees());
+        double pitch = Math.toRadians(camera.pitchDegrees());
+        return new Vector3(Math.cos(pitch) * Math.sin(yaw), -Math.sin(pitch), Math.cos(pitch) * Math.cos(yaw));
+    }
+
+    @Test
+    void takingHoldDoesNotMoveIt() {
+        Vector3 center = scene.spheres().getFirst().position();
+        SphereDrag drag = SphereDrag.start(input, center, 52, 30);
+        Vector3 still = drag.centerAt(input, 52, 30);
+        assertThat(still.x()).isCloseTo(center.x(), within(1e-6));
+        assertThat(still.y()).isCloseTo(center.y(), within(1e-6));
+        assertThat(still.z()).isCloseTo(center.z(), within(1e-6));
+    }
+
+    @Test
+    void aDragMovesByWhatThePointerMoves() {
+        SphereDrag drag = SphereDrag.start(input, new Vector3(0, 2, 0), 48, 32);
+        Vector3 moved = drag.centerAt(input, 48 + 16, 32);
+        assertThat(moved.x()).isCloseTo(10 * TAN * 16 / 32, within(1e-4));
+        assertThat(moved.y()).isCloseTo(2, within(1e-4));
+        assertThat(moved.z()).isCloseTo(0, within(1e-4));
+    }
+
+    @Test
+    void aNewSphereTouchesWhatIsBehindIt() {
+        Sphere inserted = NewSphere.inFrontOf(input, scene);
+        double gap = scene.spheres().getFirst().position().z()
+                - 1.5
+                - inserted.position().z();
+        assertThat(gap).isCloseTo(inserted.radius(), within(0.05));
+        assertThat(BodyPicker.bodyAt(
+                        Scenes.input(BodyEdits.inserted(scene, inserted)), Scenes.WIDTH / 2.0, Scenes.HEIGHT / 2.0))
+                .isEqualTo(Layout.FIRST_SPHERE + 2);
+    }
+
+    @Test
+    void aNewSphereStandsOnThePlane() {
+        Scene down = scene.withSpheres(List.of()).withCamera(new Camera(new Vector3(0, 2, -10), 0, 20, 60));
+        Sphere inserted = NewSphere.inFrontOf(Scenes.input(down), down);
+        assertThat(inserted.position().y()).isEqualTo(inserted.radius());
+    }
+
+    @Test
+    void aNewSphereIsNotAroundTheCamera() {
+        Scene near = scene.withCamera(new Camera(new Vector3(0, 2, -1.6), 0, 0, 60));
+        Sphere inserted = NewSphere.inFrontOf(Scenes.input(near), near);
+        assertThat(inserted.position().z() + 1.6).isGreaterThan(inserted.radius());
+    }
+
+    @Test
+    void aNewSphereInTheSkyIsAtHand() {
+        Scene up = scene.withCamera(new Camera(new Vector3(0, 2, -10), 180, -30, 60));
+        Sphere inserted = NewSphere.inFrontOf(Scenes.input(up), up);
+        assertThat(Math.hypot(inserted.position().y() - 2, inserted.position().z() + 10))
+                .isCloseTo(15, within(1e-4));
+    }
+}

@@ -1,0 +1,175 @@
+package dev.twister.gui.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.scene.Camera;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import net.jqwik.api.constraints.Size;
+import org.junit.jupiter.api.Test;
+
+class SceneHistoryTest {
+    private final Scene start = Scenes.scene();
+    private final SceneHistory history = new SceneHistory(start);
+
+    private static Scene shadows(Scene scene, int samples) {
+        return scene.withSettings(scene.settings().withShadows(samples));
+    }
+
+    private static Scene bounces(Scene scene, int bounces) {
+        return scene.withSettings(scene.settings().withBounces(bounces));
+    }
+
+    @Test
+    void anEditIsTakenBackAndMadeAgain() {
+        history.edit("shadows", shadows(start, 100));
+        assertThat(history.undoable()).contains("shadows");
+        history.undo();
+        assertThat(history.present()).isEqualTo(start);
+        assertThat(history.undoable()).isEmpty();
+        assertThat(history.redoable()).contains("shadows");
+        history.redo();
+        assertThat(history.present()).isEqualTo(shadows(start, 100));
+        assertThat(history.redoable()).isEmpty();
+    }
+
+    @Test
+    void oneGestureIsOneStep() {
+        for (int samples = 10; samples < 50; samples++) {
+            history.edit("shadows", shadows(history.present(), samples));
+        }
+        history.undo();
+        assertThat(history.present()).isEqualTo(start);
+    }
+
+    @Test
+    void aGestureEndsWhereItIsSaidToOrAnotherBegins() {
+        history.edit("shadows", shadows(history.present(), 10));
+        history.endGesture();
+        history.edit("shadows", shadows(history.present(), 20));
+        history.edit("bounces", bounces(history.present(), 4));
+        history.edit("shadows", shadows(history.present(), 30));
+        List<Integer> samples = new ArrayList<>();
+        while (history.undoable().isPresent()) {
+            history.undo();
+            samples.add(history.present().settings().shadowSamples());
+        }
+        assertThat(samples).containsExactly(20, 20, 10, 8);
+    }
+
+    @Test
+    void anEditAfterUndoForgetsWhatWasTakenBack() {
+        history.edit("shadows", shadows(start, 10));
+        history.undo();
+        history.edit("bounces", bounces(start, 5));
+        assertThat(history.redoable()).isEmpty();
+        history.undo();
+        assertThat(history.present()).isEqualTo(start);
+    }
+
+    @Test
+    void whatChangesNothingIsNoEdit() {
+        history.edit("shadows", shadows(start, start.settings().shadowSamples()));
+        assertThat(history.undoable()).isEmpty();
+        assertThat(history.hasChanged()).isFalse();
+    }
+
+    @Test
+    void nothingToTakeBackOrMakeAgainDoesNothing() {
+        history.undo();
+        history.redo();
+        assertThat(history.present()).isSameAs(start);
+    }
+
+    @Test
+    void theViewerStaysButTheFieldOfViewGoesBack() {
+        Camera wide = new Camera(start.camera().position(), 0, 0, 90);
+        history.edit("field of view", start.withCamera(wide));
+        history.carryOn(history.present().withCamera(new Camera(new Vector3(7, 7, 7), 30, 10, 90)));
+        assertThat(history.undoable()).contains("field of view");
+        history.undo();
+        assertThat(history.present().camera()).isEqualTo(new Camera(new Vector3(7, 7, 7), 30, 10, 60));
+    }
+
+    @Test
+    void knowsWhetherThereIsSomethingToSave() {
+        assertThat(history.hasChanged()).isFalse();
+        history.edit("shadows", shadows(start, 10));
+        assertThat(history.hasChanged()).isTrue();
+        history.markSaved();
+        assertThat(history.hasChanged()).isFalse();
+        history.undo();
+        assertThat(history.hasChanged()).isTrue();
+        history.redo();
+        assertThat(history.hasChanged()).isFalse();
+        history.carryOn(history.present().withCamera(new Camera(new Vector3(1, 1, 1), 0, 0, 60)));
+        assertThat(history.hasChanged()).isFalse();
+        history.edit("shadows", shadows(history.present(), 11));
+        assertThat(history.hasChanged()).isTrue();
+    }
+
+    @Test
+    void anotherEditIsNotTakenForTheSavedOne() {
+        history.edit("shadows", shadows(start, 10));
+        history.markSaved();
+        history.undo();
+        history.edit("shadows", shadows(start, 12));
+        assertThat(history.hasChanged()).isTrue();
+    }
+
+    @Test
+    void stepsAreLimited() {
+        for (int i = 0; i < SceneHistory.MAX_STEPS + 50; i++) {
+            history.edit("shadows", shadows(history.present(), 100 + i % 2));
+            history.endGesture();
+        }
+        int steps = 0;
+        while (history.undoable().isPresent()) {
+            history.undo();
+            steps++;
+        }
+        assertThat(steps).isEqualTo(SceneHistory.MAX_STEPS);
+    }
+
+    @Test
+    void spheresThatAreHeldAreLimited() {
+        Sphere sphere = start.spheres().getFirst();
+        for (int i = 0; i < 15; i++) {
+            history.edit("sphere " + i, start.withSpheres(Collections.nCopies(500_000 + i, sphere)));
+        }
+        int steps = 0;
+        while (history.undoable().isPresent()) {
+            history.undo();
+            steps++;
+        }
+        assertThat(steps).isEqualTo(7);
+    }
+
+    @Property(seed = "20261121", tries = 200)
+    void undoingAllAndRedoingAllComesBack(@ForAll @Size(max = 30) List<@IntRange(min = 1, max = 5) Integer> samples) {
+        SceneHistory any = new SceneHistory(start);
+        for (int count : samples) {
+            any.edit("shadows", shadows(any.present(), count));
+            if (count % 2 == 0) {
+                any.endGesture();
+            }
+        }
+        Scene end = any.present();
+        while (any.undoable().isPresent()) {
+            any.undo();
+        }
+        assertThat(any.present()).isEqualTo(start);
+        assertThat(any.hasChanged()).isFalse();
+        while (any.redoable().isPresent()) {
+            any.redo();
+        }
+        assertThat(any.present()).isEqualTo(end);
+    }
+}

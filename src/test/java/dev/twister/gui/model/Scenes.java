@@ -1,0 +1,44 @@
+package dev.twister.gui.model;
+
+import dev.twister.scene.Camera;
+import dev.twister.scene.Light;
+import dev.twister.scene.Plane;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import dev.twister.sky.Skybox;
+import dev.twister.world.FrameInput;
+import dev.twister.world.World;
+import java.nio.file.Path;
+import java.util.List;
+
+/** A small scene whose bodies are where a test expects them: the camera looks along z from (0, 2, -10). */
+final class Scenes {
+    static final int WIDTH = 96;
+    static final int HEIGHT = 64;
+    static final Skybox SKY = new Skybox(2, 1, new float[] {0.1f, 0.3f, 0.9f, 1.4f, 0.3f, 0.1f});
+
+    private Scenes() {}
+
+    /** A large sphere in the middle, a small one to the right, the light above to the left, the plane below. */
+    static Scene scene() {
+        return new Scene(
+                "",
+                "",
+                new Camera(new Vector3(0, 2, -10), 0, 0, 60),
+                new Light(new Vector3(-4, 6, 0), 0.5, new Rgb(2, 1, 1)),
+                new Plane(40, 0, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32),
+                List.of(
+                        new Sphere(new Vector3(0, 2, 0), 1.5, new Rgb(0.9, 0.2, 0.1), 60),
+                        new Sphere(new Vector3(4, 2, 2), 0.5, new Rgb(0.1, 0.9, 0.2), 0)),
+                Path.of("none.hdr"),
+                0.2,
+                RenderSettings.DEFAULT.withSize(WIDTH, HEIGHT).withShadows(8).withBounces(2));
+    }
+
+    static FrameInput input(Scene scene) {
+        return World.of(scene, SKY).snapshot();
+    }
+}

@@ -1,0 +1,130 @@
+package dev.twister.gui.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.scene.Camera;
+import dev.twister.scene.Vector3;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class SettingsStoreTest {
+    @TempDir
+    private Path home;
+
+    private SettingsStore store() {
+        return new SettingsStore(Optional.of(home.resolve("new").resolve("twister")));
+    }
+
+    private Path put(String text) throws IOException {
+        Path folder = Files.createDirectories(home.resolve("new").resolve("twister"));
+        return Files.writeString(folder.resolve(SettingsStore.FILE), text);
+    }
+
+    @Test
+    void whatIsWrittenIsReadBack() throws IOException {
+        WindowSettings settings = WindowSettings.DEFAULT
+                .withWindow(900, 700, true)
+                .withPanelShown(false)
+                .withEngine("vector")
+                .withRecentScene("/a/b \u00e9.json")
+                .withRecentScene("/c.json")
+                .withView(3, new Camera(new Vector3(1.5, -2, 3e3), 400, -30, 55));
+        store().write(settings);
+        assertThat(store().read()).isEqualTo(new SettingsStore.Found(settings, Optional.empty()));
+    }
+
+    @Test
+    void thereNeedNotBeAny() {
+        assertThat(store().read()).isEqualTo(new SettingsStore.Found(WindowSettings.DEFAULT, Optional.empty()));
+    }
+
+    @Test
+    void withoutAPlaceNothingIsKept() throws IOException {
+        SettingsStore nowhere = new SettingsStore(Optional.empty());
+        nowhere.write(WindowSettings.DEFAULT.withEngine("vector"));
+        assertThat(nowhere.read().settings()).isEqualTo(WindowSettings.DEFAULT);
+    }
+
+    @Test
+    void whatAFileDoesNotSayIsAsUsualAndWhatIsUnknownIsLeftAlone() throws IOException {
+        put("{\"engine\": \"vector\", \"ofTheFuture\": [1, {}]}");
+        assertThat(store().read())
+                .isEqualTo(new SettingsStore.Found(WindowSettings.DEFAULT.withEngine("vector"), Optional.empty()));
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "",
+                "[]",
+                "7",
+                "{\"width\": ",
+                "{\"width\": 3}",
+                "{\"width\": 1e99}",
+                "{\"engine\": null}",
+                "{\"recentScenes\": null}",
+                "{\"recentScenes\": [null]}",
+                "{\"recentScenes\": \"x\"}",
+                "{\"views\": {\"77\": null}}",
+                "{\"views\": {\"a\": {}}}",
+                "{\"views\": {\"1\": null}}",
+                "{\"views\": {\"1\": {\"position\": null, \"fieldOfViewDegrees\": 50}}}",
+                "{\"views\": {\"1\": {\"position\": {\"x\": \"NaN\", \"y\": 0, \"z\": 0}, \"fieldOfViewDegrees\": 50}}}",
+                "\u0000\u0001\u0002"
+            })
+    void aDamagedFileIsSetAside(String text) throws IOException {
+        Path file = put(text);
+        SettingsStore.Found found = store().read();
+        assertThat(found.settings()).isEqualTo(WindowSettings.DEFAULT);
+        Path aside = file.resolveSibling(SettingsStore.DAMAGED_FILE);
+        assertThat(found.message()).get().asString().contains(aside.toString());
+        assertThat(aside).hasContent(text);
+        assertThat(file).doesNotExist();
+        store().write(WindowSettings.DEFAULT);
+        assertThat(store().read().message()).isEmpty();
+    }
+
+    @Test
+    void aHugeFileIsNotRead() throws IOException {
+        put(" ".repeat(1 << 23));
+        assertThat(store().read().message()).isPresent();
+    }
+
+    @Test
+    void recentScenesAreFewAndTheNewestIsFirst() {
+        WindowSettings settings = WindowSettings.DEFAULT;
+        for (int i = 0; i < 15; i++) {
+            settings = settings.withRecentScene("/" + i);
+        }
+        settings = settings.withRecentScene("/10");
+        assertThat(settings.recentScenes())
+                .containsExactly("/10", "/14", "/13", "/12", "/11", "/9", "/8", "/7", "/6", "/5");
+        assertThat(settings.withoutRecentScene("/10").recentScenes()).hasSize(9).doesNotContain("/10");
+    }
+
+    @Test
+    void aWindowOfNoSizeIsKeptUsable() {
+        WindowSettings settings = WindowSettings.DEFAULT.withWindow(0, 100_000, false);
+        assertThat(settings.width()).isEqualTo(WindowSettings.MIN_SIDE);
+        assertThat(settings.height()).isEqualTo(WindowSettings.MAX_SIDE);
+    }
+
+    @Test
+    void everyNumberKeyKeepsAView() {
+        WindowSettings settings = IntStream.rangeClosed(0, 9)
+                .boxed()
+                .reduce(
+                        WindowSettings.DEFAULT,
+                        (kept, key) -> kept.withView(key, new Camera(new Vector3(key, 0, 0), 0, 0, 50)),
+                        (one, other) -> other);
+        assertThat(settings.views()).hasSize(10);
+        assertThat(settings.views().get(7).position().x()).isEqualTo(7);
+    }
+}
