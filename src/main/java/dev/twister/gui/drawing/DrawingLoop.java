@@ -121,7 +121,7 @@ public final class DrawingLoop implements AutoCloseable {
         }
         pictures++;
         exchange.finished(new DrawnPicture(
-                frame, request, engine.id(), engine.device(), frame.times(), pictures, System.nanoTime()));
+                frame, request, input, engine.id(), engine.device(), frame.times(), pictures, System.nanoTime()));
         return seat.opening().isEmpty();
     }
 }

@@ -2,12 +2,14 @@ package dev.twister.gui.drawing;
 
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
+import dev.twister.world.FrameInput;
 
 /**
  * A finished picture.
  *
  * @param frame 8-bit pixels; they stay as they are until the picture has been given back
  * @param request the request that it answers
+ * @param input what the engine saw: where each body was
  * @param engine the id of the engine that drew it
  * @param device what did the work, for a person
  * @param times where its time went
@@ -17,6 +19,7 @@ import dev.twister.image.FrameTimes;
 public record DrawnPicture(
         Frame frame,
         DrawingRequest request,
+        FrameInput input,
         String engine,
         String device,
         FrameTimes times,

@@ -1,6 +1,5 @@
 package dev.twister.gui.model;
 
-import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import java.util.ArrayDeque;
@@ -13,8 +12,8 @@ import java.util.Set;
 
 /**
  * A scene with the edits that led to it, which can be taken back and made again. Successive edits of one gesture (a
- * drag, a slider's movement) count as one. Where the camera stands and looks is no edit: taking one back leaves the
- * viewer where they are. Used by one thread.
+ * drag, a slider's movement) count as one. Where the camera stands, how it looks and how wide is no edit: taking one back
+ * leaves the viewer where they are. Used by one thread.
  */
 public final class SceneHistory {
     static final int MAX_STEPS = 1000;
@@ -115,13 +114,8 @@ public final class SceneHistory {
             return;
         }
         to.push(new Step(step.what(), present, version));
-        present = step.scene().withCamera(seenFromHere(step.scene().camera()));
+        present = step.scene().withCamera(present.camera());
         version = step.version();
-    }
-
-    private Camera seenFromHere(Camera edited) {
-        Camera here = present.camera();
-        return new Camera(here.position(), here.yawDegrees(), here.pitchDegrees(), edited.fieldOfViewDegrees());
     }
 
     private void forgetTheOldest() {
