@@ -42,7 +42,7 @@ public class KernelStepBenchmark {
     private final float[] directionX = new float[CALLS];
     private final float[] directionY = new float[CALLS];
     private final float[] directionZ = new float[CALLS];
-    private final float[] scratch = new float[SoftShadow.SCRATCH_LENGTH];
+    private final float[] scratch = new float[Layout.SCRATCH_LENGTH];
     private FrameInput input;
 
     @Setup(Level.Trial)
@@ -117,9 +117,8 @@ public class KernelStepBenchmark {
                     LIGHT_DISC_RADIUS,
                     SHADOW_SAMPLES,
                     input.shadowDisc(),
-                    input.bodyPositions(),
-                    input.bodySizes(),
-                    input.bodies(),
+                    input.hierarchy(),
+                    Layout.root(input.bodies()),
                     scratch);
         }
         return sum;

@@ -1,8 +1,8 @@
 package dev.twister.engine;
 
 import dev.twister.image.Frame;
+import dev.twister.kernel.Layout;
 import dev.twister.kernel.PixelKernel;
-import dev.twister.kernel.SoftShadow;
 import dev.twister.world.FrameInput;
 
 /** Calls the kernel on the JVM, row by row. */
@@ -11,7 +11,7 @@ final class JvmKernel {
 
     /** Draws one row of the band; {@code shortcuts} is one of {@link PixelKernel}'s values. */
     static void drawRow(FrameInput input, Frame frame, int row, int shortcuts) {
-        float[] scratch = new float[SoftShadow.SCRATCH_LENGTH];
+        float[] scratch = new float[Layout.SCRATCH_LENGTH];
         int output = frame.isLinear() ? PixelKernel.LINEAR : PixelKernel.ARGB;
         int width = input.width();
         for (int column = 0; column < width; column++) {
@@ -31,6 +31,7 @@ final class JvmKernel {
                     input.skyboxDimensions(),
                     input.shadowDisc(),
                     input.pixelOffsets(),
+                    input.hierarchy(),
                     scratch,
                     shortcuts,
                     output);

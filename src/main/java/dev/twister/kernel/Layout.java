@@ -63,8 +63,54 @@ public final class Layout {
     public static final int SKYBOX_HEIGHT = 1;
     public static final int SKYBOX_DIMENSIONS_LENGTH = 2;
 
+    /**
+     * {@code float[] hierarchy}, a bounding volume hierarchy over the spheres: first the spheres, each of a leaf beside the
+     * others of it, then the nodes. A sphere's centre, radius and body (a whole number, exact in a float).
+     */
+    public static final int SPHERE_CENTER = 0;
+
+    public static final int SPHERE_RADIUS = 3;
+    public static final int SPHERE_BODY = 4;
+
+    /** From one sphere to the next. */
+    public static final int SPHERE_STRIDE = 5;
+
+    /** A node's box: its centre, and half of its sides. */
+    public static final int NODE_CENTER = 0;
+
+    public static final int NODE_HALF = 3;
+
+    /** Where in the array the node's first sphere is, or its first child; the second child follows the first. */
+    public static final int NODE_LINK = 6;
+
+    /** How many spheres are in the leaf; less than 0 where the node has children. */
+    public static final int NODE_SPHERES = 7;
+
+    /** From one node to the next. */
+    public static final int NODE_STRIDE = 8;
+
+    /** What stands for no node. */
+    public static final int NO_NODE = -1;
+
+    /** No node has more ancestors. */
+    public static final int MOST_ANCESTORS = 48;
+
+    /**
+     * {@code float[] scratch}, a thread's own: what a shadow remembers of its candidates, then the nodes to come back to
+     * (two floats each, one a generation).
+     */
+    public static final int SCRATCH_CANDIDATES = 0;
+
+    public static final int SCRATCH_STACK = 256;
+    public static final int SCRATCH_LENGTH = SCRATCH_STACK + 2 * MOST_ANCESTORS;
+
     /** The largest reflectivity, at which a body is a perfect mirror. */
     public static final float MAX_REFLECTIVITY = 128f;
 
     private Layout() {}
+
+    /** Where the root is in the hierarchy of a scene of so many bodies: after the spheres. */
+    public static int root(int bodies) {
+        return SPHERE_STRIDE * (bodies - FIRST_SPHERE);
+    }
 }

@@ -25,7 +25,7 @@ public final class PixelKernel {
      * @param row in [0, rows) of the band
      * @param pixels {@code int[width * rows]} where the output is ARGB, else any
      * @param radiance {@code float[3 * width * rows]} where the output is LINEAR, else any
-     * @param scratch {@link SoftShadow#SCRATCH_LENGTH} floats of this thread's own
+     * @param scratch {@link Layout#SCRATCH_LENGTH} floats of this thread's own
      */
     public static void draw(
             int column,
@@ -43,12 +43,14 @@ public final class PixelKernel {
             int[] skyboxDimensions,
             float[] shadowDisc,
             float[] pixelOffsets,
+            float[] hierarchy,
             float[] scratch,
             int shortcuts,
             int output) {
         int width = dimensions[Layout.WIDTH];
         int height = dimensions[Layout.HEIGHT];
         int bodies = dimensions[Layout.BODIES];
+        int root = Layout.root(bodies);
         int skyWidth = skyboxDimensions[Layout.SKYBOX_WIDTH];
         int skyHeight = skyboxDimensions[Layout.SKYBOX_HEIGHT];
         int shadowSamples = (int) rayTracingProperties[Layout.SHADOW_SAMPLES];
@@ -93,17 +95,34 @@ public final class PixelKernel {
             int leaving = Layout.NOTHING;
             int done = 0;
             for (int bounce = 0; bounce <= bounceLimit && done == 0; bounce++) {
-                int body = ClosestHit.body(
-                        originX,
-                        originY,
-                        originZ,
-                        directionX,
-                        directionY,
-                        directionZ,
-                        leaving,
-                        bodyPositions,
-                        bodySizes,
-                        bodies);
+                int body;
+                if (shortcuts == PLAIN) {
+                    body = ClosestHit.body(
+                            originX,
+                            originY,
+                            originZ,
+                            directionX,
+                            directionY,
+                            directionZ,
+                            leaving,
+                            bodyPositions,
+                            bodySizes,
+                            bodies);
+                } else {
+                    body = NearestHit.body(
+                            originX,
+                            originY,
+                            originZ,
+                            directionX,
+                            directionY,
+                            directionZ,
+                            leaving,
+                            bodyPositions,
+                            bodySizes,
+                            hierarchy,
+                            root,
+                            scratch);
+                }
                 if (body == Layout.NOTHING) {
                     float skyColumn = SkyLookup.column(directionX, directionZ, skyWidth);
                     float skyRow = SkyLookup.row(directionX, directionY, directionZ, skyHeight);
@@ -203,9 +222,8 @@ public final class PixelKernel {
                                     2f * lightRadius,
                                     shadowSamples,
                                     shadowDisc,
-                                    bodyPositions,
-                                    bodySizes,
-                                    bodies,
+                                    hierarchy,
+                                    root,
                                     scratch);
                         }
                     }

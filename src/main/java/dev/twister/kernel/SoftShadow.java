@@ -13,14 +13,17 @@ package dev.twister.kernel;
  * <p>Spheres that cannot meet the cone from the point to the disc are left out first; most points have none left.
  */
 public final class SoftShadow {
-    /** How many candidates a point remembers; the others, in their order, are tested anew at each sample. */
-    private static final int REMEMBERED = 16;
+    /** How many candidates a point remembers; where there are more, each sample looks through the hierarchy. */
+    private static final int REMEMBERED = 64;
 
     /** Floats a remembered candidate: a, u, w, radius squared. */
     private static final int STRIDE = 4;
 
-    /** The length of the scratch array that {@link #visible} wants. */
-    public static final int SCRATCH_LENGTH = REMEMBERED * STRIDE;
+    /** What {@link #judge} says of a sphere. */
+    private static final int HARMLESS = 0;
+
+    private static final int CANDIDATE = 1;
+    private static final int HIDES_ALL = 2;
 
     /** Culling must err on one side only: this much is added to a reach, so that rounding never drops a blocker. */
     public static final float RELATIVE_MARGIN = 1.0005f;
@@ -41,7 +44,9 @@ public final class SoftShadow {
      * @param distance D, in metres
      * @param discRadius twice the light's radius: where the sunflower's rim is
      * @param shadowDisc the unit sunflower, {@code float[2 * samples]}
-     * @param candidates scratch of {@link #SCRATCH_LENGTH} floats
+     * @param hierarchy over the spheres
+     * @param root where in the hierarchy its root is, see {@link Layout#root}
+     * @param scratch {@link Layout#SCRATCH_LENGTH} floats
      */
     public static float visible(
             float pointX,
@@ -55,10 +60,9 @@ public final class SoftShadow {
             float discRadius,
             int samples,
             float[] shadowDisc,
-            float[] bodyPositions,
-            float[] bodySizes,
-            int bodies,
-            float[] candidates) {
+            float[] hierarchy,
+            int root,
+            float[] scratch) {
         float acrossSquared = axisY * axisY + axisZ * axisZ;
         float scale = KernelMath.inverseRoot(acrossSquared > 0f ? acrossSquared : axisX * axisX);
         float uX = 0f;
@@ -75,41 +79,75 @@ public final class SoftShadow {
         float slope = sampleScale * (float) Math.sqrt(rimX * rimX + rimY * rimY);
         float slant = (float) Math.sqrt(1f + slope * slope);
 
+        float inverseX = NodeBox.inverse(axisX);
+        float inverseY = NodeBox.inverse(axisY);
+        float inverseZ = NodeBox.inverse(axisZ);
         int count = 0;
-        int next = bodies;
         int umbra = 0;
-        for (int body = Layout.FIRST_SPHERE; body < bodies && umbra == 0; body++) {
-            if (body != own) {
-                float x = bodyPositions[3 * body] - pointX;
-                float y = bodyPositions[3 * body + 1] - pointY;
-                float z = bodyPositions[3 * body + 2] - pointZ;
-                float radius = bodySizes[body];
-                float a = x * axisX + y * axisY + z * axisZ;
-                float u = uY * y + uZ * z;
-                float w = wX * x + wY * y + wZ * z;
-                float across = u * u + w * w;
-                float radiusSquared = radius * radius;
-                float reach = (a * slope + radius * slant) * RELATIVE_MARGIN
-                        + ABSOLUTE_MARGIN * (Math.abs(a) + distance + radius);
-                int between = (a + radius > 0f ? 1 : 0)
-                        & (a - radius < distance * RELATIVE_MARGIN ? 1 : 0)
-                        & (reach > 0f ? 1 : 0)
-                        & (across <= reach * reach ? 1 : 0);
-                if (between != 0) {
-                    if (a * a + across > radiusSquared) {
-                        umbra = hidesDisc(a, across, radius, distance, slope, slant);
+        int node = root;
+        int waiting = 0;
+        while (node != Layout.NO_NODE) {
+            int link = (int) hierarchy[node + Layout.NODE_LINK];
+            int spheres = (int) hierarchy[node + Layout.NODE_SPHERES];
+            int next = Layout.NO_NODE;
+            if (spheres < 0) {
+                float first = NodeBox.coneEntry(
+                        hierarchy, link, pointX, pointY, pointZ, axisX, axisY, axisZ, inverseX, inverseY, inverseZ,
+                        distance, slope, slant);
+                float second = NodeBox.coneEntry(
+                        hierarchy,
+                        link + Layout.NODE_STRIDE,
+                        pointX,
+                        pointY,
+                        pointZ,
+                        axisX,
+                        axisY,
+                        axisZ,
+                        inverseX,
+                        inverseY,
+                        inverseZ,
+                        distance,
+                        slope,
+                        slant);
+                int swapped = second < first ? Layout.NODE_STRIDE : 0;
+                float near = second < first ? second : first;
+                float far = second < first ? first : second;
+                if (far < NodeBox.PASSED) {
+                    scratch[Layout.SCRATCH_STACK + waiting] = link + Layout.NODE_STRIDE - swapped;
+                    waiting = waiting + 1;
+                }
+                next = near < NodeBox.PASSED ? link + swapped : Layout.NO_NODE;
+            }
+            for (int sphere = 0; sphere < spheres && umbra == 0; sphere++) {
+                int at = link + Layout.SPHERE_STRIDE * sphere;
+                int body = (int) hierarchy[at + Layout.SPHERE_BODY];
+                if (body != own) {
+                    float x = hierarchy[at] - pointX;
+                    float y = hierarchy[at + 1] - pointY;
+                    float z = hierarchy[at + 2] - pointZ;
+                    float radius = hierarchy[at + Layout.SPHERE_RADIUS];
+                    float a = x * axisX + y * axisY + z * axisZ;
+                    float u = uY * y + uZ * z;
+                    float w = wX * x + wY * y + wZ * z;
+                    int judgement = judge(a, u, w, radius, distance, slope, slant);
+                    umbra = judgement == HIDES_ALL ? 1 : 0;
+                    if (judgement != HARMLESS) {
                         if (count < REMEMBERED) {
-                            candidates[STRIDE * count] = a;
-                            candidates[STRIDE * count + 1] = u;
-                            candidates[STRIDE * count + 2] = w;
-                            candidates[STRIDE * count + 3] = radiusSquared;
-                        } else {
-                            next = Math.min(next, body);
+                            scratch[STRIDE * count] = a;
+                            scratch[STRIDE * count + 1] = u;
+                            scratch[STRIDE * count + 2] = w;
+                            scratch[STRIDE * count + 3] = radius * radius;
                         }
                         count = count + 1;
                     }
                 }
             }
+            if (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
+                waiting = waiting - 1;
+                next = (int) scratch[Layout.SCRATCH_STACK + waiting];
+            }
+            int known = umbra | (count > REMEMBERED ? 1 : 0);
+            node = known == 0 ? next : Layout.NO_NODE;
         }
 
         float visible = 1f;
@@ -119,8 +157,8 @@ public final class SoftShadow {
         int toSample = umbra == 0 ? count : 0;
         if (toSample > 0) {
             int remembered = Math.min(count, REMEMBERED);
-            int alone = count == 1 ? liesBetween(candidates, distance) : 0;
-            int blocked = alone != 0 ? blockedByOne(candidates, shadowDisc, sampleScale, samples) : 0;
+            int alone = count == 1 ? liesBetween(scratch, distance) : 0;
+            int blocked = alone != 0 ? blockedByOne(scratch, shadowDisc, sampleScale, samples) : 0;
             int firstSample = alone != 0 ? samples : 0;
             for (int sample = firstSample; sample < samples; sample++) {
                 float x = shadowDisc[2 * sample] * sampleScale;
@@ -128,29 +166,19 @@ public final class SoftShadow {
                 int hit = 0;
                 for (int candidate = 0; candidate < remembered && hit == 0; candidate++) {
                     hit = blocks(
-                            candidates[STRIDE * candidate],
-                            candidates[STRIDE * candidate + 1],
-                            candidates[STRIDE * candidate + 2],
-                            candidates[STRIDE * candidate + 3],
+                            scratch[STRIDE * candidate],
+                            scratch[STRIDE * candidate + 1],
+                            scratch[STRIDE * candidate + 2],
+                            scratch[STRIDE * candidate + 3],
                             x,
                             y,
                             distance);
                 }
-                for (int body = next; body < bodies && hit == 0; body++) {
-                    if (body != own) {
-                        float toX = bodyPositions[3 * body] - pointX;
-                        float toY = bodyPositions[3 * body + 1] - pointY;
-                        float toZ = bodyPositions[3 * body + 2] - pointZ;
-                        hit = blocks(
-                                toX * axisX + toY * axisY + toZ * axisZ,
-                                uY * toY + uZ * toZ,
-                                wX * toX + wY * toY + wZ * toZ,
-                                bodySizes[body] * bodySizes[body],
-                                x,
-                                y,
-                                distance);
-                    }
-                }
+                int forgotten = ((count > REMEMBERED ? 1 : 0) & (hit == 0 ? 1 : 0)) != 0 ? root : Layout.NO_NODE;
+                hit = hit
+                        + SampleRay.blocked(
+                                pointX, pointY, pointZ, own, axisX, axisY, axisZ, uY, uZ, wX, wY, wZ, x, y, distance,
+                                hierarchy, forgotten, scratch);
                 blocked = blocked + hit;
             }
             visible = 1f - (float) blocked / samples;
@@ -158,18 +186,38 @@ public final class SoftShadow {
         return visible;
     }
 
+    /**
+     * Whether a sphere may come between the point and the disc, with its centre at (a, u, w), and whether it surely hides
+     * the whole disc.
+     */
+    private static int judge(float a, float u, float w, float radius, float distance, float slope, float slant) {
+        float across = u * u + w * w;
+        float reach =
+                (a * slope + radius * slant) * RELATIVE_MARGIN + ABSOLUTE_MARGIN * (Math.abs(a) + distance + radius);
+        int between = (a + radius > 0f ? 1 : 0)
+                & (a - radius < distance * RELATIVE_MARGIN ? 1 : 0)
+                & (reach > 0f ? 1 : 0)
+                & (across <= reach * reach ? 1 : 0)
+                & (a * a + across > radius * radius ? 1 : 0);
+        int judgement = HARMLESS;
+        if (between != 0) {
+            judgement = hidesDisc(a, across, radius, distance, slope, slant) != 0 ? HIDES_ALL : CANDIDATE;
+        }
+        return judgement;
+    }
+
     /** 1 where the first candidate lies wholly between the point and the disc: then only its distance from a ray counts. */
-    private static int liesBetween(float[] candidates, float distance) {
-        float radius = (float) Math.sqrt(candidates[3]);
-        return (candidates[0] - radius > 0f ? 1 : 0) & (candidates[0] + radius < distance * UMBRA_MARGIN ? 1 : 0);
+    private static int liesBetween(float[] scratch, float distance) {
+        float radius = (float) Math.sqrt(scratch[3]);
+        return (scratch[0] - radius > 0f ? 1 : 0) & (scratch[0] + radius < distance * UMBRA_MARGIN ? 1 : 0);
     }
 
     /** How many samples the first candidate blocks, which lies wholly between: most points in a penumbra have but one. */
-    private static int blockedByOne(float[] candidates, float[] shadowDisc, float sampleScale, int samples) {
-        float a = candidates[0];
-        float u = candidates[1];
-        float w = candidates[2];
-        float radiusSquared = candidates[3];
+    private static int blockedByOne(float[] scratch, float[] shadowDisc, float sampleScale, int samples) {
+        float a = scratch[0];
+        float u = scratch[1];
+        float w = scratch[2];
+        float radiusSquared = scratch[3];
         int blocked = 0;
         for (int sample = 0; sample < samples; sample++) {
             float x = shadowDisc[2 * sample] * sampleScale;
@@ -187,7 +235,7 @@ public final class SoftShadow {
      * 1 where a sphere blocks the shadow ray through (1, x, y) * distance: its line is met, and the near side lies
      * between the point and the sample. A point inside the sphere does not see it.
      */
-    private static int blocks(float a, float u, float w, float radiusSquared, float x, float y, float distance) {
+    static int blocks(float a, float u, float w, float radiusSquared, float x, float y, float distance) {
         float p = u - a * x;
         float q = w - a * y;
         float moment = p * y - q * x;

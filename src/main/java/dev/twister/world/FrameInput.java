@@ -21,6 +21,7 @@ import dev.twister.kernel.Layout;
  * @param skyboxDimensions {@code int[2]}: width, height in texels
  * @param shadowDisc {@code float[2 * shadowSamples]}: the unit sunflower's points, {@code sqrt(i / n)} from the centre
  * @param pixelOffsets {@code float[2 * samplesPerPixel]}: the samples' places in a pixel, x and y in [0, 1)
+ * @param hierarchy over the spheres that are there: see {@link SphereHierarchy}; its length depends on the room alone
  */
 @SuppressWarnings("ArrayRecordComponent") // identity is what counts, see above
 public record FrameInput(
@@ -34,7 +35,8 @@ public record FrameInput(
         float[] skybox,
         int[] skyboxDimensions,
         float[] shadowDisc,
-        float[] pixelOffsets) {
+        float[] pixelOffsets,
+        float[] hierarchy) {
 
     public int width() {
         return dimensions[Layout.WIDTH];
@@ -66,6 +68,30 @@ public record FrameInput(
     }
 
     /**
+     * The same picture by way of another hierarchy over the same spheres, such as one of a single leaf.
+     *
+     * @throws IllegalArgumentException where it has another length
+     */
+    public FrameInput withHierarchy(float[] newHierarchy) {
+        if (newHierarchy.length != hierarchy.length) {
+            throw new IllegalArgumentException(newHierarchy.length + " floats for " + bodies() + " bodies");
+        }
+        return new FrameInput(
+                dimensions,
+                camera,
+                rayTracingProperties,
+                bodyPositions,
+                bodySizes,
+                bodyColors,
+                bodyReflectivities,
+                skybox,
+                skyboxDimensions,
+                shadowDisc,
+                pixelOffsets,
+                newHierarchy);
+    }
+
+    /**
      * The same picture, of which only some rows are drawn.
      *
      * @throws IllegalArgumentException where the rows are not rows of the picture
@@ -88,7 +114,8 @@ public record FrameInput(
                 skybox,
                 skyboxDimensions,
                 shadowDisc,
-                pixelOffsets);
+                pixelOffsets,
+                hierarchy);
     }
 
     /**
@@ -114,7 +141,8 @@ public record FrameInput(
                 skybox,
                 skyboxDimensions,
                 shadowDisc,
-                PixelOffsets.places(first, samples));
+                PixelOffsets.places(first, samples),
+                hierarchy);
     }
 
     public int samplesPerPixel() {

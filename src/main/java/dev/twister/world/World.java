@@ -27,6 +27,8 @@ public final class World {
     private final double ambient;
     private float[] bodyPositions;
     private int bodies;
+    private float[] hierarchy = {};
+    private boolean hierarchyHolds;
     private Camera camera;
     private RenderSettings settings;
     private float[] shadowDisc;
@@ -104,10 +106,18 @@ public final class World {
         }
         bodyPositions = positions;
         bodies = newBodies;
+        hierarchyHolds = false;
     }
 
-    /** The world as it is now, for an engine to draw whole. */
+    /**
+     * The world as it is now, for an engine to draw whole. Where bodies were moved, or poured, since the last one, the
+     * hierarchy over the spheres is built anew.
+     */
     public FrameInput snapshot() {
+        if (!hierarchyHolds) {
+            hierarchy = SphereHierarchy.of(bodyPositions, bodySizes, bodies);
+            hierarchyHolds = true;
+        }
         return new FrameInput(
                 dimensions(),
                 CameraBasis.of(camera),
@@ -119,7 +129,8 @@ public final class World {
                 skybox,
                 skyboxDimensions,
                 shadowDisc,
-                pixelOffsets);
+                pixelOffsets,
+                hierarchy);
     }
 
     private int[] dimensions() {

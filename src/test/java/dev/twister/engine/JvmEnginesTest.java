@@ -3,10 +3,12 @@ package dev.twister.engine;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.image.Frame;
+import dev.twister.oracle.Crowds;
 import dev.twister.oracle.LitScene;
 import dev.twister.oracle.Pictures;
 import dev.twister.oracle.RandomScenes;
 import dev.twister.world.FrameInput;
+import dev.twister.world.SphereHierarchy;
 import dev.twister.world.World;
 import java.util.Arrays;
 import java.util.Random;
@@ -59,6 +61,29 @@ class JvmEnginesTest {
             engine.render(input, frame);
             assertThat(frame.argb()).isEqualTo(first);
         }
+    }
+
+    /** One leaf of all spheres is the plain loop. */
+    @Property(seed = "20261121", tries = 60, shrinking = ShrinkingMode.OFF)
+    void hierarchyDrawsWhatThePlainLoopDrawsBitForBit(@ForAll("scenes") LitScene random) {
+        FrameInput input = World.of(random.scene(), random.sky()).snapshot();
+        int[] plain = Pictures.argb(JvmEngines.SEQUENTIAL, withLeavesOf(input, Integer.MAX_VALUE));
+        for (int mostInLeaf = 1; mostInLeaf < 4; mostInLeaf++) {
+            assertThat(Pictures.argb(JvmEngines.SEQUENTIAL, withLeavesOf(input, mostInLeaf)))
+                    .isEqualTo(plain);
+        }
+    }
+
+    @Test
+    void hierarchyDrawsACrowdAsThePlainLoopDoesBitForBit() {
+        FrameInput input = Crowds.world(3000, 160, 90).snapshot();
+        assertThat(Pictures.argb(JvmEngines.PARALLEL, input))
+                .isEqualTo(Pictures.argb(JvmEngines.PARALLEL, withLeavesOf(input, Integer.MAX_VALUE)));
+    }
+
+    private static FrameInput withLeavesOf(FrameInput input, int mostInLeaf) {
+        return input.withHierarchy(
+                SphereHierarchy.of(input.bodyPositions(), input.bodySizes(), input.bodies(), mostInLeaf));
     }
 
     @Test

@@ -3,6 +3,7 @@ package dev.twister.kernel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.world.SphereHierarchy;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -75,7 +76,7 @@ class SoftShadowTest {
                 .isBetween(0.05f, 0.95f);
     }
 
-    /** Sixty small spheres in the way: far more than a point remembers. A sample at a rim may fall on either side. */
+    /** Up to two hundred small spheres in the way: far more than a point remembers. A sample at a rim may fall on either side. */
     @Test
     void manySpheresHideWhatThePlainEquationsHide() {
         Random random = new Random(9);
@@ -84,7 +85,7 @@ class SoftShadowTest {
         double partlySeen = 0;
         int points = 4000;
         for (int i = 0; i < points; i++) {
-            int spheres = 1 + random.nextInt(60);
+            int spheres = 1 + random.nextInt(random.nextInt(20) == 0 ? 200 : 60);
             float[] positions = new float[3 * (2 + spheres)];
             float[] sizes = new float[2 + spheres];
             positions[1] = 10;
@@ -105,7 +106,19 @@ class SoftShadowTest {
         assertThat(disagreeing).isLessThan(1e-4 * samples * points);
     }
 
+    /** By the plain loop over all spheres, to which the walk through a hierarchy is equal to the bit. */
     private static float soft(float[] positions, float[] sizes, float x, float y, float z, int own, int samples) {
+        float visible = soft(positions, sizes, x, y, z, own, samples, sizes.length);
+        for (int mostInLeaf = 1; mostInLeaf < 4; mostInLeaf++) {
+            assertThat(soft(positions, sizes, x, y, z, own, samples, mostInLeaf))
+                    .as("with at most %d spheres in a leaf", mostInLeaf)
+                    .isEqualTo(visible);
+        }
+        return visible;
+    }
+
+    private static float soft(
+            float[] positions, float[] sizes, float x, float y, float z, int own, int samples, int mostInLeaf) {
         float[] toLight = {positions[0] - x, positions[1] - y, positions[2] - z};
         float distance = length(toLight);
         return SoftShadow.visible(
@@ -120,10 +133,9 @@ class SoftShadowTest {
                 2 * sizes[Layout.LIGHT],
                 samples,
                 sunflower(samples),
-                positions,
-                sizes,
-                sizes.length,
-                new float[SoftShadow.SCRATCH_LENGTH]);
+                SphereHierarchy.of(positions, sizes, sizes.length, mostInLeaf),
+                Layout.root(sizes.length),
+                new float[Layout.SCRATCH_LENGTH]);
     }
 
     private static float plain(float[] positions, float[] sizes, float x, float y, float z, int own, int samples) {

@@ -55,6 +55,19 @@ class WorldTest {
     }
 
     @Test
+    void hierarchyFollowsTheBodies() {
+        FrameInput before = world.snapshot();
+        assertThat(world.snapshot().hierarchy()).isSameAs(before.hierarchy());
+        float[] moved = before.bodyPositions().clone();
+        moved[6] = 99;
+        world.setBodyPositions(moved, 3);
+        assertThat(world.snapshot().hierarchy())
+                .isEqualTo(SphereHierarchy.of(moved, before.bodySizes(), 3))
+                .hasSameSizeAs(before.hierarchy())
+                .isNotEqualTo(before.hierarchy());
+    }
+
+    @Test
     void refusesPositionsThatDoNotFit() {
         assertThatThrownBy(() -> world.setBodyPositions(new float[9], 3))
                 .isInstanceOf(IllegalArgumentException.class)
@@ -101,6 +114,7 @@ class WorldTest {
         assertThat(after.skyboxDimensions()).isSameAs(before.skyboxDimensions());
         assertThat(after.shadowDisc()).isSameAs(before.shadowDisc());
         assertThat(after.pixelOffsets()).isSameAs(before.pixelOffsets());
+        assertThat(after.hierarchy()).isSameAs(before.hierarchy());
     }
 
     @Test

@@ -39,6 +39,7 @@ final class DevicePlan implements AutoCloseable {
     private final float[] camera;
     private final float[] rayTracingProperties;
     private final float[] bodyPositions;
+    private final float[] hierarchy;
     private final float[] shadowDisc = new float[2 * RenderSettings.MAX_SHADOW_SAMPLES];
     private final float[] pixelOffsets = new float[2 * RenderSettings.MAX_SAMPLES_PER_PIXEL];
     private final TornadoExecutionPlan plan;
@@ -61,6 +62,7 @@ final class DevicePlan implements AutoCloseable {
         camera = input.camera().clone();
         rayTracingProperties = input.rayTracingProperties().clone();
         bodyPositions = input.bodyPositions().clone();
+        hierarchy = input.hierarchy().clone();
         TaskGraph graph = new TaskGraph(GRAPH)
                 .transferToDevice(
                         DataTransferMode.FIRST_EXECUTION,
@@ -78,7 +80,8 @@ final class DevicePlan implements AutoCloseable {
                         rayTracingProperties,
                         bodyPositions,
                         shadowDisc,
-                        pixelOffsets)
+                        pixelOffsets,
+                        hierarchy)
                 .task(
                         TASK,
                         kernel,
@@ -95,6 +98,7 @@ final class DevicePlan implements AutoCloseable {
                         input.skyboxDimensions(),
                         shadowDisc,
                         pixelOffsets,
+                        hierarchy,
                         input.width(),
                         input.rows(),
                         linear ? PixelKernel.LINEAR : PixelKernel.ARGB)
@@ -132,6 +136,7 @@ final class DevicePlan implements AutoCloseable {
         put(input.camera(), camera);
         put(input.rayTracingProperties(), rayTracingProperties);
         put(input.bodyPositions(), bodyPositions);
+        put(input.hierarchy(), hierarchy);
         put(input.shadowDisc(), shadowDisc);
         put(input.pixelOffsets(), pixelOffsets);
         System.arraycopy(input.dimensions(), 0, dimensions, 0, dimensions.length);

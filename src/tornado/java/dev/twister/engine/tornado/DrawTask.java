@@ -1,10 +1,10 @@
 package dev.twister.engine.tornado;
 
-import uk.ac.manchester.tornado.api.common.TornadoFunctions.Task16;
+import uk.ac.manchester.tornado.api.common.TornadoFunctions.Task17;
 
 /** A kernel with {@link TornadoKernel#draw}'s arguments, as TornadoVM's task graphs take it. */
 public interface DrawTask
-        extends Task16<
+        extends Task17<
                 int[],
                 float[],
                 int[],
@@ -16,6 +16,7 @@ public interface DrawTask
                 float[],
                 float[],
                 int[],
+                float[],
                 float[],
                 float[],
                 Integer,

@@ -1,7 +1,7 @@
 package dev.twister.engine.tornado;
 
+import dev.twister.kernel.Layout;
 import dev.twister.kernel.PixelKernel;
-import dev.twister.kernel.SoftShadow;
 import java.util.function.Supplier;
 import uk.ac.manchester.tornado.api.annotations.Parallel;
 
@@ -34,12 +34,13 @@ public final class TornadoKernel implements Supplier<DrawTask> {
             int[] skyboxDimensions,
             float[] shadowDisc,
             float[] pixelOffsets,
+            float[] hierarchy,
             int width,
             int rows,
             int output) {
         for (@Parallel int row = 0; row < rows; row++) {
             for (@Parallel int column = 0; column < width; column++) {
-                float[] scratch = new float[SoftShadow.SCRATCH_LENGTH];
+                float[] scratch = new float[Layout.SCRATCH_LENGTH];
                 PixelKernel.draw(
                         column,
                         row,
@@ -56,6 +57,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
                         skyboxDimensions,
                         shadowDisc,
                         pixelOffsets,
+                        hierarchy,
                         scratch,
                         PixelKernel.SHORTCUTS,
                         output);

@@ -22,6 +22,7 @@ final class BrokenKernels {
             int[] skyboxDimensions,
             float[] shadowDisc,
             float[] pixelOffsets,
+            float[] hierarchy,
             int width,
             int rows,
             int output) {
@@ -51,6 +52,7 @@ final class BrokenKernels {
             int[] skyboxDimensions,
             float[] shadowDisc,
             float[] pixelOffsets,
+            float[] hierarchy,
             int width,
             int rows,
             int output) {

@@ -3,6 +3,8 @@ package dev.twister.engine.tornado;
 import dev.twister.kernel.ClosestHit;
 import dev.twister.kernel.Intersection;
 import dev.twister.kernel.KernelMath;
+import dev.twister.kernel.Layout;
+import dev.twister.kernel.NearestHit;
 import dev.twister.kernel.Shading;
 import dev.twister.kernel.SkyLookup;
 import dev.twister.kernel.SoftShadow;
@@ -31,6 +33,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             case "sphere" -> HelperKernels::sphereItems;
             case "plane" -> HelperKernels::planeItems;
             case "closestHit" -> HelperKernels::closestHitItems;
+            case "nearestHit" -> HelperKernels::nearestHitItems;
             case "skyLookup" -> HelperKernels::skyLookupItems;
             case "shading" -> HelperKernels::shadingItems;
             case "toneMapping" -> HelperKernels::toneMappingItems;
@@ -131,6 +134,42 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
+    /** Item: origin, direction, the body that the ray leaves, the root. Tables: positions, sizes, hierarchy. */
+    static void nearestHitItems(
+            float[] in, float[] positions, float[] sizes, float[] hierarchy, float[] out, int count) {
+        for (@Parallel int i = 0; i < count; i++) {
+            float[] scratch = new float[Layout.SCRATCH_LENGTH];
+            int body = NearestHit.body(
+                    in[8 * i],
+                    in[8 * i + 1],
+                    in[8 * i + 2],
+                    in[8 * i + 3],
+                    in[8 * i + 4],
+                    in[8 * i + 5],
+                    (int) in[8 * i + 6],
+                    positions,
+                    sizes,
+                    hierarchy,
+                    (int) in[8 * i + 7],
+                    scratch);
+            float distance = Intersection.MISS;
+            if (body >= 0) {
+                distance = ClosestHit.distance(
+                        body,
+                        in[8 * i],
+                        in[8 * i + 1],
+                        in[8 * i + 2],
+                        in[8 * i + 3],
+                        in[8 * i + 4],
+                        in[8 * i + 5],
+                        positions,
+                        sizes);
+            }
+            out[2 * i] = body;
+            out[2 * i + 1] = distance;
+        }
+    }
+
     /** Item: direction, width, height. Table: the panorama. */
     static void skyLookupItems(float[] in, float[] skybox, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
@@ -162,10 +201,10 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
-    /** Item: point, own body, A, D, the disc's radius, samples, bodies. Tables: unit disc, positions, sizes. */
-    static void softShadowItems(float[] in, float[] disc, float[] positions, float[] sizes, float[] out, int count) {
+    /** Item: point, own body, A, D, the disc's radius, samples, the root. Tables: unit disc, hierarchy. */
+    static void softShadowItems(float[] in, float[] disc, float[] hierarchy, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
-            float[] scratch = new float[SoftShadow.SCRATCH_LENGTH];
+            float[] scratch = new float[Layout.SCRATCH_LENGTH];
             out[i] = SoftShadow.visible(
                     in[11 * i],
                     in[11 * i + 1],
@@ -178,8 +217,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
                     in[11 * i + 8],
                     (int) in[11 * i + 9],
                     disc,
-                    positions,
-                    sizes,
+                    hierarchy,
                     (int) in[11 * i + 10],
                     scratch);
         }

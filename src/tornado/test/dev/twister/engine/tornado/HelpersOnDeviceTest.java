@@ -2,6 +2,8 @@ package dev.twister.engine.tornado;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.kernel.Layout;
+import dev.twister.world.SphereHierarchy;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
@@ -18,7 +20,11 @@ import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
 class HelpersOnDeviceTest {
     private static final int ITEMS = 20_000;
     private static final int BODIES = 42;
+    private static final int MANY_BODIES = 1000;
     private static final int MOST_SAMPLES = 500;
+
+    /** Small enough for a hierarchy of some depth. */
+    private static final int MOST_IN_LEAF = 2;
 
     /**
      * A helper and how near it must come.
@@ -28,9 +34,16 @@ class HelpersOnDeviceTest {
      * @param firstTable the length of its first table, which every item reads
      */
     private record Helper(
-            String name, int inputs, int outputs, double tolerance, int outliers, int firstTable, int secondTable) {
+            String name,
+            int inputs,
+            int outputs,
+            double tolerance,
+            int outliers,
+            int firstTable,
+            int secondTable,
+            int thirdTable) {
         Helper(String name, int inputs, int outputs, double tolerance, int outliers) {
-            this(name, inputs, outputs, tolerance, outliers, 1, 1);
+            this(name, inputs, outputs, tolerance, outliers, 1, 1, 1);
         }
     }
 
@@ -42,8 +55,9 @@ class HelpersOnDeviceTest {
             new Helper("viewRay", 4, 2, 2e-6, 0),
             new Helper("sphere", 7, 1, 2e-4, 20),
             new Helper("plane", 8, 1, 1e-5, 4),
-            new Helper("closestHit", 8, 2, 1e-3, 20, 3 * BODIES, BODIES),
-            new Helper("skyLookup", 5, 5, 2e-4, 0, 3 * 32 * 16, 1),
+            new Helper("closestHit", 8, 2, 1e-3, 20, 3 * BODIES, BODIES, 1),
+            new Helper("nearestHit", 8, 2, 1e-3, 20, 3 * BODIES, BODIES, SphereHierarchy.length(BODIES)),
+            new Helper("skyLookup", 5, 5, 2e-4, 0, 3 * 32 * 16, 1, 1),
             new Helper("shading", 6, 3, 1e-4, 0),
             // One step of 255 more or less where the rounding falls between two.
             new Helper("toneMapping", 4, 2, 1e-2, 0));
@@ -69,7 +83,7 @@ class HelpersOnDeviceTest {
                 helper.outputs(),
                 helper.firstTable(),
                 helper.secondTable(),
-                1)) {
+                helper.thirdTable())) {
             Random random = new Random(helper.name().hashCode());
             fillTables(run, random);
             for (int item = 0; item < ITEMS; item++) {
@@ -83,13 +97,16 @@ class HelpersOnDeviceTest {
     @ParameterizedTest(name = "softShadow on {0}")
     @MethodSource("devices")
     void softShadowsAreTheSameOnTheDevice(TornadoDevice device) throws TornadoExecutionPlanException {
-        try (HelperRun run =
-                new HelperRun("softShadow", device, ITEMS / 10, 11, 1, 2 * MOST_SAMPLES, 3 * BODIES, BODIES)) {
+        try (HelperRun run = new HelperRun(
+                "softShadow", device, ITEMS / 10, 11, 1, 2 * MOST_SAMPLES, SphereHierarchy.length(MANY_BODIES), 1)) {
             Random random = new Random(11);
-            for (int bodies : new int[] {2, 3, 8, BODIES}) {
+            for (int bodies : new int[] {2, 3, 8, BODIES, MANY_BODIES}) {
+                float[] positions = new float[3 * bodies];
+                float[] sizes = new float[bodies];
                 for (int samples : new int[] {1, 7, 64, MOST_SAMPLES}) {
                     fillSunflower(run.first, samples);
-                    fillBodies(run.second, run.third, random);
+                    fillBodies(positions, sizes, random);
+                    put(run.second, 0, SphereHierarchy.of(positions, sizes, sizes.length, 1 + random.nextInt(bodies)));
                     for (int item = 0; item < ITEMS / 10; item++) {
                         put(run.input, item, shadowedPoint(samples, bodies, random));
                     }
@@ -146,6 +163,10 @@ class HelpersOnDeviceTest {
                 concat(
                         concat(floats(spread(random, 15), spread(random, 15), spread(random, 15)), direction(random)),
                         floats(random.nextInt(BODIES + 1) - 1, 2 + random.nextInt(BODIES - 1)));
+            case "nearestHit" ->
+                concat(
+                        concat(floats(spread(random, 15), spread(random, 15), spread(random, 15)), direction(random)),
+                        floats(random.nextInt(BODIES + 1) - 1, Layout.root(BODIES)));
             case "skyLookup" ->
                 concat(item % 10 == 0 ? floats(0, item % 20 == 0 ? 1 : -1, 0) : direction(random), floats(32, 16));
             case "shading" ->
@@ -178,12 +199,21 @@ class HelpersOnDeviceTest {
         float[] axis = random.nextInt(20) == 0 ? floats(1, 0, 0) : direction(random);
         return concat(
                 concat(point, floats(random.nextInt(bodies + 1) - 1)),
-                concat(axis, floats(2 + 20 * random.nextDouble(), 0.2 + 4 * random.nextDouble(), samples, bodies)));
+                concat(
+                        axis,
+                        floats(
+                                2 + 20 * random.nextDouble(),
+                                0.2 + 4 * random.nextDouble(),
+                                samples,
+                                Layout.root(bodies))));
     }
 
     private static void fillTables(HelperRun run, Random random) {
         if (run.second.length > 1) {
             fillBodies(run.first, run.second, random);
+            if (run.third.length > 1) {
+                put(run.third, 0, SphereHierarchy.of(run.first, run.second, run.second.length, MOST_IN_LEAF));
+            }
         } else {
             for (int i = 0; i < run.first.length; i++) {
                 run.first[i] = 4 * random.nextFloat();

@@ -17,10 +17,15 @@ final class Pictures {
 
     /** At most 1 of 255 away in any channel at all but 1 pixel in 5,000. */
     static void requireSequentials(Engine engine, FrameInput input) {
+        requireSequentials(engine, input, 5000);
+    }
+
+    /** The same at all but 1 pixel in so many. */
+    static void requireSequentials(Engine engine, FrameInput input, int pixelsAnOddOne) {
         int pixels = input.width() * input.rows();
         assertThat(differences(engine, input))
                 .as("pixels of %d x %d that differ from sequential's", input.width(), input.rows())
-                .isLessThanOrEqualTo((pixels + 4999) / 5000);
+                .isLessThanOrEqualTo((pixels + pixelsAnOddOne - 1) / pixelsAnOddOne);
     }
 
     /** How many pixels are more than 1 of 255 away in some channel. */
@@ -35,6 +40,14 @@ final class Pictures {
             differences += farthestChannel(expected[i], frame.argb()[i]) > 1 ? 1 : 0;
         }
         return differences;
+    }
+
+    /** The engine's own pixels. */
+    static int[] of(Engine engine, FrameInput input) {
+        Frame frame = Frame.ofPixels(input.width(), input.rows());
+        Arrays.fill(frame.argb(), POISON);
+        engine.render(input, frame);
+        return frame.argb();
     }
 
     /** The same for linear radiance, where 1 of 255 is relative above 1. */

@@ -1,0 +1,80 @@
+package dev.twister.kernel;
+
+/** One shadow ray of {@link SoftShadow} through the hierarchy, where a point has more candidates than it remembers. */
+final class SampleRay {
+    private SampleRay() {}
+
+    /**
+     * 1 where any sphere blocks the ray through (1, x, y) * distance, in the frame of A, U (whose x is 0) and W.
+     *
+     * @param start the node to start at, or {@link Layout#NO_NODE}, which blocks nothing
+     */
+    static int blocked(
+            float pointX,
+            float pointY,
+            float pointZ,
+            int own,
+            float axisX,
+            float axisY,
+            float axisZ,
+            float uY,
+            float uZ,
+            float wX,
+            float wY,
+            float wZ,
+            float x,
+            float y,
+            float distance,
+            float[] hierarchy,
+            int start,
+            float[] scratch) {
+        float inverseX = NodeBox.inverse(axisX + wX * y);
+        float inverseY = NodeBox.inverse(axisY + uY * x + wY * y);
+        float inverseZ = NodeBox.inverse(axisZ + uZ * x + wZ * y);
+        float end = distance * SoftShadow.RELATIVE_MARGIN;
+        int blocked = 0;
+        int node = start;
+        int waiting = 0;
+        while (node != Layout.NO_NODE) {
+            int link = (int) hierarchy[node + Layout.NODE_LINK];
+            int spheres = (int) hierarchy[node + Layout.NODE_SPHERES];
+            int next = Layout.NO_NODE;
+            if (spheres < 0) {
+                float first = NodeBox.entry(hierarchy, link, pointX, pointY, pointZ, inverseX, inverseY, inverseZ);
+                float second = NodeBox.entry(
+                        hierarchy, link + Layout.NODE_STRIDE, pointX, pointY, pointZ, inverseX, inverseY, inverseZ);
+                int both = (first < end ? 1 : 0) & (second < end ? 1 : 0);
+                if (both != 0) {
+                    scratch[Layout.SCRATCH_STACK + waiting] = link + Layout.NODE_STRIDE;
+                    waiting = waiting + 1;
+                }
+                int only = second < end ? link + Layout.NODE_STRIDE : Layout.NO_NODE;
+                next = first < end ? link : only;
+            }
+            for (int sphere = 0; sphere < spheres && blocked == 0; sphere++) {
+                int at = link + Layout.SPHERE_STRIDE * sphere;
+                int body = (int) hierarchy[at + Layout.SPHERE_BODY];
+                if (body != own) {
+                    float toX = hierarchy[at] - pointX;
+                    float toY = hierarchy[at + 1] - pointY;
+                    float toZ = hierarchy[at + 2] - pointZ;
+                    float radius = hierarchy[at + Layout.SPHERE_RADIUS];
+                    blocked = SoftShadow.blocks(
+                            toX * axisX + toY * axisY + toZ * axisZ,
+                            uY * toY + uZ * toZ,
+                            wX * toX + wY * toY + wZ * toZ,
+                            radius * radius,
+                            x,
+                            y,
+                            distance);
+                }
+            }
+            if (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
+                waiting = waiting - 1;
+                next = (int) scratch[Layout.SCRATCH_STACK + waiting];
+            }
+            node = blocked == 0 ? next : Layout.NO_NODE;
+        }
+        return blocked;
+    }
+}

@@ -1,0 +1,151 @@
+package dev.twister.world;
+
+import dev.twister.kernel.Layout;
+import java.util.Arrays;
+
+/** Equal bins along one axis over the centres of some spheres: how many are in each, and the box about them. */
+final class Bins {
+    private static final int MOST = 16;
+
+    /** So few spheres are spread over half as many bins. */
+    private static final int FEW_SPHERES = 32;
+
+    private static final float NOWHERE = Float.MAX_VALUE;
+
+    /** The last centre must not fall beyond the last bin. */
+    private static final float INSIDE = 0.99999f;
+
+    private final int[] counts = new int[MOST];
+
+    /** Low x, y, z and high x, y, z of each bin. */
+    private final float[] boxes = new float[6 * MOST];
+
+    /** What the spheres in the bins after each border cost. */
+    private final float[] costsAbove = new float[MOST];
+
+    private int count;
+    private int axis;
+    private float start;
+    private float scale;
+
+    /** After {@link #findBorder}: how many spheres are before the border. */
+    int before;
+
+    /**
+     * Sorts the spheres into bins.
+     *
+     * @param along 0 for x, 1 for y, 2 for z
+     * @param low the least coordinate of a centre
+     * @param high the greatest, above it
+     */
+    void fill(float[] hierarchy, int from, int to, int along, float low, float high) {
+        count = to - from < FEW_SPHERES * Layout.SPHERE_STRIDE ? MOST / 2 : MOST;
+        axis = along;
+        start = low;
+        scale = count * INSIDE / (high - low);
+        Arrays.fill(counts, 0, count, 0);
+        for (int bin = 0; bin < count; bin++) {
+            int box = 6 * bin;
+            boxes[box] = NOWHERE;
+            boxes[box + 1] = NOWHERE;
+            boxes[box + 2] = NOWHERE;
+            boxes[box + 3] = -NOWHERE;
+            boxes[box + 4] = -NOWHERE;
+            boxes[box + 5] = -NOWHERE;
+        }
+        for (int at = from; at < to; at += Layout.SPHERE_STRIDE) {
+            int bin = bin(hierarchy[at + axis]);
+            counts[bin]++;
+            float radius = hierarchy[at + Layout.SPHERE_RADIUS];
+            widen(6 * bin, hierarchy[at], radius);
+            widen(6 * bin + 1, hierarchy[at + 1], radius);
+            widen(6 * bin + 2, hierarchy[at + 2], radius);
+        }
+    }
+
+    private void widen(int at, float center, float radius) {
+        float low = center - radius;
+        float high = center + radius;
+        boxes[at] = low < boxes[at] ? low : boxes[at];
+        boxes[at + 3] = high > boxes[at + 3] ? high : boxes[at + 3];
+    }
+
+    private int bin(float coordinate) {
+        return (int) ((coordinate - start) * scale);
+    }
+
+    /** The first bin after the border where a split costs least: the sum over both sides of area times spheres. */
+    int findBorder() {
+        float lowX = NOWHERE;
+        float lowY = NOWHERE;
+        float lowZ = NOWHERE;
+        float highX = -NOWHERE;
+        float highY = -NOWHERE;
+        float highZ = -NOWHERE;
+        int spheres = 0;
+        for (int bin = count - 1; bin > 0; bin--) {
+            int box = 6 * bin;
+            lowX = Math.min(lowX, boxes[box]);
+            lowY = Math.min(lowY, boxes[box + 1]);
+            lowZ = Math.min(lowZ, boxes[box + 2]);
+            highX = Math.max(highX, boxes[box + 3]);
+            highY = Math.max(highY, boxes[box + 4]);
+            highZ = Math.max(highZ, boxes[box + 5]);
+            spheres += counts[bin];
+            costsAbove[bin] = cost(highX - lowX, highY - lowY, highZ - lowZ, spheres);
+        }
+        int all = spheres + counts[0];
+        lowX = NOWHERE;
+        lowY = NOWHERE;
+        lowZ = NOWHERE;
+        highX = -NOWHERE;
+        highY = -NOWHERE;
+        highZ = -NOWHERE;
+        spheres = 0;
+        float least = Float.POSITIVE_INFINITY;
+        int best = 1;
+        for (int bin = 0; bin < count - 1; bin++) {
+            int box = 6 * bin;
+            lowX = Math.min(lowX, boxes[box]);
+            lowY = Math.min(lowY, boxes[box + 1]);
+            lowZ = Math.min(lowZ, boxes[box + 2]);
+            highX = Math.max(highX, boxes[box + 3]);
+            highY = Math.max(highY, boxes[box + 4]);
+            highZ = Math.max(highZ, boxes[box + 5]);
+            spheres += counts[bin];
+            float cost = cost(highX - lowX, highY - lowY, highZ - lowZ, spheres) + costsAbove[bin + 1];
+            if (cost < least && spheres < all) {
+                least = cost;
+                best = bin + 1;
+                before = spheres;
+            }
+        }
+        return best;
+    }
+
+    /** In proportion; an empty side's box is inside out. */
+    private static float cost(float x, float y, float z, int spheres) {
+        return spheres == 0 ? 0 : spheres * (x * y + y * z + z * x);
+    }
+
+    /** Puts the spheres before the border before the others. */
+    void part(float[] hierarchy, int from, int to, int border) {
+        int head = from;
+        int tail = to - Layout.SPHERE_STRIDE;
+        while (head < tail) {
+            if (bin(hierarchy[head + axis]) < border) {
+                head += Layout.SPHERE_STRIDE;
+            } else if (bin(hierarchy[tail + axis]) >= border) {
+                tail -= Layout.SPHERE_STRIDE;
+            } else {
+                for (int i = 0; i < Layout.SPHERE_STRIDE; i++) {
+                    float swapped = hierarchy[head + i];
+                    hierarchy[head + i] = hierarchy[tail + i];
+                    hierarchy[tail + i] = swapped;
+                }
+                head += Layout.SPHERE_STRIDE;
+                tail -= Layout.SPHERE_STRIDE;
+            }
+        }
+    }
+}

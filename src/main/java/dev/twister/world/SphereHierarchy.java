@@ -1,0 +1,59 @@
+package dev.twister.world;
+
+import dev.twister.kernel.Layout;
+
+/**
+ * Builds bounding volume hierarchies over the spheres: binary trees of boxes, split where the surface area heuristic says
+ * (Goldsmith and Salmon 1987), tried at the borders of equal bins (Wald 2007), on all cores.
+ *
+ * <p>A hierarchy is one array, laid out as {@link Layout} says: the spheres in the order of the leaves, then the nodes,
+ * the root first. A node over n spheres has room for the 2 n - 2 nodes below it right behind its children or its elder
+ * sibling's room, so that its place does not depend on which thread came first; leaves of more than one sphere leave gaps
+ * of zeros. The length depends on the room for bodies alone, not on how many are there yet.
+ */
+public final class SphereHierarchy {
+    /** With fewer spheres the plain loop is as fast or faster; measured, see {@code benchmarks/NOTES.md}. */
+    static final int FEWEST_SPHERES = 32;
+
+    /** Eight spheres are tested about as fast as two boxes and what is left in them. */
+    private static final int MOST_IN_LEAF = 8;
+
+    private SphereHierarchy() {}
+
+    /** How many floats a hierarchy has where there is room for so many bodies. */
+    public static int length(int room) {
+        int spheres = room - Layout.FIRST_SPHERE;
+        return Layout.root(room) + Layout.NODE_STRIDE * Math.max(1, 2 * spheres - 1);
+    }
+
+    /**
+     * A new hierarchy over the first spheres of these bodies, whose arrays are {@link FrameInput}'s; where they are few it
+     * is a single leaf, and walking it is the plain loop over all spheres.
+     *
+     * @param bodies how many are there now, light and plane included
+     */
+    public static float[] of(float[] bodyPositions, float[] bodySizes, int bodies) {
+        int spheres = bodies - Layout.FIRST_SPHERE;
+        return of(bodyPositions, bodySizes, bodies, spheres < FEWEST_SPHERES ? FEWEST_SPHERES : MOST_IN_LEAF);
+    }
+
+    /**
+     * The same, with leaves of another size.
+     *
+     * @param mostInLeaf at least 1
+     */
+    public static float[] of(float[] bodyPositions, float[] bodySizes, int bodies, int mostInLeaf) {
+        float[] hierarchy = new float[length(bodySizes.length)];
+        int root = Layout.root(bodies);
+        for (int body = Layout.FIRST_SPHERE; body < bodies; body++) {
+            int at = Layout.root(body);
+            hierarchy[at + Layout.SPHERE_CENTER] = bodyPositions[3 * body];
+            hierarchy[at + Layout.SPHERE_CENTER + 1] = bodyPositions[3 * body + 1];
+            hierarchy[at + Layout.SPHERE_CENTER + 2] = bodyPositions[3 * body + 2];
+            hierarchy[at + Layout.SPHERE_RADIUS] = bodySizes[body];
+            hierarchy[at + Layout.SPHERE_BODY] = body;
+        }
+        new Subtree(hierarchy, root, root + Layout.NODE_STRIDE, 0, root, 0, mostInLeaf).invoke();
+        return hierarchy;
+    }
+}

@@ -1,0 +1,164 @@
+package dev.twister.kernel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.world.RandomCrowds;
+import dev.twister.world.SphereHierarchy;
+import java.util.Random;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.ShrinkingMode;
+
+/** The walk through hierarchies against the plain loops, bit for bit. */
+class NearestHitTest {
+    private static final int RAYS = 300;
+    private static final int SAMPLES = 6;
+
+    @Provide
+    Arbitrary<Long> seeds() {
+        return Arbitraries.longs();
+    }
+
+    @Property(seed = "20261121", tries = 250, shrinking = ShrinkingMode.OFF)
+    void hierarchyFindsWhatThePlainLoopFinds(@ForAll("seeds") long seed) {
+        Random random = new Random(seed);
+        RandomCrowds crowd = RandomCrowds.of(random, 1 + random.nextInt(400));
+        int bodies = crowd.sizes().length;
+        float[] hierarchy =
+                SphereHierarchy.of(crowd.positions(), crowd.sizes(), crowd.sizes().length, 1 + random.nextInt(8));
+        float[] scratch = new float[Layout.SCRATCH_LENGTH];
+        for (int count = 0; count < RAYS; count++) {
+            int leaving = random.nextInt(bodies + 1) - 1;
+            float[] origin = origin(random, crowd, leaving);
+            float[] direction = direction(random, crowd, origin);
+            int expected = ClosestHit.body(
+                    origin[0],
+                    origin[1],
+                    origin[2],
+                    direction[0],
+                    direction[1],
+                    direction[2],
+                    leaving,
+                    crowd.positions(),
+                    crowd.sizes(),
+                    bodies);
+            int actual = NearestHit.body(
+                    origin[0],
+                    origin[1],
+                    origin[2],
+                    direction[0],
+                    direction[1],
+                    direction[2],
+                    leaving,
+                    crowd.positions(),
+                    crowd.sizes(),
+                    hierarchy,
+                    Layout.root(bodies),
+                    scratch);
+            assertThat(actual).as("ray %d of seed %d", count, seed).isEqualTo(expected);
+        }
+    }
+
+    @Property(seed = "20261121", tries = 250, shrinking = ShrinkingMode.OFF)
+    void hierarchyShadesWhatThePlainLoopShades(@ForAll("seeds") long seed) {
+        Random random = new Random(seed);
+        RandomCrowds crowd = RandomCrowds.of(random, 1 + random.nextInt(400));
+        int bodies = crowd.sizes().length;
+        float[] hierarchy =
+                SphereHierarchy.of(crowd.positions(), crowd.sizes(), crowd.sizes().length, 1 + random.nextInt(8));
+        float[] oneLeaf = SphereHierarchy.of(crowd.positions(), crowd.sizes(), crowd.sizes().length, bodies);
+        float[] scratch = new float[Layout.SCRATCH_LENGTH];
+        float[] disc = new float[2 * SAMPLES];
+        for (int sample = 0; sample < SAMPLES; sample++) {
+            disc[2 * sample] = (float) (Math.sqrt((double) sample / SAMPLES) * Math.cos(2.4 * sample));
+            disc[2 * sample + 1] = (float) (Math.sqrt((double) sample / SAMPLES) * Math.sin(2.4 * sample));
+        }
+        for (int count = 0; count < RAYS; count++) {
+            int own = random.nextInt(bodies + 1) - 1;
+            float[] point = origin(random, crowd, own);
+            float[] axis = direction(random, crowd, point);
+            float distance = (float) Math.pow(10, -1 + 3 * random.nextDouble());
+            float discRadius = (float) (distance * Math.pow(10, -3 + 3 * random.nextDouble()));
+            assertThat(visible(point, own, axis, distance, discRadius, disc, hierarchy, bodies, scratch))
+                    .as("point %d of seed %d", count, seed)
+                    .isEqualTo(visible(point, own, axis, distance, discRadius, disc, oneLeaf, bodies, scratch));
+        }
+    }
+
+    private static float visible(
+            float[] point,
+            int own,
+            float[] axis,
+            float distance,
+            float discRadius,
+            float[] disc,
+            float[] hierarchy,
+            int bodies,
+            float[] scratch) {
+        return SoftShadow.visible(
+                point[0],
+                point[1],
+                point[2],
+                own,
+                axis[0],
+                axis[1],
+                axis[2],
+                distance,
+                discRadius,
+                SAMPLES,
+                disc,
+                hierarchy,
+                Layout.root(bodies),
+                scratch);
+    }
+
+    /** On the body that is left, inside a sphere, among them or far away. */
+    private static float[] origin(Random random, RandomCrowds crowd, int leaving) {
+        float[] away = direction(random);
+        int body = leaving < Layout.FIRST_SPHERE ? Layout.LIGHT : leaving;
+        double distance = switch (random.nextInt(4)) {
+            case 0 -> 0.7 * crowd.sizes()[body];
+            case 1 -> Math.pow(10, -2 + 7 * random.nextDouble());
+            default -> crowd.sizes()[body];
+        };
+        float[] origin = new float[3];
+        for (int axis = 0; axis < 3; axis++) {
+            origin[axis] = (float) (crowd.positions()[3 * body + axis] + distance * away[axis]);
+        }
+        return origin;
+    }
+
+    /** Anywhere, along an axis, or at a body, often at its very rim. */
+    private static float[] direction(Random random, RandomCrowds crowd, float[] origin) {
+        float[] direction = direction(random);
+        int body = random.nextInt(crowd.sizes().length);
+        int kind = random.nextInt(6);
+        if (kind == 0) {
+            direction = new float[3];
+            direction[random.nextInt(3)] = random.nextBoolean() ? 1 : -1;
+        } else if (kind > 1) {
+            double[] to = new double[3];
+            for (int axis = 0; axis < 3; axis++) {
+                to[axis] = crowd.positions()[3 * body + axis]
+                        + (kind == 2 ? 0 : crowd.sizes()[body] * direction[axis])
+                        - (double) origin[axis];
+            }
+            double length = Math.sqrt(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
+            for (int axis = 0; axis < 3 && length > 0; axis++) {
+                direction[axis] = (float) (to[axis] / length);
+            }
+        }
+        return direction;
+    }
+
+    private static float[] direction(Random random) {
+        double x = random.nextGaussian();
+        double y = random.nextGaussian();
+        double z = random.nextGaussian();
+        double length = Math.sqrt(x * x + y * y + z * z);
+        return new float[] {(float) (x / length), (float) (y / length), (float) (z / length)};
+    }
+}

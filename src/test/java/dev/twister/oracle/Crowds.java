@@ -1,0 +1,24 @@
+package dev.twister.oracle;
+
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneGenerator;
+import dev.twister.sky.Skybox;
+import dev.twister.world.World;
+import java.nio.file.Path;
+import java.util.Random;
+
+/** Worlds of many spheres. */
+public final class Crowds {
+    private Crowds() {}
+
+    /** The generator's scene of so many, with soft shadows and reflections of reflections. */
+    public static World world(int spheres, int width, int height) {
+        Scene scene = SceneGenerator.spheres(spheres, 11, Path.of("none.hdr"));
+        Skybox sky = RandomSkies.sky(new Random(11));
+        World world = World.of(scene, sky);
+        world.setSettings(
+                RenderSettings.DEFAULT.withSize(width, height).withShadows(16).withBounces(3));
+        return world;
+    }
+}

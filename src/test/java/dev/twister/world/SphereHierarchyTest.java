@@ -1,0 +1,116 @@
+package dev.twister.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.kernel.Layout;
+import java.util.Random;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.ShrinkingMode;
+import org.junit.jupiter.api.Test;
+
+class SphereHierarchyTest {
+    @Provide
+    Arbitrary<RandomCrowds> crowds() {
+        return Arbitraries.randomValue(random ->
+                RandomCrowds.of(random, 1 + random.nextInt(random.nextInt(4) == 0 ? 9000 : 200)));
+    }
+
+    @Property(seed = "20261121", tries = 200, shrinking = ShrinkingMode.OFF)
+    void everySphereIsInOneLeafInsideAllItsBoxes(@ForAll("crowds") RandomCrowds crowd) {
+        int mostInLeaf = 1 + crowd.sizes().length % 9;
+        float[] hierarchy = SphereHierarchy.of(crowd.positions(), crowd.sizes(), crowd.sizes().length, mostInLeaf);
+        Walk walk = new Walk(crowd, hierarchy, mostInLeaf);
+        walk.visit(Layout.root(crowd.sizes().length), 0);
+        assertThat(walk.visits).containsOnly(1).hasSize(crowd.sizes().length - Layout.FIRST_SPHERE);
+    }
+
+    /** Whichever thread comes first. */
+    @Test
+    void sameSpheresMakeTheSameHierarchy() {
+        RandomCrowds crowd = RandomCrowds.of(new Random(5), 20_000);
+        float[] first = SphereHierarchy.of(crowd.positions(), crowd.sizes(), crowd.sizes().length);
+        for (int again = 0; again < 5; again++) {
+            assertThat(SphereHierarchy.of(crowd.positions(), crowd.sizes(), crowd.sizes().length))
+                    .isEqualTo(first);
+        }
+    }
+
+    @Test
+    void fewSpheresAreOneLeaf() {
+        assertThat(rootsSpheres(0)).isZero();
+        assertThat(rootsSpheres(1)).isEqualTo(1);
+        assertThat(rootsSpheres(SphereHierarchy.FEWEST_SPHERES - 1)).isEqualTo(SphereHierarchy.FEWEST_SPHERES - 1);
+        assertThat(rootsSpheres(SphereHierarchy.FEWEST_SPHERES)).isNegative();
+    }
+
+    private static float rootsSpheres(int spheres) {
+        RandomCrowds crowd = RandomCrowds.of(new Random(1), spheres);
+        float[] hierarchy = SphereHierarchy.of(crowd.positions(), crowd.sizes(), crowd.sizes().length);
+        assertThat(hierarchy).hasSize(SphereHierarchy.length(crowd.sizes().length));
+        return hierarchy[Layout.root(crowd.sizes().length) + Layout.NODE_SPHERES];
+    }
+
+    /** Goes through a hierarchy and checks it on the way. */
+    private static final class Walk {
+        private final RandomCrowds crowd;
+        private final float[] hierarchy;
+        private final int mostInLeaf;
+        private final int[] visits;
+
+        Walk(RandomCrowds crowd, float[] hierarchy, int mostInLeaf) {
+            this.crowd = crowd;
+            this.hierarchy = hierarchy;
+            this.mostInLeaf = mostInLeaf;
+            visits = new int[crowd.sizes().length - Layout.FIRST_SPHERE];
+        }
+
+        /** Returns where its first sphere is and where its last one ends. */
+        int[] visit(int node, int ancestors) {
+            assertThat(ancestors).isLessThanOrEqualTo(Layout.MOST_ANCESTORS);
+            int link = (int) hierarchy[node + Layout.NODE_LINK];
+            int spheres = (int) hierarchy[node + Layout.NODE_SPHERES];
+            int[] span;
+            if (spheres < 0) {
+                int[] first = visit(link, ancestors + 1);
+                int[] second = visit(link + Layout.NODE_STRIDE, ancestors + 1);
+                assertThat(second[0]).isEqualTo(first[1]);
+                span = new int[] {first[0], second[1]};
+            } else {
+                assertThat(spheres).isLessThanOrEqualTo(mostInLeaf);
+                span = new int[] {link, link + spheres * Layout.SPHERE_STRIDE};
+                for (int at = span[0]; at < span[1]; at += Layout.SPHERE_STRIDE) {
+                    visitSphere(at);
+                }
+            }
+            for (int at = span[0]; at < span[1]; at += Layout.SPHERE_STRIDE) {
+                requireInside(at, node);
+            }
+            return span;
+        }
+
+        private void visitSphere(int at) {
+            int body = (int) hierarchy[at + Layout.SPHERE_BODY];
+            visits[body - Layout.FIRST_SPHERE]++;
+            for (int axis = 0; axis < 3; axis++) {
+                assertThat(hierarchy[at + axis]).isEqualTo(crowd.positions()[3 * body + axis]);
+            }
+            assertThat(hierarchy[at + Layout.SPHERE_RADIUS]).isEqualTo(crowd.sizes()[body]);
+        }
+
+        private void requireInside(int at, int node) {
+            double radius = hierarchy[at + Layout.SPHERE_RADIUS];
+            for (int axis = 0; axis < 3; axis++) {
+                double offCenter =
+                        Math.abs((double) hierarchy[at + axis] - hierarchy[node + Layout.NODE_CENTER + axis]);
+                if (!(offCenter + radius <= hierarchy[node + Layout.NODE_HALF + axis])) {
+                    throw new AssertionError(
+                            "axis " + axis + " of the sphere at " + at + " sticks out of node " + node);
+                }
+            }
+        }
+    }
+}
