@@ -1,47 +1,69 @@
 package dev.twister.gui;
 
+import java.util.concurrent.TimeUnit;
 import javafx.animation.AnimationTimer;
+import javafx.geometry.Pos;
 import javafx.scene.Scene;
 import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.StackPane;
 import javafx.stage.Stage;
 
 /** The window: the picture in the middle, and around it what is said of it. */
 final class MainWindow implements AutoCloseable {
     private static final double WIDTH = 1280;
     private static final double HEIGHT = 760;
+    private static final double NANOS_PER_MILLI = TimeUnit.MILLISECONDS.toNanos(1);
 
     private final Stage stage;
     private final Studio studio;
+    private final PictureView picture;
+    private final FrameTimesView frameTimes;
     private final AnimationTimer timer;
+    private final Runnable afterLayout;
+    private long pulseNanos;
 
     MainWindow(Stage stage, Studio studio) {
         this.stage = stage;
         this.studio = studio;
-        PictureView picture = new PictureView(studio);
-        StatusLine status = new StatusLine(studio);
-        BorderPane root = new BorderPane(picture);
-        root.setBottom(status);
+        picture = new PictureView(studio);
+        frameTimes = new FrameTimesView(studio.frames());
+        StackPane middle = new StackPane(picture, frameTimes);
+        StackPane.setAlignment(frameTimes, Pos.TOP_LEFT);
+        BorderPane root = new BorderPane(middle);
+        root.setBottom(new StatusLine(studio));
         Scene scene = new Scene(root, WIDTH, HEIGHT);
         scene.getStylesheets().add(MainWindow.class.getResource("twister.css").toExternalForm());
         stage.setScene(scene);
         stage.setTitle("Twister");
+        CameraKeys.install(scene, stage.focusedProperty(), studio);
+        CameraMouse.install(picture, studio);
         timer = new AnimationTimer() {
             @Override
             public void handle(long now) {
-                picture.tellSize();
-                studio.pulse();
+                pulse();
             }
         };
+        afterLayout = () -> studio.noteDisplayMillis((System.nanoTime() - pulseNanos) / NANOS_PER_MILLI);
+        scene.addPostLayoutPulseListener(afterLayout);
     }
 
     void show() {
         stage.show();
+        picture.requestFocus();
         timer.start();
+    }
+
+    private void pulse() {
+        pulseNanos = System.nanoTime();
+        picture.tellSize();
+        studio.pulse(pulseNanos);
+        frameTimes.refresh(pulseNanos);
     }
 
     @Override
     public void close() {
         timer.stop();
+        stage.getScene().removePostLayoutPulseListener(afterLayout);
         studio.close();
     }
 }

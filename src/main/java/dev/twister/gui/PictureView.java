@@ -47,7 +47,7 @@ final class PictureView extends Pane {
     void tellSize() {
         double scaleX = getScene().getWindow().getOutputScaleX();
         double scaleY = getScene().getWindow().getOutputScaleY();
-        studio.setViewSize((int) Math.floor(getWidth() * scaleX), (int) Math.floor(getHeight() * scaleY));
+        studio.setViewSize(getWidth() * scaleX, getHeight() * scaleY);
     }
 
     @Override

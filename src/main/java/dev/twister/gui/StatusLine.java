@@ -1,28 +1,27 @@
 package dev.twister.gui;
 
-import dev.twister.gui.drawing.DrawnPicture;
+import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
 
-/** One line under the picture: scene, engine, size, bodies. */
+/** One line under the picture: what is drawn, and what is going on. */
 final class StatusLine extends HBox {
-    private final Label facts = new Label("starting…");
-
     StatusLine(Studio studio) {
         getStyleClass().add("status");
-        getChildren().add(facts);
+        setAlignment(Pos.CENTER_LEFT);
+        Label facts = new Label("starting…");
+        facts.setId("facts");
+        facts.setMinWidth(0);
+        Label message = new Label();
+        message.setId("message");
+        message.setMinWidth(0);
+        Region gap = new Region();
+        setHgrow(gap, Priority.ALWAYS);
+        getChildren().addAll(facts, gap, message);
         studio.pictureProperty()
-                .subscribe(picture -> picture.map(StatusLine::describe).ifPresent(facts::setText));
-    }
-
-    private static String describe(DrawnPicture picture) {
-        return "%s · %s (%s) · %d × %d · %d bodies"
-                .formatted(
-                        picture.request().scene().name(),
-                        picture.engine(),
-                        picture.device(),
-                        picture.frame().width(),
-                        picture.frame().height(),
-                        picture.request().scene().spheres().size() + 2);
+                .subscribe(picture -> picture.map(StatusText::facts).ifPresent(facts::setText));
+        studio.drawingProperty().subscribe(status -> message.setText(StatusText.message(status)));
     }
 }

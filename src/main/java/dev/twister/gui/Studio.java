@@ -19,19 +19,33 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import dev.twister.scene.SceneWriter;
 import dev.twister.world.CameraMotion;
+import dev.twister.world.Walk;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyIntegerProperty;
 import javafx.beans.property.ReadOnlyIntegerWrapper;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.collections.FXCollections;
+import javafx.collections.ObservableMap;
 
 /**
  * What a person sees and edits, and the one place where it changes: views bind to its properties and call its methods. Used by
  * JavaFX's thread alone; needs no toolkit.
  */
 public final class Studio implements AutoCloseable {
+    /** Samples a pixel that a picture at rest gathers. */
+    public static final int REFINE_TO = 64;
+
+    private static final double NANOS_PER_SECOND = 1e9;
+
+    /** After the window was asleep, say, the camera does not leap. */
+    private static final double LONGEST_STEP_SECONDS = 0.25;
+
     private final SkyShelf skies;
     private final DrawingLoop loop;
     private final ReadOnlyObjectWrapper<Scene> scene;
@@ -42,10 +56,16 @@ public final class Studio implements AutoCloseable {
     private final ReadOnlyIntegerWrapper selection = new ReadOnlyIntegerWrapper(Layout.NOTHING);
     private final ReadOnlyObjectWrapper<Optional<DrawnPicture>> picture = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ReadOnlyObjectWrapper<DrawingStatus> drawing = new ReadOnlyObjectWrapper<>(DrawingStatus.QUIET);
+    private final BooleanProperty refining = new SimpleBooleanProperty(true);
+    private final ObservableMap<Integer, Camera> views = FXCollections.observableHashMap();
+    private final FrameHistory frames = new FrameHistory();
     private SceneHistory document;
     private Scene original;
-    private int viewWidth;
-    private int viewHeight;
+    private Walk walk = Walk.STILL;
+    private double displayMillis;
+    private long lastPulseNanos;
+    private double viewWidth;
+    private double viewHeight;
     private long requests;
 
     private Studio(GuiOptions options, SkyShelf skies, DrawingLoop loop) {
@@ -56,6 +76,7 @@ public final class Studio implements AutoCloseable {
         file = new ReadOnlyObjectWrapper<>(Optional.of(options.file()));
         document = new SceneHistory(options.scene());
         original = options.scene();
+        refining.subscribe(_ -> request());
     }
 
     /** A studio with its drawing thread at work, which draws once the view's size is known. */
@@ -89,6 +110,21 @@ public final class Studio implements AutoCloseable {
     /** What the drawing thread has to say. */
     public ReadOnlyObjectProperty<DrawingStatus> drawingProperty() {
         return drawing.getReadOnlyProperty();
+    }
+
+    /** Whether a picture at rest gathers samples and then rests; otherwise it is drawn again and again. */
+    public BooleanProperty refiningProperty() {
+        return refining;
+    }
+
+    /** The views kept under a number, from 0 to 9. */
+    public ObservableMap<Integer, Camera> views() {
+        return views;
+    }
+
+    /** The last ten seconds' pictures. */
+    public FrameHistory frames() {
+        return frames;
     }
 
     /** The file that the scene came from or was saved to last. */
@@ -169,6 +205,21 @@ public final class Studio implements AutoCloseable {
         moveCamera(_ -> original.camera());
     }
 
+    /** Keeps the camera as it is now under that number. */
+    public void keepView(int number) {
+        views.put(number, scene.get().camera());
+    }
+
+    /** Goes to the view kept under that number, where there is one. */
+    public void recallView(int number) {
+        Optional.ofNullable(views.get(number)).ifPresent(view -> moveCamera(_ -> view));
+    }
+
+    /** From now on each pulse moves the camera that way, until told otherwise. */
+    public void setWalk(Walk newWalk) {
+        walk = newWalk;
+    }
+
     /** Draws with that engine as soon as it is ready. */
     public void chooseEngine(EngineOffer offer) {
         engine.set(new EngineChoice(engine.get().number() + 1, offer));
@@ -227,8 +278,8 @@ public final class Studio implements AutoCloseable {
         skies.refresh(panorama);
     }
 
-    /** The size of the area for the picture, in pixels of the screen. */
-    public void setViewSize(int width, int height) {
+    /** The area for the picture, in pixels of the screen. */
+    public void setViewSize(double width, double height) {
         if (width != viewWidth || height != viewHeight) {
             viewWidth = width;
             viewHeight = height;
@@ -236,10 +287,26 @@ public final class Studio implements AutoCloseable {
         }
     }
 
-    /** Called in every pulse: takes over what the drawing thread has finished. */
-    public void pulse() {
-        loop.takeNewest().ifPresent(newest -> picture.set(Optional.of(newest)));
+    /**
+     * Called in every pulse: walks on, and takes over what the drawing thread has finished.
+     *
+     * @param nanos now, by {@link System#nanoTime}
+     */
+    public void pulse(long nanos) {
+        double seconds = Math.clamp((nanos - lastPulseNanos) / NANOS_PER_SECOND, 0, LONGEST_STEP_SECONDS);
+        lastPulseNanos = nanos;
+        moveCamera(
+                camera -> CameraMotion.walk(camera, walk, seconds, scene.get().plane()));
+        loop.takeNewest().ifPresent(newest -> {
+            frames.add(newest, displayMillis);
+            picture.set(Optional.of(newest));
+        });
         drawing.set(loop.status());
+    }
+
+    /** How long the interface's thread was busy in a pulse, up to the end of its layout. */
+    void noteDisplayMillis(double millis) {
+        displayMillis = millis;
     }
 
     /** Lets the drawing thread end. */
@@ -248,20 +315,30 @@ public final class Studio implements AutoCloseable {
         loop.close();
     }
 
+    /** Waits for the drawing thread to end, after {@link #close}; whether it did. */
+    boolean awaitEnd(Duration limit) throws InterruptedException {
+        return loop.awaitEnd(limit);
+    }
+
     private void show() {
         Scene now = document.present();
         document.carryOn(now.withCamera(CameraMotion.above(now.camera(), now.plane())));
-        scene.set(document.present());
         edits.set(EditState.of(document));
-        select(selection.get());
-        request();
+        if (!document.present().equals(scene.get())) {
+            scene.set(document.present());
+            select(selection.get());
+            request();
+        }
     }
 
     private void request() {
-        if (viewWidth > 0 && viewHeight > 0) {
+        if (viewWidth >= 1 && viewHeight >= 1) {
             requests++;
             PictureSize size = resolution.get().size(viewWidth, viewHeight);
-            loop.request(new DrawingRequest(requests, scene.get(), size.width(), size.height(), engine.get(), false));
+            int refineTo =
+                    refining.get() ? Math.max(REFINE_TO, scene.get().settings().samplesPerPixel()) : 0;
+            loop.request(
+                    new DrawingRequest(requests, scene.get(), size.width(), size.height(), engine.get(), refineTo));
         }
     }
 }

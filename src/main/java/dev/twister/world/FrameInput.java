@@ -1,6 +1,7 @@
 package dev.twister.world;
 
 import dev.twister.kernel.Layout;
+import java.util.Arrays;
 
 /**
  * A snapshot of the world as the flat arrays that the kernel reads; {@link Layout} has the places in them.
@@ -116,6 +117,59 @@ public record FrameInput(
                 shadowDisc,
                 pixelOffsets,
                 hierarchy);
+    }
+
+    /**
+     * The same view in other pixels, all of whose rows are drawn.
+     *
+     * @throws IllegalArgumentException where a side is below 1
+     */
+    public FrameInput withSize(int width, int height) {
+        if (width < 1 || height < 1) {
+            throw new IllegalArgumentException("a picture of " + width + " x " + height);
+        }
+        int[] sized = dimensions.clone();
+        sized[Layout.WIDTH] = width;
+        sized[Layout.HEIGHT] = height;
+        sized[Layout.FIRST_ROW] = 0;
+        sized[Layout.ROWS] = height;
+        return new FrameInput(
+                sized,
+                camera,
+                rayTracingProperties,
+                bodyPositions,
+                bodySizes,
+                bodyColors,
+                bodyReflectivities,
+                skybox,
+                skyboxDimensions,
+                shadowDisc,
+                pixelOffsets,
+                hierarchy);
+    }
+
+    /**
+     * The same, but what looks the same as in an earlier snapshot (sizes, colours, reflectivities, the sky's size) in that
+     * one's arrays, so that an engine that knows arrays by their identity has nothing new to send.
+     */
+    public FrameInput withLooksOf(FrameInput earlier) {
+        return new FrameInput(
+                dimensions,
+                camera,
+                rayTracingProperties,
+                bodyPositions,
+                kept(earlier.bodySizes, bodySizes),
+                kept(earlier.bodyColors, bodyColors),
+                kept(earlier.bodyReflectivities, bodyReflectivities),
+                skybox,
+                Arrays.equals(earlier.skyboxDimensions, skyboxDimensions) ? earlier.skyboxDimensions : skyboxDimensions,
+                shadowDisc,
+                pixelOffsets,
+                hierarchy);
+    }
+
+    private static float[] kept(float[] old, float[] fresh) {
+        return Arrays.equals(old, fresh) ? old : fresh;
     }
 
     /**

@@ -13,9 +13,7 @@ class MainWindowTest {
     @Test
     void theScreenShowsTheEnginesPixels() {
         try (WindowDriver driver = WindowDriver.open()) {
-            driver.pulse();
-            driver.pulse();
-            DrawnPicture picture = driver.awaitCurrentPicture();
+            DrawnPicture picture = driver.awaitRest();
             Bounds area = WindowDriver.call(() -> driver.stage
                     .getScene()
                     .getRoot()
@@ -23,7 +21,7 @@ class MainWindowTest {
                     .localToScreen(
                             driver.stage.getScene().getRoot().lookup(".picture").getLayoutBounds()));
 
-            for (int[] place : new int[][] {{10, 10}, {100, 120}, {200, 150}, {160, 100}}) {
+            for (int[] place : new int[][] {{10, 150}, {100, 180}, {200, 150}, {160, 130}}) {
                 int argb = picture.frame().argb()[place[1] * picture.frame().width() + place[0]];
                 Color seen = driver.pixel(area.getMinX() + place[0], area.getMinY() + place[1]);
 

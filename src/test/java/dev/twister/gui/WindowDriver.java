@@ -4,7 +4,6 @@ import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
@@ -12,8 +11,12 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import javafx.application.Platform;
+import javafx.geometry.Bounds;
+import javafx.scene.Node;
+import javafx.scene.control.Labeled;
 import javafx.scene.input.KeyCode;
 import javafx.scene.paint.Color;
 import javafx.scene.robot.Robot;
@@ -54,33 +57,37 @@ final class WindowDriver implements AutoCloseable {
         robot = new Robot();
     }
 
-    static Scene shipped(String name) {
-        return SceneReader.read(Path.of("scenes", name + ".json"));
-    }
-
     /** A small window that shows its first picture. */
     static WindowDriver open() {
-        return open(shipped("teaching"), JvmEngines.parallel());
+        return open(WindowScenes.tiny(), JvmEngines.parallel());
     }
 
     static WindowDriver open(Scene scene, EngineOffer engine) {
         Toolkit.STARTED.join();
-        Scene quick = scene.withSettings(scene.settings().withShadows(1).withBounces(1));
-        WindowDriver driver = call(() -> new WindowDriver(quick, engine));
-        driver.await(() -> driver.studio.pictureProperty().get().isPresent());
+        WindowDriver driver = call(() -> new WindowDriver(scene, engine));
+        driver.await(() -> driver.studio
+                .pictureProperty()
+                .get()
+                .filter(DrawnPicture::isWhole)
+                .isPresent());
         return driver;
     }
 
     /** Does that on JavaFX's thread. */
     static <T> T call(Callable<T> action) {
         CompletableFuture<T> result = new CompletableFuture<>();
-        Platform.runLater(() -> {
+        Runnable task = () -> {
             try {
                 result.complete(action.call());
             } catch (Exception | Error problem) {
                 result.completeExceptionally(problem);
             }
-        });
+        };
+        if (Platform.isFxApplicationThread()) {
+            task.run();
+        } else {
+            Platform.runLater(task);
+        }
         try {
             return result.get(LIMIT_SECONDS, TimeUnit.SECONDS);
         } catch (InterruptedException | ExecutionException | TimeoutException problem) {
@@ -116,7 +123,31 @@ final class WindowDriver implements AutoCloseable {
     /** Waits for a picture of what the studio holds now. */
     DrawnPicture awaitCurrentPicture() {
         Scene now = call(studio::scene);
-        return awaitPicture(picture -> picture.request().scene().equals(now));
+        return awaitPicture(
+                picture -> picture.isWhole() && picture.request().scene().equals(now));
+    }
+
+    /** Waits until the picture is as fine as it gets and is on the screen. */
+    DrawnPicture awaitRest() {
+        Scene now = call(studio::scene);
+        DrawnPicture rest = awaitPicture(picture -> picture.request().scene().equals(now)
+                && picture.samples() == picture.request().refineTo());
+        pulse();
+        pulse();
+        return rest;
+    }
+
+    /** Where the picture's view is on the screen. */
+    Bounds pictureOnScreen() {
+        return call(() -> {
+            Node picture = stage.getScene().getRoot().lookup(".picture");
+            return picture.localToScreen(picture.getLayoutBounds());
+        });
+    }
+
+    /** The text of the label of that id. */
+    String text(String id) {
+        return call(() -> ((Labeled) stage.getScene().getRoot().lookup("#" + id)).getText());
     }
 
     /** Waits for a pulse to have gone by. */
@@ -153,7 +184,7 @@ final class WindowDriver implements AutoCloseable {
     }
 
     /** The robot itself, for the mouse. */
-    void withRobot(java.util.function.Consumer<Robot> action) {
+    void withRobot(Consumer<Robot> action) {
         run(() -> action.accept(robot));
         pulse();
     }

@@ -58,4 +58,32 @@ class FrameInputTest {
     void samplesThatAreNoneAreRefused(int first, int samples) {
         assertThatThrownBy(() -> whole.withSamples(first, samples)).isInstanceOf(IllegalArgumentException.class);
     }
+
+    @Test
+    void anotherSizeIsTheSameView() {
+        FrameInput input = SampleWorld.ofSize(40, 20).snapshot();
+
+        FrameInput small = input.band(3, 4).withSize(10, 5);
+
+        assertThat(small.width()).isEqualTo(10);
+        assertThat(small.height()).isEqualTo(5);
+        assertThat(small.firstRow()).isZero();
+        assertThat(small.rows()).isEqualTo(5);
+        assertThat(small.bodies()).isEqualTo(input.bodies());
+        assertThat(small.camera()).isSameAs(input.camera());
+    }
+
+    @Test
+    void whatLooksTheSameStaysTheSameArray() {
+        FrameInput one = SampleWorld.ofSize(40, 20).snapshot();
+        FrameInput other = SampleWorld.ofSize(40, 20).snapshot();
+        other.bodyColors()[0] += 1;
+
+        FrameInput shared = other.withLooksOf(one);
+
+        assertThat(shared.bodySizes()).isSameAs(one.bodySizes());
+        assertThat(shared.bodyReflectivities()).isSameAs(one.bodyReflectivities());
+        assertThat(shared.bodyColors()).isSameAs(other.bodyColors());
+        assertThat(shared.bodyPositions()).isSameAs(other.bodyPositions());
+    }
 }

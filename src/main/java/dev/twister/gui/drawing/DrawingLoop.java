@@ -1,42 +1,38 @@
 package dev.twister.gui.drawing;
 
-import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
-import dev.twister.image.Frame;
-import dev.twister.world.FrameInput;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
 /**
- * Draws one picture after the other on a thread of its own, always by the newest request. Whoever asks and shows never waits:
- * {@link #request} and {@link #takeNewest} return at once.
+ * Draws on a thread of its own, always by the newest request. Whoever asks and shows never waits: {@link #request} and
+ * {@link #takeNewest} return at once.
  */
 public final class DrawingLoop implements AutoCloseable {
     private final PictureExchange exchange = new PictureExchange();
-    private final LivingWorld world;
-    private final EngineSeat seat;
+    private final PictureWork work;
     private final Thread thread;
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition changed = lock.newCondition();
     private Optional<DrawingRequest> newest = Optional.empty();
+    private boolean due;
     private boolean closed;
     private volatile DrawingStatus status = DrawingStatus.QUIET;
-    private long pictures;
 
     /**
-     * Starts the thread, which waits for a request.
+     * A loop that is not started yet.
      *
      * @param skies where panoramas come from
      * @param substitute the engine that draws until the chosen one is ready, and where that fails; must open at once
      */
     public DrawingLoop(SkyShelf skies, EngineOffer substitute) {
-        world = new LivingWorld(skies);
-        seat = new EngineSeat(substitute);
+        work = new PictureWork(exchange, skies, substitute, this::wake);
         thread = Thread.ofPlatform().daemon().name("drawing").unstarted(this::run);
     }
 
+    /** Starts the thread, which waits for a request. */
     public void start() {
         thread.start();
     }
@@ -46,6 +42,7 @@ public final class DrawingLoop implements AutoCloseable {
         lock.lock();
         try {
             newest = Optional.of(request);
+            due = true;
             changed.signalAll();
         } finally {
             lock.unlock();
@@ -79,49 +76,41 @@ public final class DrawingLoop implements AutoCloseable {
     }
 
     private void run() {
-        try (seat) {
-            long answered = Long.MIN_VALUE;
-            Optional<DrawingRequest> next = await(answered);
+        try (work) {
+            boolean more = false;
+            Optional<DrawingRequest> next = await(more);
             while (next.isPresent()) {
-                answered = draw(next.get()) ? next.get().number() : answered;
-                next = await(answered);
+                work.prepare(next.get());
+                status = work.status();
+                more = work.step(next.get());
+                status = work.status();
+                next = await(more);
             }
         }
     }
 
-    /** The newest request, once there is something to draw by it; empty when the loop is closed. */
-    private Optional<DrawingRequest> await(long answered) {
+    /** The newest request, once there is something to do for it; empty when the loop is closed. */
+    private Optional<DrawingRequest> await(boolean more) {
         lock.lock();
         try {
-            while (!closed && newest.filter(request -> isDue(request, answered)).isEmpty()) {
+            while (!closed && !due && !more) {
                 changed.awaitUninterruptibly();
             }
+            due = false;
             return closed ? Optional.empty() : newest;
         } finally {
             lock.unlock();
         }
     }
 
-    private static boolean isDue(DrawingRequest request, long answered) {
-        return !request.restful() || request.number() != answered;
-    }
-
-    /** Whether the request has been answered by the engine it asks for, or cannot be. */
-    private boolean draw(DrawingRequest request) {
-        FrameInput input = world.snapshot(request);
-        Engine engine = seat.engineFor(request.engine(), input);
-        status = new DrawingStatus(seat.opening(), seat.failure(), world.complaint());
-        Frame frame = exchange.frameToDraw(request.width(), request.height());
+    /** There may be something to do for a request that was answered. */
+    private void wake() {
+        lock.lock();
         try {
-            engine.render(input, frame);
-        } catch (RuntimeException | Error problem) {
-            exchange.abandon(frame);
-            seat.giveUp(EngineSeat.explain(request.engine().offer(), problem));
-            return false;
+            due = newest.isPresent();
+            changed.signalAll();
+        } finally {
+            lock.unlock();
         }
-        pictures++;
-        exchange.finished(new DrawnPicture(
-                frame, request, input, engine.id(), engine.device(), frame.times(), pictures, System.nanoTime()));
-        return seat.opening().isEmpty();
     }
 }

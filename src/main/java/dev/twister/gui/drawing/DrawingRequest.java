@@ -10,6 +10,12 @@ import dev.twister.scene.Scene;
  * @param width of the picture in pixels, 1 or more
  * @param height of the picture in pixels, 1 or more
  * @param engine what is to draw it
- * @param restful whether to draw one picture and wait for the next request, instead of one after the other
+ * @param refineTo samples a pixel that the picture gathers while no other request comes, and then rests; 0 to draw the same
+ *     picture again and again
  */
-public record DrawingRequest(long number, Scene scene, int width, int height, EngineChoice engine, boolean restful) {}
+public record DrawingRequest(long number, Scene scene, int width, int height, EngineChoice engine, int refineTo) {
+    /** Whether the same picture is drawn again and again. */
+    public boolean isContinuous() {
+        return refineTo == 0;
+    }
+}

@@ -7,12 +7,14 @@ import dev.twister.world.FrameInput;
 /**
  * A finished picture.
  *
- * @param frame 8-bit pixels; they stay as they are until the picture has been given back
+ * @param frame 8-bit pixels; they stay as they are until the picture has been given back. Smaller than requested at the
+ *     start, when nothing is compiled yet
  * @param request the request that it answers
  * @param input what the engine saw: where each body was
  * @param engine the id of the engine that drew it
  * @param device what did the work, for a person
  * @param times where its time went
+ * @param samples a pixel, those of earlier pictures that it refines included
  * @param number counts the pictures up; every one that the engine drew counts, shown or not
  * @param finishedNanos when it was finished, by {@link System#nanoTime}
  */
@@ -23,5 +25,11 @@ public record DrawnPicture(
         String engine,
         String device,
         FrameTimes times,
+        int samples,
         long number,
-        long finishedNanos) {}
+        long finishedNanos) {
+    /** Whether it has all the pixels that were asked for. */
+    public boolean isWhole() {
+        return frame.width() == request.width() && frame.height() == request.height();
+    }
+}

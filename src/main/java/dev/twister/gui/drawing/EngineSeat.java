@@ -5,8 +5,6 @@ import dev.twister.engine.EngineException;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.engine.UnknownEngineException;
-import dev.twister.image.Frame;
-import dev.twister.world.FrameInput;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -14,12 +12,13 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 
 /**
- * The engine that draws, and the one that is to take its place. An engine is opened, and draws its first frame, which waits for
- * compilers, on a thread of its own, while the old one goes on drawing; it takes the seat when it is ready. Used by the drawing
- * thread alone.
+ * The engine that draws, and the one that is to take its place. An engine is opened, and draws its first frames, which wait
+ * for compilers, on a thread of its own, while the old one goes on drawing; it takes the seat when it is ready. Used by the
+ * drawing thread alone.
  */
 final class EngineSeat implements AutoCloseable {
     private final EngineOffer substitute;
+    private final Runnable whenReady;
 
     /** One after the other, however fast a person changes their mind. */
     private final ExecutorService openings = Executors.newSingleThreadExecutor(
@@ -28,6 +27,7 @@ final class EngineSeat implements AutoCloseable {
     private Optional<Engine> seated = Optional.empty();
     private Optional<Candidate> candidate = Optional.empty();
     private long choice = Long.MIN_VALUE;
+    private boolean substituted = true;
     private Optional<String> failure = Optional.empty();
 
     /** An engine on its way to the seat; one that is not wanted any more is not opened, or closed once it is open. */
@@ -35,23 +35,30 @@ final class EngineSeat implements AutoCloseable {
 
     /**
      * @param substitute draws until the first engine is ready, and when the seated one fails; must open at once
+     * @param whenReady called on another thread when an opening has ended
      */
-    EngineSeat(EngineOffer substitute) {
+    EngineSeat(EngineOffer substitute, Runnable whenReady) {
         this.substitute = substitute;
+        this.whenReady = whenReady;
     }
 
-    /** The engine to draw this input with: the chosen one, where it is ready. */
-    Engine engineFor(EngineChoice wanted, FrameInput input) {
+    /** Has an engine opened, where this choice is a new one; {@code warmUp} draws its first frames. */
+    void choose(EngineChoice wanted, WarmUp warmUp) {
         if (wanted.number() != choice) {
             choice = wanted.number();
             failure = Optional.empty();
             candidate.ifPresent(EngineSeat::dismiss);
-            candidate = Optional.of(open(wanted.offer(), input));
+            candidate = Optional.of(open(wanted.offer(), warmUp));
         }
+    }
+
+    /** The engine to draw with now: the chosen one, where it is ready. */
+    Engine engine() {
         candidate.filter(next -> next.engine().isDone() || mustWaitFor(next)).ifPresent(this::seat);
         return seated.orElseGet(() -> {
             Engine engine = substitute.opener().get();
             seated = Optional.of(engine);
+            substituted = true;
             return engine;
         });
     }
@@ -66,20 +73,28 @@ final class EngineSeat implements AutoCloseable {
         return failure;
     }
 
+    /** Whether the substitute draws. */
+    boolean isSubstituted() {
+        return substituted;
+    }
+
     /** The seated engine failed while it drew: the substitute takes its place. */
-    void giveUp(String why) {
-        failure = Optional.of(why);
-        seated.ifPresent(Engine::close);
-        seated = Optional.empty();
+    void giveUp(Throwable problem) {
+        failure = Optional.of(explain(seated.map(Engine::id).orElse(substitute.id()), problem));
+        vacate();
     }
 
     @Override
     public void close() {
         candidate.ifPresent(EngineSeat::dismiss);
         candidate = Optional.empty();
+        vacate();
+        openings.shutdown();
+    }
+
+    private void vacate() {
         seated.ifPresent(Engine::close);
         seated = Optional.empty();
-        openings.shutdown();
     }
 
     /** TornadoVM's runtime is one for all its engines: one does not compile while another draws. */
@@ -96,10 +111,11 @@ final class EngineSeat implements AutoCloseable {
         candidate = Optional.empty();
         try {
             Engine engine = next.engine().join();
-            seated.ifPresent(Engine::close);
+            vacate();
             seated = Optional.of(engine);
+            substituted = false;
         } catch (CompletionException problem) {
-            failure = Optional.of(explain(next.offer(), problem.getCause()));
+            failure = Optional.of(explain(next.offer().id(), problem.getCause()));
         }
     }
 
@@ -110,19 +126,26 @@ final class EngineSeat implements AutoCloseable {
         }
     }
 
-    private Candidate open(EngineOffer offer, FrameInput input) {
+    private Candidate open(EngineOffer offer, WarmUp warmUp) {
         Candidate next = new Candidate(offer, new CompletableFuture<>());
         openings.execute(() -> {
             if (!next.engine().isDone()) {
-                open(next, input);
+                open(next, warmUp);
+                whenReady.run();
             }
         });
         return next;
     }
 
-    private static void open(Candidate next, FrameInput input) {
+    private static void open(Candidate next, WarmUp warmUp) {
         try {
-            Engine engine = warm(next.offer().opener().get(), input);
+            Engine engine = next.offer().opener().get();
+            try {
+                warmUp.run(engine, next.engine()::isDone);
+            } catch (RuntimeException | Error problem) {
+                engine.close();
+                throw problem;
+            }
             if (!next.engine().complete(engine)) {
                 engine.close();
             }
@@ -131,20 +154,9 @@ final class EngineSeat implements AutoCloseable {
         }
     }
 
-    /** The first frame compiles what the engine needs compiled. */
-    private static Engine warm(Engine engine, FrameInput input) {
-        try {
-            engine.render(input, Frame.ofPixels(input.width(), input.rows()));
-            return engine;
-        } catch (RuntimeException | Error problem) {
-            engine.close();
-            throw problem;
-        }
-    }
-
-    static String explain(EngineOffer offer, Throwable problem) {
+    private static String explain(String id, Throwable problem) {
         return problem instanceof EngineException || problem instanceof UnknownEngineException
                 ? problem.getMessage()
-                : "engine " + offer.id() + " failed: " + problem;
+                : "engine " + id + " failed: " + problem;
     }
 }

@@ -1,6 +1,5 @@
 package dev.twister.gui.drawing;
 
-import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
@@ -10,32 +9,38 @@ import java.nio.file.Path;
 import java.util.Optional;
 
 /**
- * The world of the scene that is being drawn. Where only the camera or the settings change it stays the same world, so that its
- * arrays stay the same and an engine need not send them to its device again. Used by the drawing thread alone.
+ * The world of the scene that is being drawn. What does not change from one snapshot to the next stays the same array, so that
+ * an engine need not send it to its device again. Used by the drawing thread alone.
  */
 final class LivingWorld {
+    private static final float GREY = 0.5f;
+
     private final SkyShelf skies;
     private Optional<Scene> scene = Optional.empty();
     private Optional<World> world = Optional.empty();
-    private Optional<Skybox> sky = Optional.empty();
+    private Optional<FrameInput> last = Optional.empty();
+    private Skybox sky = new Skybox(1, 1, new float[] {GREY, GREY, GREY});
+    private Optional<Path> skyFile = Optional.empty();
     private Optional<String> complaint = Optional.empty();
 
     LivingWorld(SkyShelf skies) {
         this.skies = skies;
     }
 
-    /** A snapshot of what the request asks for. */
-    FrameInput snapshot(DrawingRequest request) {
-        Scene wanted = request.scene();
+    /** A snapshot of the scene at that size. */
+    FrameInput snapshot(Scene wanted, int width, int height) {
+        chooseSky(wanted.skybox());
         World now = world.filter(
-                        _ -> scene.filter(old -> sameBodies(old, wanted)).isPresent())
-                .orElseGet(() -> World.of(wanted, skyOf(wanted.skybox())));
-        RenderSettings settings = wanted.settings().withSize(request.width(), request.height());
+                        _ -> scene.filter(old -> hasSameBodies(old, wanted)).isPresent())
+                .orElseGet(() -> World.of(wanted, sky));
         now.setCamera(wanted.camera());
-        now.setSettings(settings);
+        now.setSettings(wanted.settings().withSize(width, height));
         scene = Optional.of(wanted);
         world = Optional.of(now);
-        return now.snapshot();
+        FrameInput fresh = now.snapshot();
+        FrameInput snapshot = last.map(fresh::withLooksOf).orElse(fresh);
+        last = Optional.of(snapshot);
+        return snapshot;
     }
 
     /** Why the scene's own sky is not seen, where it is not. */
@@ -43,7 +48,7 @@ final class LivingWorld {
         return complaint;
     }
 
-    private static boolean sameBodies(Scene one, Scene other) {
+    private static boolean hasSameBodies(Scene one, Scene other) {
         return one.spheres().equals(other.spheres())
                 && one.light().equals(other.light())
                 && one.plane().equals(other.plane())
@@ -51,16 +56,17 @@ final class LivingWorld {
                 && one.ambient() == other.ambient();
     }
 
-    /** The sky of that file; where it cannot be read, the one before it, or else a grey one. */
-    private Skybox skyOf(Path file) {
+    /** The sky of that file; where it cannot be read, the one before it stays. */
+    private void chooseSky(Path file) {
+        if (skyFile.filter(file::equals).isPresent()) {
+            return;
+        }
+        skyFile = Optional.of(file);
         try {
-            Skybox read = skies.find(file);
-            sky = Optional.of(read);
+            sky = skies.find(file);
             complaint = Optional.empty();
-            return read;
         } catch (SkyException problem) {
             complaint = Optional.of(problem.getMessage());
-            return sky.orElseGet(() -> new Skybox(1, 1, new float[] {0.5f, 0.5f, 0.5f}));
         }
     }
 }

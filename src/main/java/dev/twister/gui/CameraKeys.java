@@ -1,0 +1,95 @@
+package dev.twister.gui;
+
+import java.util.List;
+import javafx.beans.value.ObservableValue;
+import javafx.event.EventTarget;
+import javafx.scene.Scene;
+import javafx.scene.control.TextInputControl;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+
+/**
+ * Moves the camera by the keyboard: W A S D, Q and E, Shift to run, Home, and views kept under the number keys. Keys that a
+ * control has use for are not seen here: handlers come after the control's own.
+ */
+final class CameraKeys {
+    private static final List<KeyCode> DIGITS = List.of(
+            KeyCode.DIGIT0,
+            KeyCode.DIGIT1,
+            KeyCode.DIGIT2,
+            KeyCode.DIGIT3,
+            KeyCode.DIGIT4,
+            KeyCode.DIGIT5,
+            KeyCode.DIGIT6,
+            KeyCode.DIGIT7,
+            KeyCode.DIGIT8,
+            KeyCode.DIGIT9);
+    private static final List<KeyCode> KEYPAD = List.of(
+            KeyCode.NUMPAD0,
+            KeyCode.NUMPAD1,
+            KeyCode.NUMPAD2,
+            KeyCode.NUMPAD3,
+            KeyCode.NUMPAD4,
+            KeyCode.NUMPAD5,
+            KeyCode.NUMPAD6,
+            KeyCode.NUMPAD7,
+            KeyCode.NUMPAD8,
+            KeyCode.NUMPAD9);
+
+    private final Studio studio;
+    private final HeldKeys held = new HeldKeys();
+
+    private CameraKeys(Studio studio) {
+        this.studio = studio;
+    }
+
+    /** Listens to the whole window, whichever control has the focus. */
+    static void install(Scene scene, ObservableValue<Boolean> windowFocused, Studio studio) {
+        CameraKeys keys = new CameraKeys(studio);
+        scene.addEventHandler(KeyEvent.KEY_PRESSED, keys::pressed);
+        scene.addEventHandler(KeyEvent.KEY_RELEASED, event -> {
+            keys.held.release(event.getCode());
+            keys.walk();
+        });
+        // A key that is let go while another window has the focus is not reported.
+        windowFocused.subscribe(focused -> {
+            if (!focused) {
+                keys.held.releaseAll();
+                keys.walk();
+            }
+        });
+    }
+
+    private void pressed(KeyEvent event) {
+        if (isText(event.getTarget()) || event.isAltDown() || event.isMetaDown()) {
+            return;
+        }
+        int digit = digit(event.getCode());
+        if (digit >= 0 && event.isShortcutDown()) {
+            studio.keepView(digit);
+        } else if (digit >= 0) {
+            studio.recallView(digit);
+        } else if (event.isShortcutDown()) {
+            return;
+        } else if (event.getCode() == KeyCode.HOME) {
+            studio.goHome();
+        } else if (held.press(event.getCode())) {
+            walk();
+        } else {
+            return;
+        }
+        event.consume();
+    }
+
+    private void walk() {
+        studio.setWalk(held.walk());
+    }
+
+    private static boolean isText(EventTarget target) {
+        return target instanceof TextInputControl;
+    }
+
+    private static int digit(KeyCode code) {
+        return Math.max(DIGITS.indexOf(code), KEYPAD.indexOf(code));
+    }
+}

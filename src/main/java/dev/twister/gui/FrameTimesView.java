@@ -1,0 +1,91 @@
+package dev.twister.gui;
+
+import java.util.List;
+import java.util.Locale;
+import javafx.scene.canvas.Canvas;
+import javafx.scene.canvas.GraphicsContext;
+import javafx.scene.control.Label;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
+import javafx.scene.paint.Color;
+
+/** Frames a second, milliseconds, and a graph of the last ten seconds, over the picture's corner. */
+final class FrameTimesView extends VBox {
+    /** Faster than one reads. */
+    private static final long REDRAW_NANOS = 100_000_000;
+
+    private static final double NANOS_PER_SECOND = 1e9;
+    private static final double WIDTH_EM = 22;
+    private static final double HEIGHT_EM = 5;
+    private static final Color LINE = Color.web("#5b93ff");
+    private static final Color GRID = Color.web("#ffffff40");
+    private static final Color TEXT = Color.web("#d5d7da");
+
+    private final Label numbers = new Label();
+    private final Canvas graph = new Canvas();
+    private final FrameHistory history;
+    private long drawnNanos;
+
+    FrameTimesView(FrameHistory history) {
+        this.history = history;
+        getStyleClass().add("frame-times");
+        setMouseTransparent(true);
+        setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
+        getChildren().addAll(numbers, graph);
+    }
+
+    /** Called in every pulse; draws anew a few times a second, where it is seen at all. */
+    void refresh(long nanos) {
+        if (isVisible() && nanos - drawnNanos >= REDRAW_NANOS) {
+            drawnNanos = nanos;
+            numbers.setText(describe(history));
+            double em = numbers.getFont().getSize();
+            graph.setWidth(WIDTH_EM * em);
+            graph.setHeight(HEIGHT_EM * em);
+            draw(nanos, em);
+        }
+    }
+
+    static String describe(FrameHistory history) {
+        FrameHistory.Entry mean = history.mean();
+        return String.format(
+                Locale.ROOT,
+                "%.1f FPS   render %.1f ms   transfer %.1f ms   display %.2f ms",
+                history.framesPerSecond(),
+                mean.renderMillis(),
+                mean.transferMillis(),
+                mean.displayMillis());
+    }
+
+    private void draw(long nanos, double em) {
+        List<FrameHistory.Entry> entries = history.entries();
+        double top = GraphScale.above(entries.stream()
+                .mapToDouble(entry -> entry.renderMillis() + entry.transferMillis())
+                .max()
+                .orElse(0));
+        double width = graph.getWidth();
+        double height = graph.getHeight();
+        GraphicsContext pen = graph.getGraphicsContext2D();
+        pen.clearRect(0, 0, width, height);
+        pen.setStroke(GRID);
+        pen.setLineWidth(1);
+        for (double share : new double[] {0, 0.5, 1}) {
+            double y = Math.floor(share * (height - 1)) + 0.5;
+            pen.strokeLine(0, y, width, y);
+        }
+        pen.setStroke(LINE);
+        pen.setLineWidth(Math.max(1, em / 8));
+        double[] x = new double[entries.size()];
+        double[] y = new double[entries.size()];
+        for (int i = 0; i < x.length; i++) {
+            FrameHistory.Entry entry = entries.get(i);
+            double age = (nanos - entry.nanos()) / NANOS_PER_SECOND;
+            x[i] = width * (1 - age / FrameHistory.SECONDS);
+            y[i] = height * (1 - (entry.renderMillis() + entry.transferMillis()) / top);
+        }
+        pen.strokePolyline(x, y, x.length);
+        pen.setFill(TEXT);
+        pen.setFont(numbers.getFont());
+        pen.fillText(GraphScale.label(top), em / 4, em);
+    }
+}

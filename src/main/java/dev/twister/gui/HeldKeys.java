@@ -1,0 +1,44 @@
+package dev.twister.gui;
+
+import dev.twister.world.Walk;
+import java.util.EnumSet;
+import java.util.Set;
+import javafx.scene.input.KeyCode;
+
+/** The keys that move the camera for as long as they are held. */
+final class HeldKeys {
+    private static final Set<KeyCode> MOVING =
+            EnumSet.of(KeyCode.W, KeyCode.A, KeyCode.S, KeyCode.D, KeyCode.Q, KeyCode.E, KeyCode.SHIFT);
+
+    private final Set<KeyCode> held = EnumSet.noneOf(KeyCode.class);
+
+    /** Whether this key moves the camera. */
+    boolean press(KeyCode key) {
+        if (MOVING.contains(key)) {
+            held.add(key);
+            return true;
+        }
+        return false;
+    }
+
+    void release(KeyCode key) {
+        held.remove(key);
+    }
+
+    void releaseAll() {
+        held.clear();
+    }
+
+    /** Where the held keys lead; opposite ones cancel each other. */
+    Walk walk() {
+        return new Walk(
+                axis(KeyCode.D, KeyCode.A),
+                axis(KeyCode.Q, KeyCode.E),
+                axis(KeyCode.W, KeyCode.S),
+                held.contains(KeyCode.SHIFT));
+    }
+
+    private int axis(KeyCode forth, KeyCode back) {
+        return (held.contains(forth) ? 1 : 0) - (held.contains(back) ? 1 : 0);
+    }
+}

@@ -1,0 +1,40 @@
+package dev.twister.gui;
+
+import dev.twister.gui.drawing.DrawingStatus;
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.kernel.Layout;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** What the status line says. */
+final class StatusText {
+    private static final String BETWEEN = " · ";
+
+    private StatusText() {}
+
+    /** Scene, engine, size, bodies. */
+    static String facts(DrawnPicture picture) {
+        String chosen = picture.request().engine().offer().id();
+        String name = picture.request().scene().name();
+        return Stream.of(
+                        name.isEmpty() ? "untitled" : name,
+                        (chosen.equals(picture.engine()) ? "" : chosen + ": ") + picture.engine() + " ("
+                                + picture.device() + ")",
+                        picture.frame().width() + " × " + picture.frame().height(),
+                        picture.samples() + (picture.samples() == 1 ? " sample a pixel" : " samples a pixel"),
+                        Layout.FIRST_SPHERE
+                                + picture.request().scene().spheres().size() + " bodies")
+                .collect(Collectors.joining(BETWEEN));
+    }
+
+    /** What is going on, or went wrong; may be empty. */
+    static String message(DrawingStatus status) {
+        return Stream.of(
+                        status.opening().map(id -> "making engine " + id + " ready…"),
+                        status.engineFailure(),
+                        status.skyFailure())
+                .flatMap(Optional::stream)
+                .collect(Collectors.joining(BETWEEN));
+    }
+}

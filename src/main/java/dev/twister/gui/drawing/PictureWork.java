@@ -1,0 +1,141 @@
+package dev.twister.gui.drawing;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineOffer;
+import dev.twister.gui.model.RefinedPicture;
+import dev.twister.image.Frame;
+import dev.twister.image.FrameTimes;
+import dev.twister.world.FrameInput;
+import java.nio.IntBuffer;
+import java.util.Optional;
+
+/**
+ * The steps from a request to its pictures: at the very start small ones, because nothing is compiled yet, then the picture
+ * itself, then, where nothing else is asked for, finer ones. Used by the drawing thread alone.
+ */
+final class PictureWork implements AutoCloseable {
+    /** What the sides of the first picture are divided by. */
+    private static final int COARSEST = 8;
+
+    /** A refined picture of fewer samples may look worse than the plain one. */
+    private static final int FEWEST_REFINED_SAMPLES = 4;
+
+    private final PictureExchange exchange;
+    private final LivingWorld world;
+    private final EngineSeat seat;
+    private FrameInput input;
+    private long request = Long.MIN_VALUE;
+    private boolean drawn;
+    private int coarseness = COARSEST;
+    private Optional<Engine> drawer = Optional.empty();
+    private Optional<RefinedPicture> refined = Optional.empty();
+    private Optional<Frame> pass = Optional.empty();
+    private long pictures;
+
+    PictureWork(PictureExchange exchange, SkyShelf skies, EngineOffer substitute, Runnable whenReady) {
+        this.exchange = exchange;
+        world = new LivingWorld(skies);
+        seat = new EngineSeat(substitute, whenReady);
+    }
+
+    /** Looks at a request: the world is as it says, and its engine is being opened. */
+    void prepare(DrawingRequest wanted) {
+        input = world.snapshot(wanted.scene(), wanted.width(), wanted.height());
+        seat.choose(wanted.engine(), new WarmUp(input, coarse(COARSEST)));
+    }
+
+    /** Takes one step for the request that was prepared; whether there is another to take. */
+    boolean step(DrawingRequest wanted) {
+        Engine engine = seat.engine();
+        if (wanted.number() != request || !drawer.equals(Optional.of(engine))) {
+            request = wanted.number();
+            drawer = Optional.of(engine);
+            drawn = false;
+            refined = refined.filter(old -> old.fits(wanted.width(), wanted.height()));
+            refined.ifPresent(RefinedPicture::reset);
+        }
+        try {
+            return draw(wanted, engine);
+        } catch (RuntimeException | Error problem) {
+            boolean hopeless = seat.isSubstituted();
+            refined = Optional.empty();
+            pass = Optional.empty();
+            seat.giveUp(problem);
+            return !hopeless;
+        }
+    }
+
+    DrawingStatus status() {
+        return new DrawingStatus(seat.opening(), seat.failure(), world.complaint());
+    }
+
+    @Override
+    public void close() {
+        seat.close();
+    }
+
+    private boolean draw(DrawingRequest wanted, Engine engine) {
+        // While another engine is made ready, a picture that is there already is not worth the processor's time.
+        boolean opening = seat.opening().isPresent();
+        if (coarseness > 1 && seat.isSubstituted()) {
+            drawPlain(wanted, engine, coarse(coarseness));
+            coarseness /= 2;
+            return true;
+        }
+        if (!drawn || (wanted.isContinuous() && !opening)) {
+            drawPlain(wanted, engine, input);
+            drawn = true;
+            coarseness = 1;
+            return !opening;
+        }
+        if (opening || wanted.isContinuous()) {
+            return false;
+        }
+        return refine(wanted, engine);
+    }
+
+    private FrameInput coarse(int divisor) {
+        return input.withSize(Math.ceilDiv(input.width(), divisor), Math.ceilDiv(input.height(), divisor));
+    }
+
+    private void drawPlain(DrawingRequest wanted, Engine engine, FrameInput seen) {
+        Frame frame = exchange.frameToDraw(seen.width(), seen.height());
+        try {
+            engine.render(seen, frame);
+        } catch (RuntimeException | Error problem) {
+            exchange.abandon(frame);
+            throw problem;
+        }
+        finish(wanted, seen, engine, frame, frame.times(), seen.samplesPerPixel());
+    }
+
+    private boolean refine(DrawingRequest wanted, Engine engine) {
+        RefinedPicture picture = refined.filter(old -> old.limit() == wanted.refineTo())
+                .orElseGet(() -> new RefinedPicture(wanted.width(), wanted.height(), wanted.refineTo()));
+        refined = Optional.of(picture);
+        if (picture.isDone()) {
+            return false;
+        }
+        Frame linear = pass.filter(old -> picture.fits(old.width(), old.height()))
+                .orElseGet(() -> Frame.ofRadiance(wanted.width(), wanted.height()));
+        pass = Optional.of(linear);
+        int samples = picture.samplesOfNextPass(input.samplesPerPixel());
+        engine.render(picture.next(input, samples), linear);
+        picture.add(linear, samples);
+        if (picture.samples() >= FEWEST_REFINED_SAMPLES || picture.isDone()) {
+            Frame frame = exchange.frameToDraw(wanted.width(), wanted.height());
+            picture.show(input, IntBuffer.wrap(frame.argb()));
+            finish(wanted, input, engine, frame, linear.times(), picture.samples());
+        } else {
+            pictures++;
+        }
+        return !picture.isDone();
+    }
+
+    private void finish(
+            DrawingRequest wanted, FrameInput seen, Engine engine, Frame frame, FrameTimes times, int samples) {
+        pictures++;
+        exchange.finished(new DrawnPicture(
+                frame, wanted, seen, engine.id(), engine.device(), times, samples, pictures, System.nanoTime()));
+    }
+}

@@ -1,0 +1,57 @@
+package dev.twister.gui.drawing;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.Engines;
+import dev.twister.image.Frame;
+import dev.twister.world.FrameInput;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+
+/**
+ * The first frames of an engine, which wait for compilers and are not shown.
+ *
+ * @param whole what will be drawn
+ * @param small the same with few pixels: the JVM compiles the same code for it, and before it has, an engine may be hundreds of
+ *     times slower
+ */
+record WarmUp(FrameInput whole, FrameInput small) {
+    /** A JVM engine is warm when a whole picture may be expected in this time ... */
+    private static final long SWIFT_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
+
+    /** ... or when it has had this much time, */
+    private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(3);
+
+    /** ... or when so many frames in a row were no faster than one before. */
+    private static final int STEADY_FRAMES = 8;
+
+    /**
+     * Draws until the engine is about as fast as it will be.
+     *
+     * @param unwanted whether to stop because the engine will not be used
+     */
+    void run(Engine engine, BooleanSupplier unwanted) {
+        if (engine.id().startsWith(Engines.TORNADO_PREFIX)) {
+            // TornadoVM compiles for each size and kind of picture.
+            engine.render(whole, Frame.ofPixels(whole.width(), whole.rows()));
+        } else {
+            runOnJvm(engine, unwanted);
+        }
+    }
+
+    private void runOnJvm(Engine engine, BooleanSupplier unwanted) {
+        Frame frame = Frame.ofPixels(small.width(), small.rows());
+        double ratio = (double) whole.width() * whole.rows() / ((double) small.width() * small.rows());
+        long start = System.nanoTime();
+        long best = Long.MAX_VALUE;
+        int steady = 0;
+        while (steady < STEADY_FRAMES
+                && best > SWIFT_NANOS / ratio
+                && System.nanoTime() - start < PATIENCE_NANOS
+                && !unwanted.getAsBoolean()) {
+            engine.render(small, frame);
+            long nanos = frame.times().totalNanos();
+            steady = nanos < best ? 0 : steady + 1;
+            best = Math.min(best, nanos);
+        }
+    }
+}

@@ -1,0 +1,109 @@
+package dev.twister.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.engine.EngineOffer;
+import dev.twister.engine.Engines;
+import dev.twister.engine.JvmEngines;
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.ResolutionMode;
+import dev.twister.scene.Scene;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Changes of what draws, how large, and what, while the window runs. */
+class EngineChangeTest {
+    @Test
+    void enginesTakeTurns() {
+        List<EngineOffer> jvm = Engines.offers().stream()
+                .filter(offer -> List.of(JvmEngines.SEQUENTIAL, JvmEngines.PARALLEL, "vector")
+                        .contains(offer.id()))
+                .toList();
+        try (WindowDriver driver = WindowDriver.open()) {
+            for (int i = 0; i < 20; i++) {
+                EngineOffer offer = jvm.get(i % jvm.size());
+                driver.run(() -> driver.studio.chooseEngine(offer));
+                DrawnPicture picture =
+                        driver.awaitPicture(shown -> shown.engine().equals(offer.id()));
+
+                assertThat(picture.isWhole()).isTrue();
+            }
+            driver.await(
+                    () -> driver.text("facts").contains(jvm.get(19 % jvm.size()).id()));
+            assertThat(driver.text("message")).isEmpty();
+        }
+    }
+
+    @Test
+    void anEngineThatDoesNotWorkIsSaidAndTheOldOneGoesOn() {
+        try (WindowDriver driver = WindowDriver.open()) {
+            driver.run(() -> driver.studio.chooseEngine(
+                    EngineOffer.impossible("tornado:7:7", "a device", "none", "its driver is missing")));
+            driver.await(() -> driver.text("message").contains("its driver is missing"));
+
+            driver.run(() -> driver.studio.moveCamera(
+                    camera -> WindowScenes.shipped("benchmark").camera()));
+            assertThat(driver.awaitCurrentPicture().engine()).isEqualTo(JvmEngines.PARALLEL);
+        }
+    }
+
+    @Test
+    void theStatusLineTellsSceneEngineSizeSamplesAndBodies() {
+        try (WindowDriver driver = WindowDriver.open()) {
+            DrawnPicture picture = driver.awaitRest();
+            Scene scene = picture.request().scene();
+
+            assertThat(driver.text("facts"))
+                    .contains(
+                            scene.name(),
+                            JvmEngines.PARALLEL,
+                            picture.frame().width() + " × " + picture.frame().height(),
+                            Studio.REFINE_TO + " samples a pixel",
+                            (scene.spheres().size() + 2) + " bodies");
+        }
+    }
+
+    @Test
+    void thePictureFollowsTheWindowAndTheResolution() {
+        try (WindowDriver driver = WindowDriver.open()) {
+            driver.run(() -> driver.stage.setWidth(WindowDriver.WIDTH + 100));
+            driver.awaitPicture(picture -> picture.frame().width() == (int) WindowDriver.WIDTH + 100);
+
+            driver.run(() -> driver.studio.setResolution(ResolutionMode.HD));
+            DrawnPicture large = driver.awaitPicture(picture -> picture.frame().width() == 1280);
+
+            assertThat(large.frame().height()).isEqualTo(720);
+        }
+    }
+
+    @Test
+    void withoutRefiningThePictureIsDrawnAgainAndAgain() {
+        try (WindowDriver driver = WindowDriver.open()) {
+            DrawnPicture rest = driver.awaitRest();
+
+            driver.run(() -> driver.studio.refiningProperty().set(false));
+
+            driver.awaitPicture(picture -> picture.number() > rest.number() + 20 && picture.samples() == 1);
+        }
+    }
+
+    @Test
+    void editsAreTakenBackAndMadeAgain() {
+        try (WindowDriver driver = WindowDriver.open()) {
+            Scene before = WindowDriver.call(driver.studio::scene);
+            driver.run(() -> driver.studio.edit(
+                    "bounces", scene -> scene.withSettings(scene.settings().withBounces(5))));
+            assertThat(driver.awaitCurrentPicture().request().scene().settings().bounces())
+                    .isEqualTo(5);
+            assertThat(driver.studio.editsProperty().get().changed()).isTrue();
+
+            driver.run(driver.studio::undo);
+            assertThat(driver.awaitCurrentPicture().request().scene()).isEqualTo(before);
+            assertThat(driver.studio.editsProperty().get().redoable()).contains("bounces");
+
+            driver.run(driver.studio::redo);
+            assertThat(driver.awaitCurrentPicture().request().scene().settings().bounces())
+                    .isEqualTo(5);
+        }
+    }
+}

@@ -1,0 +1,83 @@
+package dev.twister.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.twister.engine.JvmEngines;
+import dev.twister.gui.drawing.DrawingRequest;
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.drawing.EngineChoice;
+import dev.twister.image.Frame;
+import dev.twister.image.FrameTimes;
+import dev.twister.world.SampleWorld;
+import org.junit.jupiter.api.Test;
+
+class FrameHistoryTest {
+    private static final long MILLI = 1_000_000;
+
+    private final FrameHistory history = new FrameHistory();
+
+    @Test
+    void countsPicturesThatWereNotShownToo() {
+        for (int i = 0; i <= 60; i++) {
+            history.add(picture(3L * i, i * 1000L * MILLI / 60), 0.1);
+        }
+
+        assertThat(history.framesPerSecond()).isCloseTo(180, within(0.5));
+    }
+
+    @Test
+    void aSlowEngineHasARateToo() {
+        history.add(picture(1, 0), 0.1);
+        assertThat(history.framesPerSecond()).isZero();
+        history.add(picture(2, 4000 * MILLI), 0.1);
+        history.add(picture(3, 8000 * MILLI), 0.1);
+
+        assertThat(history.framesPerSecond()).isCloseTo(0.25, within(1e-9));
+    }
+
+    @Test
+    void forgetsWhatIsOlderThanTenSeconds() {
+        for (int i = 0; i < 100; i++) {
+            history.add(picture(i, i * 1000L * MILLI), 0.1);
+        }
+
+        assertThat(history.entries()).hasSize(11);
+    }
+
+    @Test
+    void tellsTheTransferApart() {
+        history.add(picture(1, 0), 0.25);
+
+        assertThat(history.mean().renderMillis()).isCloseTo(7, within(1e-9));
+        assertThat(history.mean().transferMillis()).isCloseTo(3, within(1e-9));
+        assertThat(FrameTimesView.describe(history))
+                .isEqualTo("0.0 FPS   render 7.0 ms   transfer 3.0 ms   display 0.25 ms");
+    }
+
+    @Test
+    void theScaleIsANumberOneCanRead() {
+        assertThat(GraphScale.above(0)).isEqualTo(1);
+        assertThat(GraphScale.above(1.5)).isEqualTo(2);
+        assertThat(GraphScale.above(16.6)).isEqualTo(20);
+        assertThat(GraphScale.above(100)).isEqualTo(100);
+        assertThat(GraphScale.above(5001)).isEqualTo(10_000);
+        assertThat(GraphScale.label(20)).isEqualTo("20 ms");
+    }
+
+    private static DrawnPicture picture(long number, long nanos) {
+        DrawingRequest request =
+                new DrawingRequest(1, WindowScenes.tiny(), 2, 2, new EngineChoice(0, JvmEngines.parallel()), 0);
+        FrameTimes times = new FrameTimes(10 * MILLI, 7 * MILLI, MILLI, 2 * MILLI);
+        return new DrawnPicture(
+                Frame.ofPixels(2, 2),
+                request,
+                SampleWorld.ofSize(2, 2).snapshot(),
+                "test",
+                "a test",
+                times,
+                1,
+                number,
+                nanos);
+    }
+}

@@ -1,0 +1,45 @@
+package dev.twister.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.world.Walk;
+import javafx.scene.input.KeyCode;
+import org.junit.jupiter.api.Test;
+
+class HeldKeysTest {
+    private final HeldKeys keys = new HeldKeys();
+
+    @Test
+    void heldKeysAddUp() {
+        keys.press(KeyCode.W);
+        keys.press(KeyCode.A);
+        keys.press(KeyCode.Q);
+        keys.press(KeyCode.SHIFT);
+
+        assertThat(keys.walk()).isEqualTo(new Walk(-1, 1, 1, true));
+    }
+
+    @Test
+    void aRepeatedPressIsOne() {
+        keys.press(KeyCode.D);
+        keys.press(KeyCode.D);
+        keys.release(KeyCode.D);
+
+        assertThat(keys.walk()).isEqualTo(Walk.STILL);
+    }
+
+    @Test
+    void oppositesCancel() {
+        keys.press(KeyCode.S);
+        keys.press(KeyCode.W);
+        keys.press(KeyCode.E);
+
+        assertThat(keys.walk()).isEqualTo(new Walk(0, -1, 0, false));
+    }
+
+    @Test
+    void otherKeysAreLeftAlone() {
+        assertThat(keys.press(KeyCode.X)).isFalse();
+        assertThat(keys.walk().isStill()).isTrue();
+    }
+}

@@ -1,0 +1,20 @@
+package dev.twister.gui;
+
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneReader;
+import java.nio.file.Path;
+
+/** Scenes for the window's tests. */
+public final class WindowScenes {
+    private WindowScenes() {}
+
+    public static Scene shipped(String name) {
+        return SceneReader.read(Path.of("scenes", name + ".json"));
+    }
+
+    /** Three spheres, quickly drawn. */
+    public static Scene tiny() {
+        Scene scene = shipped("teaching");
+        return scene.withSettings(scene.settings().withShadows(1).withBounces(1).withSamplesPerPixel(1));
+    }
+}

@@ -1,0 +1,246 @@
+package dev.twister.gui.drawing;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.engine.EngineOffer;
+import dev.twister.gui.WindowScenes;
+import dev.twister.scene.Scene;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+class DrawingLoopTest {
+    private static final int RED = 0xFFFF0000;
+    private static final int GREEN = 0xFF00FF00;
+    private static final int BLUE = 0xFF0000FF;
+    private static final int WIDTH = 32;
+    private static final int HEIGHT = 18;
+    private static final Duration LIMIT = Duration.ofSeconds(60);
+
+    private final TestEngine.Kind substitute = new TestEngine.Kind("substitute", BLUE);
+    private final TestEngine.Kind green = new TestEngine.Kind("green", GREEN);
+    private final TestEngine.Kind red = new TestEngine.Kind("red", RED);
+    private final DrawingLoop loop = new DrawingLoop(new SkyShelf(), substitute.offer());
+    private final Scene scene = WindowScenes.tiny();
+    private long requests;
+    private long choices;
+    private EngineChoice chosen = new EngineChoice(0, green.offer());
+    private Optional<DrawnPicture> shown = Optional.empty();
+
+    @BeforeEach
+    void start() {
+        loop.start();
+    }
+
+    @AfterEach
+    void nothingIsLeft() throws InterruptedException {
+        for (TestEngine.Kind kind : new TestEngine.Kind[] {substitute, green, red}) {
+            kind.allowAll();
+        }
+        loop.close();
+
+        assertThat(loop.awaitEnd(LIMIT)).isTrue();
+        await(() -> substitute.alive.get() + green.alive.get() + red.alive.get() == 0);
+    }
+
+    @Test
+    void drawsWithTheChosenEngine() {
+        request(scene, 0);
+
+        DrawnPicture picture = awaitPicture(drawnBy(green));
+
+        assertThat(picture.frame().argb()).hasSize(WIDTH * HEIGHT).containsOnly(GREEN);
+        assertThat(loop.status()).isEqualTo(DrawingStatus.QUIET);
+    }
+
+    @Test
+    void somethingIsSeenWhileTheEngineIsMadeReady() {
+        green.hold();
+        request(scene, 0);
+
+        DrawnPicture picture = awaitPicture(drawnBy(substitute).and(DrawnPicture::isWhole));
+        await(() -> loop.status().opening().equals(Optional.of("green")));
+
+        assertThat(picture.frame().argb()).containsOnly(BLUE);
+        green.allowAll();
+        awaitPicture(drawnBy(green));
+        assertThat(substitute.alive).hasValue(0);
+    }
+
+    @Test
+    void theFirstPictureIsASmallOne() {
+        green.hold();
+        request(scene, 0);
+
+        awaitPicture(DrawnPicture::isWhole);
+
+        assertThat(substitute.frames.get()).isEqualTo(4);
+    }
+
+    @Test
+    void aRequestIsSeenInTheNextPicture() {
+        request(scene, 0);
+        awaitPicture(drawnBy(green));
+        green.hold();
+        awaitQuiet();
+        shown = loop.takeNewest().or(() -> shown);
+        long before = shown.orElseThrow().number();
+        Scene moved = scene.withCamera(WindowScenes.shipped("benchmark").camera());
+        request(moved, 0);
+        long asked = requests;
+        green.allow(2);
+
+        DrawnPicture answer = awaitPicture(picture -> picture.request().number() == asked);
+
+        assertThat(answer.request().scene()).isEqualTo(moved);
+        // One was in the making.
+        assertThat(answer.number()).isEqualTo(before + 2);
+    }
+
+    @Test
+    void atRestItRefinesAndStops() {
+        request(scene, 6);
+
+        DrawnPicture picture = awaitPicture(drawnBy(green).and(done -> done.samples() == 6));
+        int frames = green.frames.get();
+        awaitQuiet();
+
+        assertThat(picture.frame().argb()).containsOnly(0xFFFFFFFF);
+        assertThat(green.frames).hasValue(frames);
+    }
+
+    @Test
+    void aMoveStartsRefiningAnew() {
+        request(scene, 6);
+        awaitPicture(drawnBy(green).and(done -> done.samples() == 6));
+        request(scene.withCamera(WindowScenes.shipped("benchmark").camera()), 6);
+        long asked = requests;
+
+        DrawnPicture first = awaitPicture(picture -> picture.request().number() == asked);
+        DrawnPicture last = awaitPicture(done -> done.request().number() == asked && done.samples() == 6);
+
+        assertThat(first.number()).isLessThanOrEqualTo(last.number());
+    }
+
+    @Test
+    void anEngineThatDoesNotOpenLeavesTheOldOne() {
+        request(scene, 0);
+        awaitPicture(drawnBy(green));
+        choose(EngineOffer.impossible("none", "nothing", "never", "it is not there"));
+        request(scene, 0);
+
+        await(() -> loop.status().engineFailure().isPresent());
+        long asked = requests;
+
+        assertThat(loop.status().engineFailure().orElseThrow()).contains("none", "it is not there");
+        assertThat(awaitPicture(picture -> picture.request().number() == asked).engine())
+                .isEqualTo("green");
+        assertThat(green.opened).hasValue(1);
+    }
+
+    @Test
+    void anEngineThatBreaksIsReplacedAndTriedAgainWhenChosenAgain() {
+        request(scene, 0);
+        awaitPicture(drawnBy(green));
+        green.breaks = true;
+        awaitPicture(drawnBy(substitute));
+        assertThat(loop.status().engineFailure()).contains("green broke");
+        green.breaks = false;
+
+        choose(green.offer());
+        request(scene, 0);
+
+        awaitPicture(drawnBy(green));
+        assertThat(loop.status().engineFailure()).isEmpty();
+    }
+
+    @Test
+    void whereNothingWorksItWaits() {
+        green.breaks = true;
+        substitute.breaks = true;
+        request(scene, 0);
+
+        await(() -> loop.status().engineFailure().isPresent());
+        awaitQuiet();
+        substitute.breaks = false;
+        request(scene, 0);
+
+        awaitPicture(drawnBy(substitute));
+    }
+
+    @Test
+    void onlyTheLastOfManyChoicesIsOpened() {
+        green.hold();
+        request(scene, 0);
+        await(() -> green.opened.get() == 1);
+        for (int i = 0; i < 20; i++) {
+            choose(red.offer());
+            request(scene, 0);
+            long asked = requests;
+            awaitPicture(picture -> picture.request().number() == asked);
+        }
+        green.allowAll();
+
+        awaitPicture(drawnBy(red));
+        assertThat(red.opened.get()).isLessThan(20);
+    }
+
+    @Test
+    void aSkyThatIsNotThereLeavesTheOldOne() {
+        request(scene, 0);
+        awaitPicture(drawnBy(green));
+        request(scene.withSkybox(Path.of("no-such-sky.hdr").toAbsolutePath()), 0);
+        long asked = requests;
+
+        awaitPicture(picture -> picture.request().number() == asked);
+        await(() -> loop.status().skyFailure().isPresent());
+
+        assertThat(loop.status().skyFailure().orElseThrow()).contains("no-such-sky.hdr");
+        request(scene, 0);
+        await(() -> loop.status().skyFailure().isEmpty());
+    }
+
+    private void choose(EngineOffer offer) {
+        choices++;
+        chosen = new EngineChoice(choices, offer);
+    }
+
+    private void request(Scene wanted, int refineTo) {
+        requests++;
+        loop.request(new DrawingRequest(requests, wanted, WIDTH, HEIGHT, chosen, refineTo));
+    }
+
+    private static Predicate<DrawnPicture> drawnBy(TestEngine.Kind kind) {
+        return picture -> picture.engine().equals(kind.id);
+    }
+
+    private DrawnPicture awaitPicture(Predicate<DrawnPicture> wanted) {
+        await(() -> {
+            shown = loop.takeNewest().or(() -> shown);
+            return shown.filter(wanted).isPresent();
+        });
+        return shown.orElseThrow();
+    }
+
+    /** Until the drawing thread waits for something to do. */
+    private static void awaitQuiet() {
+        await(() -> Thread.getAllStackTraces().keySet().stream()
+                .filter(thread -> thread.getName().equals("drawing"))
+                .allMatch(thread -> thread.getState() == Thread.State.WAITING));
+    }
+
+    private static void await(BooleanSupplier condition) {
+        long end = System.nanoTime() + LIMIT.toNanos();
+        while (!condition.getAsBoolean()) {
+            assertThat(System.nanoTime()).as("the time is over").isLessThan(end);
+            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(1));
+        }
+    }
+}

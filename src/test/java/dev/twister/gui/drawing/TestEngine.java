@@ -1,0 +1,94 @@
+package dev.twister.gui.drawing;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineException;
+import dev.twister.engine.EngineOffer;
+import dev.twister.image.Frame;
+import dev.twister.image.FrameTimes;
+import dev.twister.world.FrameInput;
+import java.util.Arrays;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
+
+/** An engine of one colour, of which one can see how many are open, and which one can hold up or break. */
+final class TestEngine implements Engine {
+    private static final int ANY_NUMBER = 1_000_000_000;
+
+    private final Kind kind;
+    private final AtomicReference<Thread> user = new AtomicReference<>();
+
+    private TestEngine(Kind kind) {
+        this.kind = kind;
+    }
+
+    /** All engines of one name. */
+    static final class Kind {
+        final String id;
+        final int color;
+        final AtomicInteger alive = new AtomicInteger();
+        final AtomicInteger opened = new AtomicInteger();
+        final AtomicInteger frames = new AtomicInteger();
+        volatile boolean breaks;
+        private final Semaphore gate = new Semaphore(ANY_NUMBER);
+
+        Kind(String id, int color) {
+            this.id = id;
+            this.color = color;
+        }
+
+        /** From now on frames wait. */
+        void hold() {
+            gate.drainPermits();
+        }
+
+        /** Lets so many frames pass. */
+        void allow(int number) {
+            gate.release(number);
+        }
+
+        void allowAll() {
+            hold();
+            allow(ANY_NUMBER);
+        }
+
+        EngineOffer offer() {
+            return EngineOffer.working(id, "a test", "one colour", () -> {
+                alive.incrementAndGet();
+                opened.incrementAndGet();
+                return new TestEngine(this);
+            });
+        }
+    }
+
+    @Override
+    public String id() {
+        return kind.id;
+    }
+
+    @Override
+    public String device() {
+        return "a test";
+    }
+
+    @Override
+    public void render(FrameInput input, Frame frame) {
+        if (!user.compareAndSet(null, Thread.currentThread())) {
+            throw new AssertionError("used by two threads at once");
+        }
+        kind.gate.acquireUninterruptibly();
+        kind.frames.incrementAndGet();
+        user.set(null);
+        if (kind.breaks) {
+            throw new EngineException(kind.id + " broke");
+        }
+        Arrays.fill(frame.argb(), kind.color);
+        Arrays.fill(frame.radiance(), 1);
+        frame.setTimes(FrameTimes.onJvm(1));
+    }
+
+    @Override
+    public void close() {
+        kind.alive.decrementAndGet();
+    }
+}
