@@ -1,12 +1,9 @@
 package dev.twister.cli;
 
-import dev.twister.bench.FastestEngine;
-import dev.twister.engine.EngineOffer;
-import dev.twister.engine.Engines;
 import dev.twister.gui.Gui;
-import dev.twister.gui.GuiOptions;
 import dev.twister.scene.SceneReader;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -30,16 +27,13 @@ final class GuiCommand implements Callable<Integer> {
     @Option(
             names = "--engine",
             paramLabel = "ENGINE",
-            defaultValue = FastestEngine.AUTO,
-            description = "What draws at first (see 'twister devices'); ${DEFAULT-VALUE} where not said.")
-    private String engineId = FastestEngine.AUTO;
+            description = "What draws at first (see 'twister devices'); where not said, what drew last time, or auto.")
+    private Optional<String> engineId = Optional.empty();
 
     @Override
     public Integer call() {
         Path file = SceneFiles.find(sceneName);
-        // Looking for engines takes TornadoVM a second: that is left to the thread that opens this one.
-        EngineOffer engine = EngineOffer.working(engineId, "", "", () -> Engines.open(engineId));
-        Gui.run(new GuiOptions(SceneReader.read(file), file, engine));
+        Gui.run(SceneReader.read(file), file, engineId, Home.skyboxes());
         return Main.OK;
     }
 }

@@ -1,5 +1,10 @@
 package dev.twister.gui;
 
+import dev.twister.engine.EngineOffer;
+import dev.twister.engine.Engines;
+import dev.twister.gui.model.SettingsStore;
+import dev.twister.scene.Scene;
+import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -17,9 +22,13 @@ public final class Gui {
     /**
      * Shows the window and returns when it has been closed.
      *
+     * @param scene shown first
+     * @param file where it came from
+     * @param engine the id of what draws first; where it is not said, the one that drew last time
+     * @param skyboxes the folder of the panoramas that are offered; need not exist
      * @throws NoDisplayException where there is no screen
      */
-    public static void run(GuiOptions options) {
+    public static void run(Scene scene, Path file, Optional<String> engine, Path skyboxes) {
         Display.check();
         // The readers of PNG and JPEG skies are AWT's, which must not open a display of its own beside JavaFX's.
         System.setProperty("java.awt.headless", "true");
@@ -27,7 +36,7 @@ public final class Gui {
         logger.setFilter(record -> !String.valueOf(record.getMessage()).startsWith(CLASS_PATH_NOTICE));
         CompletableFuture<Optional<Throwable>> end = new CompletableFuture<>();
         try {
-            Platform.startup(() -> open(options, end));
+            Platform.startup(() -> open(scene, file, engine, skyboxes, end));
         } catch (RuntimeException | LinkageError problem) {
             throw new NoDisplayException(Display.explain(problem), problem);
         }
@@ -38,11 +47,22 @@ public final class Gui {
         });
     }
 
-    private static void open(GuiOptions options, CompletableFuture<Optional<Throwable>> end) {
+    private static void open(
+            Scene scene,
+            Path file,
+            Optional<String> engine,
+            Path skyboxes,
+            CompletableFuture<Optional<Throwable>> end) {
         try {
             Stage stage = new Stage();
-            Studio studio = Studio.start(options);
-            MainWindow window = new MainWindow(stage, studio);
+            SettingsStore store = SettingsStore.ofThisUser();
+            SettingsStore.Found found = store.read();
+            String id = engine.orElse(found.settings().engine());
+            // Looking for engines takes TornadoVM a second: that is left to the thread that opens this one.
+            EngineOffer offer = EngineOffer.working(id, "", "", () -> Engines.open(id));
+            Studio studio = Studio.start(new GuiOptions(scene, file, offer));
+            MainWindow window = new MainWindow(
+                    stage, studio, new WindowOptions(new SystemFileChoice(stage), store, found, skyboxes));
             stage.setOnHidden(_ -> {
                 window.close();
                 end.complete(Optional.empty());

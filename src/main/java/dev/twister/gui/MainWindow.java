@@ -18,11 +18,12 @@ final class MainWindow implements AutoCloseable {
     private final Studio studio;
     private final PictureView picture;
     private final FrameTimesView frameTimes;
+    private final Workbench workbench;
     private final AnimationTimer timer;
     private final Runnable afterLayout;
     private long pulseNanos;
 
-    MainWindow(Stage stage, Studio studio) {
+    MainWindow(Stage stage, Studio studio, WindowOptions options) {
         this.stage = stage;
         this.studio = studio;
         picture = new PictureView(studio);
@@ -34,9 +35,9 @@ final class MainWindow implements AutoCloseable {
         Scene scene = new Scene(root, WIDTH, HEIGHT);
         scene.getStylesheets().add(MainWindow.class.getResource("twister.css").toExternalForm());
         stage.setScene(scene);
-        stage.setTitle("Twister");
         CameraKeys.install(scene, stage.focusedProperty(), studio);
         CameraMouse.install(picture, studio);
+        workbench = new Workbench(stage, root, picture, studio, options);
         timer = new AnimationTimer() {
             @Override
             public void handle(long now) {
@@ -45,6 +46,10 @@ final class MainWindow implements AutoCloseable {
         };
         afterLayout = () -> studio.noteDisplayMillis((System.nanoTime() - pulseNanos) / NANOS_PER_MILLI);
         scene.addPostLayoutPulseListener(afterLayout);
+    }
+
+    Workbench workbench() {
+        return workbench;
     }
 
     void show() {
@@ -58,12 +63,14 @@ final class MainWindow implements AutoCloseable {
         picture.tellSize();
         studio.pulse(pulseNanos);
         frameTimes.refresh(pulseNanos);
+        workbench.pulse();
     }
 
     @Override
     public void close() {
         timer.stop();
         stage.getScene().removePostLayoutPulseListener(afterLayout);
+        workbench.close();
         studio.close();
     }
 }

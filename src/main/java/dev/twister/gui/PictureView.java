@@ -10,6 +10,7 @@ import javafx.scene.image.PixelBuffer;
 import javafx.scene.image.PixelFormat;
 import javafx.scene.image.WritableImage;
 import javafx.scene.layout.Pane;
+import javafx.scene.layout.Region;
 
 /**
  * Shows the newest picture, as large as fits, without copying it: each of the frames that go round has an image that looks
@@ -41,6 +42,19 @@ final class PictureView extends Pane {
     /** The image that is shown. */
     ImageView image() {
         return view;
+    }
+
+    /** Where the picture lies in this view. */
+    PicturePlace place() {
+        return new PicturePlace(view.getBoundsInParent(), (int) view.getImage().getWidth(), (int)
+                view.getImage().getHeight());
+    }
+
+    /** Lays something over all of the view. */
+    void addOverlay(Region overlay) {
+        overlay.setManaged(false);
+        getChildren().add(overlay);
+        layoutBoundsProperty().subscribe(bounds -> overlay.resize(bounds.getWidth(), bounds.getHeight()));
     }
 
     /** Asks for a picture of as many pixels as the screen has here. */

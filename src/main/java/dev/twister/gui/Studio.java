@@ -29,6 +29,8 @@ import javafx.beans.property.ReadOnlyIntegerProperty;
 import javafx.beans.property.ReadOnlyIntegerWrapper;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.property.ReadOnlyStringProperty;
+import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.collections.FXCollections;
 import javafx.collections.ObservableMap;
@@ -59,6 +61,7 @@ public final class Studio implements AutoCloseable {
     private final BooleanProperty refining = new SimpleBooleanProperty(true);
     private final ObservableMap<Integer, Camera> views = FXCollections.observableHashMap();
     private final FrameHistory frames = new FrameHistory();
+    private final ReadOnlyStringWrapper notice = new ReadOnlyStringWrapper("");
     private SceneHistory document;
     private Scene original;
     private Walk walk = Walk.STILL;
@@ -125,6 +128,16 @@ public final class Studio implements AutoCloseable {
     /** The last ten seconds' pictures. */
     public FrameHistory frames() {
         return frames;
+    }
+
+    /** What was done or refused last, for the status line; may be empty. */
+    public ReadOnlyStringProperty noticeProperty() {
+        return notice.getReadOnlyProperty();
+    }
+
+    /** Tells a person something that needs no answer. */
+    public void notice(String text) {
+        notice.set(text);
     }
 
     /** The file that the scene came from or was saved to last. */
@@ -325,8 +338,11 @@ public final class Studio implements AutoCloseable {
         document.carryOn(now.withCamera(CameraMotion.above(now.camera(), now.plane())));
         edits.set(EditState.of(document));
         if (!document.present().equals(scene.get())) {
+            boolean sameSpheres =
+                    scene.get().spheres().size() == document.present().spheres().size();
             scene.set(document.present());
-            select(selection.get());
+            // Where spheres come and go, a number may mean another one.
+            select(sameSpheres ? selection.get() : Layout.NOTHING);
             request();
         }
     }

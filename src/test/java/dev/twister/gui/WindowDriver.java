@@ -3,8 +3,11 @@ package dev.twister.gui;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.SettingsStore;
+import dev.twister.gui.model.WindowSettings;
 import dev.twister.scene.Scene;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -30,9 +33,15 @@ final class WindowDriver implements AutoCloseable {
     /** Long enough for the slowest machine; only a failure takes it. */
     private static final long LIMIT_SECONDS = 60;
 
+    /** The window is too small for the panel. */
+    private static final SettingsStore.Found FOUND =
+            new SettingsStore.Found(WindowSettings.DEFAULT.withPanelShown(false), Optional.empty());
+
     final Stage stage;
     final Studio studio;
     final MainWindow window;
+    final Answers files = new Answers();
+    final SettingsStore settings = new SettingsStore(Optional.empty());
     private final Robot robot;
 
     /** Started once for all tests of this JVM; it ends with it. */
@@ -50,7 +59,7 @@ final class WindowDriver implements AutoCloseable {
         stage.setX(0);
         stage.setY(0);
         studio = Studio.start(new GuiOptions(scene, Path.of("test.json"), engine));
-        window = new MainWindow(stage, studio);
+        window = new MainWindow(stage, studio, new WindowOptions(files, settings, FOUND, Path.of("skyboxes")));
         stage.setWidth(WIDTH);
         stage.setHeight(HEIGHT);
         window.show();

@@ -23,6 +23,14 @@ public final class PictureFile {
         return known ? file : file.resolveSibling(name + PNG);
     }
 
+    /** The file with the ending {@value #HDR}, in place of {@value #PNG} where it has that. */
+    public static Path asHdr(Path file) {
+        String name = file.getFileName().toString();
+        boolean png = name.toLowerCase(Locale.ROOT).endsWith(PNG);
+        String stem = png ? name.substring(0, name.length() - PNG.length()) : name;
+        return isLinear(file) ? file : file.resolveSibling(stem + HDR);
+    }
+
     /** A name in a folder that is still free: {@code twister-1.png} and so on. */
     public static String freeName(Path folder) {
         int number = 1;

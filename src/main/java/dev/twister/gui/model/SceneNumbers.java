@@ -71,7 +71,7 @@ public final class SceneNumbers {
             new Range(10, 120),
             Scale.LINEAR,
             1,
-            "degrees",
+            "°",
             scene -> scene.camera().fieldOfViewDegrees(),
             (scene, degrees) -> scene.withCamera(new Camera(
                     scene.camera().position(),

@@ -1,0 +1,101 @@
+package dev.twister.gui;
+
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyPicker;
+import dev.twister.gui.model.SphereDrag;
+import dev.twister.kernel.Layout;
+import java.util.Optional;
+import javafx.geometry.Point2D;
+import javafx.scene.Cursor;
+import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
+
+/**
+ * Selects the body that is clicked, and moves the selected one with the pointer. A drag that begins anywhere else is left
+ * to {@link CameraMouse}.
+ */
+final class BodyMouse {
+    private final PictureView view;
+    private final Studio studio;
+    private Optional<SphereDrag> drag = Optional.empty();
+
+    private BodyMouse(PictureView view, Studio studio) {
+        this.view = view;
+        this.studio = studio;
+    }
+
+    /** Filters, so that this comes before what else listens to the picture. */
+    static void install(PictureView view, Studio studio) {
+        BodyMouse mouse = new BodyMouse(view, studio);
+        view.addEventFilter(MouseEvent.MOUSE_PRESSED, mouse::pressed);
+        view.addEventFilter(MouseEvent.MOUSE_DRAGGED, mouse::dragged);
+        view.addEventFilter(MouseEvent.MOUSE_RELEASED, mouse::released);
+        view.addEventFilter(MouseEvent.MOUSE_CLICKED, mouse::clicked);
+        view.addEventFilter(MouseEvent.MOUSE_MOVED, mouse::moved);
+    }
+
+    private void pressed(MouseEvent event) {
+        int selected = studio.selectionProperty().get();
+        if (event.getButton() == MouseButton.PRIMARY
+                && selected != Layout.NOTHING
+                && bodyAt(event).filter(body -> body == selected).isPresent()) {
+            DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
+            Point2D place = place(event);
+            drag = Optional.of(SphereDrag.start(
+                    picture.input(), BodyEdits.position(studio.scene(), selected), place.getX(), place.getY()));
+            view.requestFocus();
+            event.consume();
+        }
+    }
+
+    private void dragged(MouseEvent event) {
+        drag.ifPresent(held -> {
+            int body = studio.selectionProperty().get();
+            if (body != Layout.NOTHING) {
+                DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
+                Point2D place = place(event);
+                studio.edit(
+                        "move",
+                        scene -> BodyEdits.moved(
+                                scene, body, held.centerAt(picture.input(), place.getX(), place.getY())));
+            }
+            event.consume();
+        });
+    }
+
+    private void released(MouseEvent event) {
+        if (drag.isPresent()) {
+            drag = Optional.empty();
+            studio.endGesture();
+            event.consume();
+        }
+    }
+
+    private void clicked(MouseEvent event) {
+        if (event.getButton() == MouseButton.PRIMARY && event.isStillSincePress()) {
+            studio.select(bodyAt(event).orElse(Layout.NOTHING));
+        }
+    }
+
+    private void moved(MouseEvent event) {
+        int selected = studio.selectionProperty().get();
+        boolean over = selected != Layout.NOTHING
+                && bodyAt(event).filter(body -> body == selected).isPresent();
+        view.setCursor(over ? Cursor.MOVE : Cursor.DEFAULT);
+    }
+
+    private Optional<Integer> bodyAt(MouseEvent event) {
+        return studio.pictureProperty()
+                .get()
+                .filter(_ -> view.place().contains(event.getX(), event.getY()))
+                .map(picture -> {
+                    Point2D place = place(event);
+                    return BodyPicker.bodyAt(picture.input(), place.getX(), place.getY());
+                });
+    }
+
+    private Point2D place(MouseEvent event) {
+        return view.place().toPicture(event.getX(), event.getY());
+    }
+}

@@ -1,0 +1,74 @@
+package dev.twister.gui;
+
+import javafx.scene.input.KeyCombination;
+
+/** What a person can do by a menu or a key; the one place that says which key. */
+enum Command {
+    OPEN(Group.FILE, "Open…", "Shortcut+O", "Opens a scene, or a panorama as the sky."),
+    SAVE(Group.FILE, "Save", "Shortcut+S", "Saves the scene, with the camera where it is now."),
+    SAVE_AS(Group.FILE, "Save as…", "Shortcut+Shift+S", "Saves the scene under another name."),
+    SCREENSHOT(Group.FILE, "Screenshot…", "F12", "Saves the picture as PNG, or as HDR with its radiance."),
+    RECORD(
+            Group.FILE,
+            "Record…",
+            "Shortcut+R",
+            "Saves every picture that is shown as a numbered PNG, until chosen again."),
+    QUIT(Group.FILE, "Quit", "Shortcut+Q", "Closes the window."),
+    UNDO(Group.EDIT, "Undo", "Shortcut+Z", "Takes the last edit back."),
+    REDO(Group.EDIT, "Redo", "Shortcut+Shift+Z", "Makes the edit again that was taken back."),
+    REDO_ALSO(Group.EDIT, "Redo", "Shortcut+Y", "The same."),
+    INSERT(Group.EDIT, "Insert sphere", "Insert", "A new sphere in the middle of the picture."),
+    DELETE(Group.EDIT, "Delete sphere", "Delete", "Deletes the selected sphere."),
+    DESELECT(Group.EDIT, "Back to the picture", "Esc", "Leaves the panel; in the picture, selects nothing."),
+    RESET(Group.EDIT, "Reset everything", "Shortcut+Shift+Home", "Scene, engine and resolution as they were at first."),
+    PANEL(Group.VIEW, "Panel", "F9", "Shows or hides the panel; so does Tab, in the picture."),
+    FULL_SCREEN(Group.VIEW, "Full screen", "F11", "The window fills the screen, or no longer."),
+    CONTROLS(Group.HELP, "Controls", "F1", "Shows this list."),
+    ABOUT(Group.HELP, "About Twister", "Shift+F1", "Says which version this is.");
+
+    /** The menus, in their order. */
+    enum Group {
+        FILE("File"),
+        EDIT("Edit"),
+        VIEW("View"),
+        HELP("Help");
+
+        private final String label;
+
+        Group(String label) {
+            this.label = label;
+        }
+
+        String label() {
+            return label;
+        }
+    }
+
+    private final Group group;
+    private final String label;
+    private final String keys;
+    private final String hint;
+
+    Command(Group group, String label, String keys, String hint) {
+        this.group = group;
+        this.label = label;
+        this.keys = keys;
+        this.hint = hint;
+    }
+
+    Group group() {
+        return group;
+    }
+
+    String label() {
+        return label;
+    }
+
+    KeyCombination keys() {
+        return KeyCombination.valueOf(keys);
+    }
+
+    String hint() {
+        return hint;
+    }
+}

@@ -1,0 +1,63 @@
+package dev.twister.gui;
+
+import dev.twister.engine.EngineOffer;
+import dev.twister.gui.ChoiceRow.Look;
+import dev.twister.gui.model.ResolutionMode;
+import java.util.List;
+import java.util.stream.Stream;
+
+/** What draws, and how many pixels. */
+final class EngineSection {
+    private final Studio studio;
+    private final EngineList engines;
+    private final ChoiceRow<String> engine;
+    private final ChoiceRow<ResolutionMode> resolution;
+    private final String usualEngine;
+
+    EngineSection(Studio studio, EngineList engines, String usualEngine) {
+        this.studio = studio;
+        this.engines = engines;
+        this.usualEngine = usualEngine;
+        engine = new ChoiceRow<>(
+                "Engine",
+                "What draws the picture. Those that cannot work here say why.",
+                "Alt+G",
+                this::look,
+                id -> engines.find(id).ifPresent(studio::chooseEngine),
+                studio::notice);
+        resolution = new ChoiceRow<>(
+                "Resolution",
+                "How many pixels are drawn; they are scaled to fit the window.",
+                "Alt+R",
+                mode -> new Look(mode.label()),
+                studio::setResolution,
+                studio::notice);
+        engines.offersProperty().subscribe(_ -> refresh());
+        studio.engineProperty().subscribe(_ -> refresh());
+        studio.resolutionProperty().subscribe(_ -> refresh());
+    }
+
+    List<PanelRow> rows() {
+        return List.of(engine, resolution);
+    }
+
+    private void refresh() {
+        String chosen = studio.engineProperty().get().offer().id();
+        List<String> ids = Stream.concat(
+                        engines.offersProperty().get().stream().map(EngineOffer::id), Stream.of(chosen))
+                .distinct()
+                .toList();
+        engine.show(ids, chosen, ids.contains(usualEngine) ? usualEngine : chosen);
+        resolution.show(
+                List.of(ResolutionMode.values()), studio.resolutionProperty().get(), ResolutionMode.WINDOW);
+    }
+
+    private Look look(String id) {
+        return engines.find(id)
+                .map(offer -> new Look(
+                        offer.device().isEmpty() ? id : id + " (" + offer.device() + ")",
+                        offer.description(),
+                        offer.obstacle()))
+                .orElse(new Look(id));
+    }
+}

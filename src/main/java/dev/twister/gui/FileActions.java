@@ -1,0 +1,176 @@
+package dev.twister.gui;
+
+import dev.twister.gui.model.DroppedFile;
+import dev.twister.scene.SceneException;
+import dev.twister.sky.SkyException;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/** Opens and saves: what the menu, a key, or a file dropped on the window asks for. */
+final class FileActions {
+    private final Studio studio;
+    private final FileChoice choice;
+    private final Dialogs dialogs;
+    private final SettingsKeeper settings;
+    private final Errands errands;
+
+    FileActions(Studio studio, FileChoice choice, Dialogs dialogs, SettingsKeeper settings, Errands errands) {
+        this.studio = studio;
+        this.choice = choice;
+        this.dialogs = dialogs;
+        this.settings = settings;
+        this.errands = errands;
+    }
+
+    /** Asks which file, and opens it. */
+    void open() {
+        choice.toOpen(folder()).ifPresent(this::open);
+    }
+
+    /** Opens a scene, once changes are saved or given up; a panorama becomes the sky. What is neither is complained of. */
+    void open(Path file) {
+        errands.run(
+                () -> DroppedFile.kind(file),
+                kind -> {
+                    switch (kind) {
+                        case SCENE -> afterSaving(() -> openScene(file));
+                        case SKYBOX -> useSky(file);
+                        case NEITHER -> {
+                            forgetWhereGone(file);
+                            dialogs.complain("This cannot be opened", DroppedFile.complaint(file));
+                        }
+                    }
+                },
+                problem -> complain("This cannot be opened", problem));
+    }
+
+    /** Opens the first of the files that were dropped; with several, says so. */
+    void drop(List<Path> files) {
+        if (files.size() > 1) {
+            studio.notice("One file at a time: opening " + files.getFirst().getFileName());
+        }
+        files.stream().findFirst().ifPresent(this::open);
+    }
+
+    /** Asks which panorama, and makes it the sky. */
+    void chooseSky() {
+        choice.panorama(Optional.ofNullable(studio.scene().skybox().getParent()).orElse(folder()))
+                .ifPresent(this::useSky);
+    }
+
+    /** Makes a panorama the sky, once it has been read; the old one stays where that fails. */
+    void useSky(Path panorama) {
+        Path file = panorama.toAbsolutePath().normalize();
+        errands.run(
+                () -> {
+                    studio.readSky(file);
+                    return file;
+                },
+                read -> {
+                    studio.edit("sky", scene -> scene.withSkybox(read));
+                    studio.endGesture();
+                },
+                problem -> complain("This sky cannot be used", problem));
+    }
+
+    /** Saves to the scene's own file. */
+    void save() {
+        save(() -> {});
+    }
+
+    void saveAs() {
+        saveAs(() -> {});
+    }
+
+    /** Does that once changes are saved or given up; not at all where the person would rather stay. */
+    void afterSaving(Runnable action) {
+        if (studio.editsProperty().get().changed()) {
+            dialogs.askToSave(name(), () -> save(action), action);
+        } else {
+            action.run();
+        }
+    }
+
+    private void openScene(Path file) {
+        errands.run(
+                () -> studio.read(file),
+                opened -> {
+                    studio.show(opened);
+                    remember(file);
+                },
+                problem -> {
+                    forgetWhereGone(file);
+                    complain("This scene cannot be opened", problem);
+                });
+    }
+
+    private void save(Runnable then) {
+        Optional<Path> own = studio.fileProperty().get();
+        if (own.isPresent()) {
+            saveTo(own.get(), then);
+        } else {
+            saveAs(then);
+        }
+    }
+
+    private void saveAs(Runnable then) {
+        Path suggested = studio.fileProperty().get().orElse(folder().resolve("scene.json"));
+        choice.toSaveScene(suggested).ifPresent(file -> saveTo(file, then));
+    }
+
+    private void saveTo(Path file, Runnable then) {
+        try {
+            studio.save(file);
+            studio.notice("Saved " + file);
+            remember(file);
+            then.run();
+        } catch (SceneException problem) {
+            complain("The scene was not saved", problem);
+        }
+    }
+
+    private void remember(Path file) {
+        settings.change(
+                kept -> kept.withRecentScene(file.toAbsolutePath().normalize().toString()));
+        settings.write();
+    }
+
+    private void forgetWhereGone(Path file) {
+        if (!Files.exists(file)) {
+            settings.change(kept ->
+                    kept.withoutRecentScene(file.toAbsolutePath().normalize().toString()));
+        }
+    }
+
+    /** As the command line says it, where the message is meant for a person. */
+    private void complain(String title, Throwable problem) {
+        dialogs.complain(title, explain(problem));
+    }
+
+    static String explain(Throwable problem) {
+        return switch (problem) {
+            case SceneException _, SkyException _, IOException _ -> problem.getMessage();
+            case OutOfMemoryError _ -> "There is not enough memory for it.";
+            default -> "This is a bug of Twister's: " + problem;
+        };
+    }
+
+    private String name() {
+        return studio.fileProperty()
+                .get()
+                .map(Path::getFileName)
+                .map(Path::toString)
+                .orElse("the scene");
+    }
+
+    /** Where the scene is, or else where the program was started. */
+    private Path folder() {
+        return studio.fileProperty()
+                .get()
+                .map(file -> file.toAbsolutePath().getParent())
+                .orElse(Path.of("").toAbsolutePath());
+    }
+}

@@ -1,0 +1,22 @@
+package dev.twister.gui;
+
+import java.nio.file.Path;
+import java.util.Optional;
+
+/** Asks a person for files; empty where they think better of it. A test answers in their place. */
+interface FileChoice {
+    /** A scene or a panorama that is there. */
+    Optional<Path> toOpen(Path folder);
+
+    /** Where to save a scene. */
+    Optional<Path> toSaveScene(Path suggested);
+
+    /** A panorama that is there. */
+    Optional<Path> panorama(Path folder);
+
+    /** Where to save a picture, .png or .hdr. */
+    Optional<Path> toSavePicture(Path suggested);
+
+    /** A folder for a recording. */
+    Optional<Path> folder(Path suggested);
+}

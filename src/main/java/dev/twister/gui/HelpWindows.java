@@ -1,0 +1,155 @@
+package dev.twister.gui;
+
+import dev.twister.bench.TwisterVersion;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javafx.scene.Scene;
+import javafx.scene.control.Label;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.GridPane;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
+import javafx.scene.text.Font;
+import javafx.stage.Stage;
+
+/** The windows that explain: which key does what, and what this program is. One of each at a time. */
+final class HelpWindows {
+    private static final double CONTROLS_WIDTH_IN_LETTERS = 52;
+    private static final double CONTROLS_HEIGHT_IN_LETTERS = 50;
+    private static final double ABOUT_WIDTH_IN_LETTERS = 36;
+
+    private static final List<KeyLine> CAMERA = List.of(
+            new KeyLine("W A S D", "Walk; with Shift, run"),
+            new KeyLine("Q E", "Up and down"),
+            new KeyLine("Drag", "Look around"),
+            new KeyLine("Wheel", "Field of view"),
+            new KeyLine("Home", "Back to where the scene has the camera"),
+            new KeyLine("Ctrl+0 … Ctrl+9", "Keep this view under a number"),
+            new KeyLine("0 … 9", "Go to the view of that number"));
+    private static final List<KeyLine> BODIES = List.of(
+            new KeyLine("Click", "Select a sphere or the light"),
+            new KeyLine("Drag the selected one", "Move it, at the same distance from the camera"),
+            new KeyLine("Drop a file", "Open a scene; a panorama becomes the sky"));
+
+    /** What a key or a movement of the mouse does. */
+    private record KeyLine(String keys, String meaning) {}
+
+    private final Stage owner;
+    private Optional<Stage> controls = Optional.empty();
+    private Optional<Stage> about = Optional.empty();
+
+    HelpWindows(Stage owner) {
+        this.owner = owner;
+    }
+
+    /**
+     * Shows which key does what.
+     *
+     * @param rows the panel's
+     */
+    void showControls(List<PanelRow> rows) {
+        Stage stage = controls.orElseGet(() -> window("Controls", controlsPage(rows)));
+        controls = Optional.of(stage);
+        stage.show();
+        stage.toFront();
+    }
+
+    void showAbout() {
+        Stage stage = about.orElseGet(() -> window("About Twister", aboutPage()));
+        about = Optional.of(stage);
+        stage.show();
+        stage.toFront();
+    }
+
+    void close() {
+        controls.ifPresent(Stage::close);
+        about.ifPresent(Stage::close);
+    }
+
+    private Stage window(String title, Region page) {
+        ScrollPane scroll = new ScrollPane(page);
+        scroll.setFitToWidth(true);
+        scroll.getStyleClass().add("help");
+        Scene scene = new Scene(scroll);
+        scene.getStylesheets().setAll(owner.getScene().getStylesheets());
+        Stage stage = new Stage();
+        stage.initOwner(owner);
+        stage.setTitle(title);
+        stage.setScene(scene);
+        scene.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
+            if (event.getCode() == KeyCode.ESCAPE) {
+                stage.close();
+            }
+        });
+        return stage;
+    }
+
+    private static Region controlsPage(List<PanelRow> rows) {
+        VBox page = page("controls-page", CONTROLS_WIDTH_IN_LETTERS);
+        page.setPrefHeight(CONTROLS_HEIGHT_IN_LETTERS * Font.getDefault().getSize());
+        page.getChildren().add(table("Camera", CAMERA));
+        page.getChildren().add(table("Bodies", BODIES));
+        for (Command.Group group : Command.Group.values()) {
+            List<KeyLine> lines = new ArrayList<>();
+            for (Command command : Command.values()) {
+                if (command.group() == group) {
+                    lines.add(new KeyLine(command.keys().getDisplayText(), command.label() + ": " + command.hint()));
+                }
+            }
+            page.getChildren().add(table(group.label(), lines));
+        }
+        page.getChildren()
+                .add(table(
+                        "Panel: go to a control, then use the arrow keys",
+                        rows.stream()
+                                .map(row -> new KeyLine(row.keys().getDisplayText(), row.name()))
+                                .toList()));
+        return page;
+    }
+
+    private static Region aboutPage() {
+        VBox page = page("about-page", ABOUT_WIDTH_IN_LETTERS);
+        Label title = new Label("Twister " + TwisterVersion.text());
+        title.getStyleClass().add("title");
+        page.getChildren().add(title);
+        for (String paragraph : List.of(
+                "A real-time ray tracer written entirely in Java. One small kernel in plain Java draws the picture on"
+                        + " every engine: one thread, all threads, the processor's SIMD lanes, and, through TornadoVM,"
+                        + " OpenCL, PTX and CUDA devices.",
+                "It follows \u201cAccelerating Java Ray Tracing Applications on Heterogeneous Hardware\u201d by Pham Van,"
+                        + " Fumero, Stratikopoulos, Blanaru and Kotselidis.",
+                "Licensed under the Apache License 2.0.",
+                "Java " + Runtime.version() + ", JavaFX " + System.getProperty("javafx.runtime.version", "") + ", "
+                        + System.getProperty("os.name") + " " + System.getProperty("os.arch") + ".")) {
+            Label label = new Label(paragraph);
+            label.setWrapText(true);
+            page.getChildren().add(label);
+        }
+        return page;
+    }
+
+    private static VBox page(String id, double widthInLetters) {
+        VBox page = new VBox();
+        page.setId(id);
+        page.getStyleClass().add("page");
+        page.setPrefWidth(widthInLetters * Font.getDefault().getSize());
+        return page;
+    }
+
+    private static Region table(String heading, List<KeyLine> lines) {
+        GridPane grid = new GridPane();
+        grid.getStyleClass().add("keys");
+        for (int line = 0; line < lines.size(); line++) {
+            Label keys = new Label(lines.get(line).keys());
+            keys.getStyleClass().add("key");
+            keys.setMinWidth(Region.USE_PREF_SIZE);
+            Label meaning = new Label(lines.get(line).meaning());
+            meaning.setWrapText(true);
+            grid.addRow(line, keys, meaning);
+        }
+        return new PanelSection(heading, grid);
+    }
+}

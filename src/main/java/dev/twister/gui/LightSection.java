@@ -1,0 +1,54 @@
+package dev.twister.gui;
+
+import dev.twister.gui.model.NumberSetting;
+import dev.twister.gui.model.Radiance;
+import dev.twister.gui.model.SceneNumbers;
+import dev.twister.scene.Light;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import java.util.List;
+import java.util.stream.Stream;
+
+/** The light. */
+final class LightSection {
+    private final Studio studio;
+    private final List<NumberRow> numbers;
+    private final ColorRow color;
+
+    LightSection(Studio studio) {
+        this.studio = studio;
+        numbers = List.of(
+                row(SceneNumbers.LIGHT_X, "Alt+1"),
+                row(SceneNumbers.LIGHT_Y, "Alt+2"),
+                row(SceneNumbers.LIGHT_Z, "Alt+3"),
+                row(SceneNumbers.LIGHT_RADIUS, "Alt+L"),
+                row(SceneNumbers.LIGHT_STRENGTH, "Alt+I"));
+        color = new ColorRow(
+                "Light colour",
+                "The light's hue; how bright it is, the strength says.",
+                "Alt+C",
+                SceneEdit.ofScene(studio),
+                scene -> Radiance.of(scene.light().color()).hue(),
+                LightSection::withHue);
+        studio.sceneProperty().subscribe(this::refresh);
+    }
+
+    List<PanelRow> rows() {
+        return Stream.concat(numbers.stream(), Stream.of(color)).toList();
+    }
+
+    private static Scene withHue(Scene scene, Rgb hue) {
+        Light light = scene.light();
+        Rgb radiance = Radiance.of(light.color()).withHueOf(hue).color();
+        return scene.withLight(new Light(light.position(), light.radius(), radiance));
+    }
+
+    private NumberRow row(NumberSetting setting, String key) {
+        return new NumberRow(setting, key, SceneEdit.ofScene(studio), studio::notice);
+    }
+
+    private void refresh(Scene scene) {
+        numbers.forEach(row -> row.show(scene, studio.original()));
+        color.show(scene, studio.original());
+    }
+}

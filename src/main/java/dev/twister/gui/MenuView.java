@@ -1,0 +1,77 @@
+package dev.twister.gui;
+
+import dev.twister.gui.Command.Group;
+import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.EditState;
+import java.nio.file.Path;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import javafx.scene.control.Menu;
+import javafx.scene.control.MenuBar;
+import javafx.scene.control.MenuItem;
+
+/** The menus. */
+final class MenuView extends MenuBar {
+    private final Map<Command, MenuItem> items = new EnumMap<>(Command.class);
+    private final Menu recent = new Menu("Open recent");
+
+    MenuView(Studio studio, SettingsKeeper settings, FileActions files, CommandActions actions) {
+        for (Group group : Group.values()) {
+            getMenus().add(menu(group, actions));
+        }
+        recent.setId("recent");
+        getMenus().getFirst().getItems().add(1, recent);
+        settings.settingsProperty().subscribe(kept -> showRecent(kept.recentScenes(), files));
+        studio.editsProperty().subscribe(this::showEdits);
+        studio.selectionProperty()
+                .subscribe(body ->
+                        items.get(Command.DELETE).setDisable(!BodyEdits.isSphere(studio.scene(), body.intValue())));
+    }
+
+    /** Shows whether a recording is going on. */
+    void showRecording(boolean recording) {
+        items.get(Command.RECORD).setText(recording ? "Stop recording" : Command.RECORD.label());
+    }
+
+    private Menu menu(Group group, CommandActions actions) {
+        Menu menu = new Menu("_" + group.label());
+        for (Command command : Command.values()) {
+            if (command.group() == group) {
+                MenuItem item = new MenuItem(command.label());
+                item.setId("menu-" + PanelRow.id(command.name().replace('_', ' ')));
+                item.setAccelerator(command.keys());
+                item.setOnAction(_ -> actions.run(command));
+                // A second key for the same thing needs no second line.
+                item.setVisible(command != Command.REDO_ALSO);
+                items.put(command, item);
+                menu.getItems().add(item);
+            }
+        }
+        return menu;
+    }
+
+    private void showRecent(List<String> files, FileActions actions) {
+        recent.getItems()
+                .setAll(files.stream()
+                        .map(file -> {
+                            MenuItem item = new MenuItem(file);
+                            item.setMnemonicParsing(false);
+                            item.setOnAction(_ -> actions.open(Path.of(file)));
+                            return item;
+                        })
+                        .toList());
+        recent.setDisable(files.isEmpty());
+    }
+
+    private void showEdits(EditState state) {
+        show(items.get(Command.UNDO), Command.UNDO, state.undoable());
+        show(items.get(Command.REDO), Command.REDO, state.redoable());
+    }
+
+    private static void show(MenuItem item, Command command, Optional<String> edit) {
+        item.setDisable(edit.isEmpty());
+        item.setText(edit.map(what -> command.label() + ": " + what).orElse(command.label()));
+    }
+}

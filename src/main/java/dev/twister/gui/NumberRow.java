@@ -1,0 +1,133 @@
+package dev.twister.gui;
+
+import dev.twister.gui.model.NumberSetting;
+import dev.twister.scene.Scene;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javafx.css.PseudoClass;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.control.Slider;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseEvent;
+
+/** A number as a slider and a field to type in. */
+final class NumberRow extends PanelRow {
+    private static final PseudoClass WRONG = PseudoClass.getPseudoClass("wrong");
+    private static final int PAGE = 10;
+    private static final int FIELD_COLUMNS = 5;
+
+    private final NumberSetting setting;
+    private final SceneEdit edit;
+    private final Consumer<String> complain;
+    private final Slider slider = new Slider(0, 1, 0);
+    private final TextField field = new TextField();
+    private double shown = Double.NaN;
+    private boolean showing;
+
+    /**
+     * A row that shows nothing until {@link #show}.
+     *
+     * @param key what leads here, such as "Alt+S"
+     * @param complain takes the message where what was typed is no number that is allowed
+     */
+    NumberRow(NumberSetting setting, String key, SceneEdit edit, Consumer<String> complain) {
+        super(setting.label(), setting.hint(), key);
+        this.setting = setting;
+        this.edit = edit;
+        this.complain = complain;
+        field.setPrefColumnCount(FIELD_COLUMNS);
+        slider.valueProperty().subscribe((_, place) -> {
+            if (!showing) {
+                write(setting.numberAt(place.doubleValue()));
+            }
+        });
+        slider.addEventFilter(KeyEvent.KEY_PRESSED, this::slideByKey);
+        slider.addEventHandler(KeyEvent.KEY_RELEASED, _ -> edit.endGesture());
+        slider.addEventHandler(MouseEvent.MOUSE_RELEASED, _ -> edit.endGesture());
+        field.setOnAction(_ -> takeTyped());
+        field.focusedProperty().subscribe((_, focused) -> {
+            if (!focused) {
+                takeTyped();
+            }
+        });
+        field.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
+            if (event.getCode() == KeyCode.ESCAPE) {
+                showNumber(shown);
+            }
+        });
+        Label unit = new Label(setting.unit());
+        unit.getStyleClass().add("unit");
+        addControls(slider, field, unit);
+    }
+
+    /** Shows the scene's number; a reset leads to the usual scene's. */
+    void show(Scene scene, Scene usual) {
+        double number = setting.read(scene);
+        double usualNumber = setting.read(usual);
+        setReset(number != usualNumber, () -> {
+            write(usualNumber);
+            edit.endGesture();
+        });
+        if (number != shown) {
+            showNumber(number);
+        }
+    }
+
+    @Override
+    Node firstControl() {
+        return slider;
+    }
+
+    private void showNumber(double number) {
+        showing = true;
+        shown = number;
+        slider.setValue(setting.placeOf(number));
+        field.setText(setting.text(number));
+        field.pseudoClassStateChanged(WRONG, false);
+        showing = false;
+    }
+
+    private void slideByKey(KeyEvent event) {
+        Optional<Double> next = switch (event.getCode()) {
+            case LEFT -> Optional.of(setting.stepped(shown, -1));
+            case RIGHT -> Optional.of(setting.stepped(shown, 1));
+            case PAGE_DOWN -> Optional.of(setting.stepped(shown, -PAGE));
+            case PAGE_UP -> Optional.of(setting.stepped(shown, PAGE));
+            case HOME -> Optional.of(setting.slid().min());
+            case END -> Optional.of(setting.slid().max());
+            default -> Optional.empty();
+        };
+        if (next.isPresent() && !event.isShortcutDown() && !event.isAltDown()) {
+            write(next.get());
+            event.consume();
+        }
+    }
+
+    private void takeTyped() {
+        String typed = field.getText();
+        if (typed.equals(setting.text(shown))) {
+            return;
+        }
+        Optional<Double> number = setting.parse(typed);
+        field.pseudoClassStateChanged(WRONG, number.isEmpty());
+        if (number.isPresent()) {
+            write(number.get());
+            edit.endGesture();
+            // The scene may have rounded it, or had it already.
+            showNumber(shown);
+        } else {
+            complain.accept(setting.complaint(typed));
+            if (!field.isFocused()) {
+                showNumber(shown);
+            }
+        }
+    }
+
+    private void write(double number) {
+        edit.apply(setting.label().toLowerCase(Locale.ROOT), scene -> setting.write(scene, number));
+    }
+}

@@ -1,0 +1,94 @@
+package dev.twister.gui;
+
+import dev.twister.gui.model.ResolutionMode;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javafx.geometry.Bounds;
+import javafx.scene.control.Button;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.VBox;
+
+/** Everything that can be set, in sections. */
+final class Panel extends ScrollPane {
+    private final EngineSection engine;
+    private final PictureSection picture;
+    private final LightSection light;
+    private final SkySection sky;
+    private final SelectionSection selection;
+
+    Panel(Studio studio, EngineList engines, FileActions files, Runnable resetAll) {
+        engine = new EngineSection(
+                studio, engines, studio.engineProperty().get().offer().id());
+        picture = new PictureSection(studio);
+        light = new LightSection(studio);
+        sky = new SkySection(studio, files);
+        selection = new SelectionSection(studio);
+        Button reset = new Button("Reset everything");
+        reset.setId("reset-everything");
+        reset.setTooltip(PanelRow.tooltip(
+                Command.RESET.hint() + "\nKey: " + Command.RESET.keys().getDisplayText()));
+        reset.setOnAction(_ -> resetAll.run());
+        VBox sections = new VBox(
+                section("Drawing", engine.rows()),
+                section("Picture", picture.rows()),
+                section("Light", light.rows()),
+                section("Sky", sky.rows()),
+                new PanelSection("Selection", selection),
+                reset);
+        sections.getStyleClass().add("sections");
+        setId("panel");
+        setContent(sections);
+        setFitToWidth(true);
+        setHbarPolicy(ScrollBarPolicy.NEVER);
+        setFocusTraversable(false);
+    }
+
+    /** All rows, in the order in which they are shown. */
+    List<PanelRow> rows() {
+        return Stream.of(engine.rows(), picture.rows(), light.rows(), sky.rows(), selection.rows())
+                .flatMap(List::stream)
+                .toList();
+    }
+
+    /** Offers these panoramas in the list of skies. */
+    void offerSkies(List<Path> panoramas) {
+        sky.offer(panoramas);
+    }
+
+    /** The row whose key this is. */
+    Optional<PanelRow> rowOf(KeyEvent event) {
+        return rows().stream().filter(row -> row.keys().match(event)).findFirst();
+    }
+
+    /** Gives a row the focus, and scrolls to it. */
+    void reveal(PanelRow row) {
+        applyCss();
+        layout();
+        Bounds place = getContent().sceneToLocal(row.localToScene(row.getLayoutBounds()));
+        double hidden =
+                getContent().getLayoutBounds().getHeight() - getViewportBounds().getHeight();
+        if (hidden > 0) {
+            double above = place.getCenterY() - getViewportBounds().getHeight() / 2;
+            setVvalue(Math.clamp(above / hidden, 0, 1));
+        }
+        row.firstControl().requestFocus();
+    }
+
+    /** Engine, resolution and scene as they were at first. */
+    static void resetAll(Studio studio, EngineList engines, String usualEngine) {
+        studio.edit("everything", scene -> studio.original().withCamera(scene.camera()));
+        studio.endGesture();
+        studio.goHome();
+        studio.setResolution(ResolutionMode.WINDOW);
+        if (!studio.engineProperty().get().offer().id().equals(usualEngine)) {
+            engines.find(usualEngine).ifPresent(studio::chooseEngine);
+        }
+    }
+
+    private static PanelSection section(String heading, List<PanelRow> rows) {
+        return new PanelSection(heading, rows.toArray(PanelRow[]::new));
+    }
+}

@@ -1,0 +1,37 @@
+package dev.twister.gui;
+
+import java.util.function.Consumer;
+import javafx.scene.Node;
+import javafx.scene.Scene;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+
+/**
+ * Leads by keys into the panel and out of it. In the picture, Tab shows and hides the panel; in the panel it goes from one
+ * control to the next, as everywhere.
+ */
+final class PanelKeys {
+    private PanelKeys() {}
+
+    /**
+     * Listens to the whole window, before its controls do.
+     *
+     * @param setShown shows or hides the panel
+     */
+    static void install(Scene scene, Panel panel, Node picture, Consumer<Boolean> setShown) {
+        scene.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
+            if (event.getCode() == KeyCode.TAB && !event.isControlDown() && !event.isAltDown()) {
+                if (picture.isFocused() || scene.getFocusOwner() == null) {
+                    setShown.accept(!panel.isVisible());
+                    event.consume();
+                }
+            } else {
+                panel.rowOf(event).ifPresent(row -> {
+                    setShown.accept(true);
+                    panel.reveal(row);
+                    event.consume();
+                });
+            }
+        });
+    }
+}

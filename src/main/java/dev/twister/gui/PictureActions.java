@@ -1,0 +1,146 @@
+package dev.twister.gui;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.JvmEngines;
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.FrameRecorder;
+import dev.twister.gui.model.PictureFile;
+import dev.twister.image.Frame;
+import dev.twister.image.HdrWriter;
+import dev.twister.image.PngWriter;
+import dev.twister.world.FrameInput;
+import java.io.IOException;
+import java.nio.IntBuffer;
+import java.nio.file.Path;
+import java.util.Optional;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+
+/** Keeps what is shown: screenshots, and recordings frame by frame. */
+final class PictureActions implements AutoCloseable {
+    private final Studio studio;
+    private final FileChoice choice;
+    private final Dialogs dialogs;
+    private final Errands errands;
+    private final ReadOnlyObjectWrapper<Optional<FrameRecorder>> recorder =
+            new ReadOnlyObjectWrapper<>(Optional.empty());
+
+    /** The recordings that are over, but not yet all on the disk. */
+    private Optional<FrameRecorder> finishing = Optional.empty();
+
+    private Path lastFolder = Path.of("").toAbsolutePath();
+
+    PictureActions(Studio studio, FileChoice choice, Dialogs dialogs, Errands errands) {
+        this.studio = studio;
+        this.choice = choice;
+        this.dialogs = dialogs;
+        this.errands = errands;
+        studio.pictureProperty().subscribe(picture -> picture.ifPresent(this::record));
+    }
+
+    /** The recording that is going on. */
+    ReadOnlyObjectProperty<Optional<FrameRecorder>> recorderProperty() {
+        return recorder.getReadOnlyProperty();
+    }
+
+    /** Asks for a file, and saves the picture as it was when asked. */
+    void screenshot() {
+        Optional<DrawnPicture> shown = studio.pictureProperty().get();
+        if (shown.isEmpty()) {
+            return;
+        }
+        Frame frame = shown.get().frame();
+        int[] argb = frame.argb().clone();
+        FrameInput input = shown.get().input();
+        choice.toSavePicture(lastFolder.resolve(PictureFile.freeName(lastFolder)))
+                .ifPresent(file -> {
+                    lastFolder = Optional.ofNullable(file.toAbsolutePath().getParent())
+                            .orElse(lastFolder);
+                    errands.run(
+                            () -> {
+                                write(file, frame.width(), frame.height(), argb, input);
+                                return file;
+                            },
+                            written -> studio.notice("Saved " + written),
+                            problem -> dialogs.complain("The picture was not saved", FileActions.explain(problem)));
+                });
+    }
+
+    /** Starts a recording, or ends the one that is going on. */
+    void toggleRecording() {
+        if (recorder.get().isPresent()) {
+            endRecording();
+        } else {
+            choice.folder(lastFolder).ifPresent(this::startRecording);
+        }
+    }
+
+    /** Called in every pulse: says how a recording goes. */
+    void pulse() {
+        recorder.get().ifPresent(running -> {
+            FrameRecorder.Progress progress = running.progress();
+            studio.notice(describe("Recording", progress));
+            if (progress.failure().isPresent()) {
+                endRecording();
+            }
+        });
+        finishing
+                .map(FrameRecorder::progress)
+                .filter(progress -> progress.waiting() == 0)
+                .ifPresent(progress -> {
+                    studio.notice(describe("Recorded", progress));
+                    finishing = Optional.empty();
+                    progress.failure().ifPresent(why -> dialogs.complain("The recording has ended", why));
+                });
+    }
+
+    /** Ends a recording, and waits until its last frames are on the disk. */
+    @Override
+    public void close() {
+        recorder.get().ifPresent(FrameRecorder::close);
+        finishing.ifPresent(FrameRecorder::close);
+    }
+
+    private void startRecording(Path folder) {
+        lastFolder = folder;
+        try {
+            recorder.set(Optional.of(FrameRecorder.start(folder)));
+            studio.pictureProperty().get().ifPresent(this::record);
+        } catch (IOException problem) {
+            dialogs.complain("Nothing is recorded", problem.getMessage());
+        }
+    }
+
+    private void endRecording() {
+        // A recording that ends while an older one is still being written waits for it: there is one line to tell of
+        // them.
+        finishing.ifPresent(FrameRecorder::close);
+        finishing = recorder.get();
+        finishing.ifPresent(FrameRecorder::finish);
+        recorder.set(Optional.empty());
+    }
+
+    private void record(DrawnPicture picture) {
+        Frame frame = picture.frame();
+        recorder.get().ifPresent(running -> running.offer(frame.width(), frame.height(), IntBuffer.wrap(frame.argb())));
+    }
+
+    private static String describe(String what, FrameRecorder.Progress progress) {
+        String leftOut = progress.leftOut() == 0 ? "" : ", " + progress.leftOut() + " left out: they came too fast";
+        String waiting = progress.waiting() == 0 ? "" : ", " + progress.waiting() + " waiting";
+        return what + " " + progress.written() + " frames" + waiting + leftOut;
+    }
+
+    private static void write(Path file, int width, int height, int[] argb, FrameInput input) throws IOException {
+        if (!PictureFile.isLinear(file)) {
+            PngWriter.write(file, width, height, argb);
+            return;
+        }
+        // The window's engine is busy with the window; this one draws the same picture.
+        Frame linear = Frame.ofRadiance(width, height);
+        try (Engine engine = JvmEngines.parallel().opener().get()) {
+            engine.render(input, linear);
+        }
+        HdrWriter.write(file, width, height, linear.radiance());
+    }
+}

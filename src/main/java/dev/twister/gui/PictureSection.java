@@ -1,0 +1,83 @@
+package dev.twister.gui;
+
+import dev.twister.gui.ChoiceRow.Look;
+import dev.twister.gui.model.NumberSetting;
+import dev.twister.gui.model.SceneNumbers;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Scene;
+import dev.twister.scene.ToneMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+
+/** How the picture is made of the scene. */
+final class PictureSection {
+    private final Studio studio;
+    private final List<NumberRow> numbers;
+    private final ChoiceRow<ToneMap> toneMap;
+    private final SwitchRow srgb;
+    private final SwitchRow refining;
+
+    PictureSection(Studio studio) {
+        this.studio = studio;
+        SceneEdit edit = SceneEdit.ofScene(studio);
+        numbers = List.of(
+                row(SceneNumbers.SHADOW_SAMPLES, "Alt+S", edit),
+                row(SceneNumbers.BOUNCES, "Alt+B", edit),
+                row(SceneNumbers.SAMPLES_PER_PIXEL, "Alt+A", edit),
+                row(SceneNumbers.EXPOSURE, "Alt+X", edit),
+                row(SceneNumbers.FIELD_OF_VIEW, "Alt+W", SceneEdit.ofCamera(studio)));
+        toneMap = new ChoiceRow<>(
+                "Tone map",
+                "How bright colours are brought down to what a screen can show.",
+                "Alt+T",
+                map -> new Look(map.name().toLowerCase(Locale.ROOT)),
+                this::setToneMap,
+                studio::notice);
+        srgb = new SwitchRow(
+                "sRGB curve",
+                "Whether colours are encoded as screens expect, after the tone map.",
+                "Alt+U",
+                this::setSrgb);
+        refining = new SwitchRow(
+                "Refine at rest",
+                "Whether a picture in which nothing moves gathers samples; otherwise it is drawn again and again.",
+                "Alt+N",
+                studio.refiningProperty()::set);
+        studio.sceneProperty().subscribe(this::refresh);
+        studio.refiningProperty().subscribe(on -> refining.show(on, true));
+    }
+
+    List<PanelRow> rows() {
+        return Stream.concat(numbers.stream(), Stream.of(toneMap, srgb, refining))
+                .toList();
+    }
+
+    private NumberRow row(NumberSetting setting, String key, SceneEdit edit) {
+        return new NumberRow(setting, key, edit, studio::notice);
+    }
+
+    private void refresh(Scene scene) {
+        Scene usual = studio.original();
+        numbers.forEach(row -> row.show(scene, usual));
+        toneMap.show(
+                List.of(ToneMap.values()),
+                scene.settings().toneMap(),
+                usual.settings().toneMap());
+        srgb.show(scene.settings().srgb(), usual.settings().srgb());
+    }
+
+    private void setToneMap(ToneMap map) {
+        edit("tone map", settings -> settings.withTone(settings.exposure(), map, settings.srgb()));
+    }
+
+    private void setSrgb(boolean on) {
+        edit("sRGB curve", settings -> settings.withTone(settings.exposure(), settings.toneMap(), on));
+    }
+
+    private void edit(String what, UnaryOperator<RenderSettings> change) {
+        studio.edit(what, scene -> scene.withSettings(change.apply(scene.settings())));
+        studio.endGesture();
+    }
+}

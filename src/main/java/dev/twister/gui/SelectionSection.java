@@ -1,0 +1,87 @@
+package dev.twister.gui;
+
+import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.NumberSetting;
+import dev.twister.kernel.Layout;
+import dev.twister.scene.Scene;
+import java.util.List;
+import java.util.stream.Stream;
+import javafx.scene.control.Label;
+import javafx.scene.layout.VBox;
+
+/** The selected sphere. A reset leads back to how it was when it was selected. */
+final class SelectionSection extends VBox {
+    private final Studio studio;
+    private final Label hint = new Label();
+    private List<NumberRow> numbers = List.of();
+    private List<ColorRow> colors = List.of();
+    private Scene atSelection;
+
+    SelectionSection(Studio studio) {
+        this.studio = studio;
+        atSelection = studio.scene();
+        getStyleClass().add("rows");
+        hint.getStyleClass().add("hint");
+        hint.setWrapText(true);
+        hint.setId("selection-hint");
+        studio.selectionProperty().subscribe(_ -> rebuild());
+        studio.sceneProperty().subscribe(_ -> refresh());
+    }
+
+    /** The rows of the sphere that is selected; none where there is none. */
+    List<PanelRow> rows() {
+        return Stream.<PanelRow>concat(numbers.stream(), colors.stream()).toList();
+    }
+
+    private void rebuild() {
+        int body = studio.selectionProperty().get();
+        atSelection = studio.scene();
+        boolean sphere = BodyEdits.isSphere(atSelection, body);
+        numbers = sphere ? numbers(body) : List.of();
+        colors = sphere ? List.of(color(body)) : List.of();
+        hint.setText(
+                switch (body) {
+                    case Layout.NOTHING ->
+                        "Click a sphere or the light in the picture to select it; drag the selected one to move it.";
+                    case Layout.LIGHT -> "The light is selected; its controls are above.";
+                    default ->
+                        "Sphere " + (body - Layout.FIRST_SPHERE + 1) + " of "
+                                + atSelection.spheres().size() + ". Drag it to move it, Delete deletes it.";
+                });
+        getChildren().setAll(hint);
+        getChildren().addAll(rows());
+        refresh();
+    }
+
+    private List<NumberRow> numbers(int body) {
+        return List.of(
+                row(BodyEdits.x(body), "Alt+4"),
+                row(BodyEdits.y(body), "Alt+5"),
+                row(BodyEdits.z(body), "Alt+6"),
+                row(BodyEdits.radiusOf(body), "Alt+7"),
+                row(BodyEdits.reflectivityOf(body), "Alt+8"));
+    }
+
+    private ColorRow color(int body) {
+        return new ColorRow(
+                "Sphere colour",
+                "The sphere's own colour.",
+                "Alt+9",
+                SceneEdit.ofScene(studio),
+                scene -> BodyEdits.sphere(scene, body).color(),
+                (scene, albedo) -> BodyEdits.colored(scene, body, albedo));
+    }
+
+    private NumberRow row(NumberSetting setting, String key) {
+        return new NumberRow(setting, key, SceneEdit.ofScene(studio), studio::notice);
+    }
+
+    private void refresh() {
+        Scene scene = studio.scene();
+        // The selection follows a scene that has lost the sphere; until then there is nothing to show.
+        if (BodyEdits.isSphere(scene, studio.selectionProperty().get())) {
+            numbers.forEach(row -> row.show(scene, atSelection));
+            colors.forEach(row -> row.show(scene, atSelection));
+        }
+    }
+}

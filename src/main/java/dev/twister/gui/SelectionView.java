@@ -1,0 +1,67 @@
+package dev.twister.gui;
+
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.SphereOutline;
+import dev.twister.kernel.Layout;
+import java.util.ArrayList;
+import java.util.List;
+import javafx.geometry.Point2D;
+import javafx.scene.layout.Pane;
+import javafx.scene.shape.Polygon;
+import javafx.scene.shape.Rectangle;
+
+/** Draws the selected body's outline over the picture. */
+final class SelectionView extends Pane {
+    private static final int CORNERS = 96;
+
+    private final PictureView view;
+    private final Studio studio;
+    private final Polygon shade = new Polygon();
+    private final Polygon line = new Polygon();
+
+    SelectionView(PictureView view, Studio studio) {
+        this.view = view;
+        this.studio = studio;
+        setMouseTransparent(true);
+        // An outline that goes beyond the picture makes no room for itself.
+        Rectangle clip = new Rectangle();
+        clip.widthProperty().bind(widthProperty());
+        clip.heightProperty().bind(heightProperty());
+        setClip(clip);
+        for (Polygon polygon : List.of(shade, line)) {
+            polygon.setManaged(false);
+            polygon.getStyleClass().add("outline");
+        }
+        shade.getStyleClass().add("outline-shade");
+        line.setId("outline");
+        getChildren().addAll(shade, line);
+        studio.pictureProperty().subscribe(_ -> refresh());
+        studio.selectionProperty().subscribe(_ -> refresh());
+        view.image().boundsInParentProperty().subscribe(_ -> refresh());
+    }
+
+    private void refresh() {
+        int body = studio.selectionProperty().get();
+        List<Double> points = studio.pictureProperty()
+                .get()
+                // A picture of the time before the body was there.
+                .filter(picture ->
+                        body != Layout.NOTHING && body < picture.input().bodies())
+                .map(picture -> points(picture, body))
+                .orElse(List.of());
+        line.getPoints().setAll(points);
+        shade.getPoints().setAll(points);
+    }
+
+    private List<Double> points(DrawnPicture picture, int body) {
+        PicturePlace place = view.place();
+        double[] corners = SphereOutline.corners(picture.input(), body, CORNERS);
+        List<Double> points = new ArrayList<>();
+        for (int i = 0; i < corners.length; i += 2) {
+            Point2D corner = place.toView(corners[i], corners[i + 1]);
+            points.add(corner.getX());
+            points.add(corner.getY());
+        }
+        return points;
+    }
+}

@@ -1,0 +1,47 @@
+package dev.twister.gui;
+
+import dev.twister.gui.ChoiceRow.Look;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import javafx.scene.control.Button;
+
+/** What is behind everything. */
+final class SkySection {
+    private final Studio studio;
+    private final ChoiceRow<Path> sky;
+    private final Button other = new Button("Other…");
+    private List<Path> known = List.of();
+
+    SkySection(Studio studio, FileActions files) {
+        this.studio = studio;
+        sky = new ChoiceRow<>(
+                "Sky",
+                "The panorama behind everything, which mirrors show too. A file can be dropped on the window.",
+                "Alt+K",
+                file -> new Look(SkyList.label(file), file.toString(), Optional.empty()),
+                files::useSky,
+                studio::notice);
+        other.setId("other-sky");
+        other.setTooltip(PanelRow.tooltip("Chooses a panorama's file: .hdr, .png or .jpg."));
+        other.setOnAction(_ -> files.chooseSky());
+        sky.addControl(other);
+        studio.sceneProperty().subscribe(_ -> refresh());
+    }
+
+    /** Offers these panoramas too. */
+    void offer(List<Path> panoramas) {
+        known = panoramas;
+        refresh();
+    }
+
+    List<PanelRow> rows() {
+        return List.of(sky);
+    }
+
+    private void refresh() {
+        Path used = studio.scene().skybox();
+        Path own = studio.original().skybox();
+        sky.show(SkyList.with(known, own, used), used, own);
+    }
+}

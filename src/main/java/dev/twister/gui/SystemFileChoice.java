@@ -1,0 +1,93 @@
+package dev.twister.gui;
+
+import dev.twister.gui.model.PictureFile;
+import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import javafx.stage.DirectoryChooser;
+import javafx.stage.FileChooser;
+import javafx.stage.FileChooser.ExtensionFilter;
+import javafx.stage.Window;
+
+/** Asks by the system's own dialogs. */
+final class SystemFileChoice implements FileChoice {
+    private static final String SCENE = "*.json";
+    private static final List<String> PANORAMAS = List.of("*.hdr", "*.pic", "*.png", "*.jpg", "*.jpeg");
+
+    private final Window owner;
+
+    SystemFileChoice(Window owner) {
+        this.owner = owner;
+    }
+
+    @Override
+    public Optional<Path> toOpen(Path folder) {
+        FileChooser chooser = chooser("Open a scene or a panorama", folder);
+        chooser.getExtensionFilters()
+                .addAll(
+                        new ExtensionFilter("Scenes", SCENE),
+                        new ExtensionFilter("Panoramas", PANORAMAS),
+                        new ExtensionFilter("All files", "*"));
+        return path(chooser.showOpenDialog(owner));
+    }
+
+    @Override
+    public Optional<Path> toSaveScene(Path suggested) {
+        FileChooser chooser = chooser("Save the scene", parent(suggested));
+        chooser.setInitialFileName(String.valueOf(suggested.getFileName()));
+        chooser.getExtensionFilters().add(new ExtensionFilter("Scenes", SCENE));
+        return path(chooser.showSaveDialog(owner));
+    }
+
+    @Override
+    public Optional<Path> panorama(Path folder) {
+        FileChooser chooser = chooser("Choose a sky", folder);
+        chooser.getExtensionFilters()
+                .addAll(new ExtensionFilter("Panoramas", PANORAMAS), new ExtensionFilter("All files", "*"));
+        return path(chooser.showOpenDialog(owner));
+    }
+
+    @Override
+    public Optional<Path> toSavePicture(Path suggested) {
+        FileChooser chooser = chooser("Save the picture", parent(suggested));
+        chooser.setInitialFileName(String.valueOf(suggested.getFileName()));
+        chooser.getExtensionFilters()
+                .addAll(
+                        new ExtensionFilter("As shown: PNG", "*" + PictureFile.PNG),
+                        new ExtensionFilter("Linear radiance: HDR", "*" + PictureFile.HDR));
+        Optional<Path> chosen = path(chooser.showSaveDialog(owner));
+        boolean hdr = Optional.ofNullable(chooser.getSelectedExtensionFilter())
+                .filter(filter -> filter.getExtensions().contains("*" + PictureFile.HDR))
+                .isPresent();
+        return chosen.map(file -> hdr ? PictureFile.asHdr(file) : PictureFile.withEnding(file));
+    }
+
+    @Override
+    public Optional<Path> folder(Path suggested) {
+        DirectoryChooser chooser = new DirectoryChooser();
+        chooser.setTitle("Record into a folder");
+        existing(suggested).ifPresent(chooser::setInitialDirectory);
+        return path(chooser.showDialog(owner));
+    }
+
+    private static FileChooser chooser(String title, Path folder) {
+        FileChooser chooser = new FileChooser();
+        chooser.setTitle(title);
+        existing(folder).ifPresent(chooser::setInitialDirectory);
+        return chooser;
+    }
+
+    private static Path parent(Path file) {
+        return Optional.ofNullable(file.toAbsolutePath().getParent()).orElse(Path.of(""));
+    }
+
+    private static Optional<File> existing(Path folder) {
+        return Optional.of(folder).filter(Files::isDirectory).map(Path::toFile);
+    }
+
+    private static Optional<Path> path(File chosen) {
+        return Optional.ofNullable(chosen).map(File::toPath);
+    }
+}

@@ -1,0 +1,14 @@
+package dev.twister.gui;
+
+import dev.twister.gui.model.SettingsStore;
+import java.nio.file.Path;
+
+/**
+ * What a window needs from outside.
+ *
+ * @param files asks for files
+ * @param settings where the window's settings are kept
+ * @param found what was kept there
+ * @param skyboxes the folder of the panoramas that are offered; need not exist
+ */
+record WindowOptions(FileChoice files, SettingsStore settings, SettingsStore.Found found, Path skyboxes) {}

@@ -1,0 +1,167 @@
+package dev.twister.gui;
+
+import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.NewSphere;
+import dev.twister.kernel.Layout;
+import javafx.scene.Scene;
+import javafx.scene.input.KeyCombination;
+import javafx.scene.layout.BorderPane;
+import javafx.stage.Stage;
+import javafx.stage.WindowEvent;
+
+/** Menu, panel, dialogs, and what is kept between runs: all of the window around the picture. */
+final class Workbench implements AutoCloseable {
+    private final Stage stage;
+    private final Studio studio;
+    private final PictureView picture;
+    private final SettingsKeeper settings;
+    private final Errands errands = new Errands();
+    private final FileActions files;
+    private final PictureActions pictures;
+    private final HelpWindows help;
+    private final Panel panel;
+
+    /**
+     * Puts the menu at the root's top and the panel at its right.
+     *
+     * @param root of the stage's scene, the picture somewhere in it
+     */
+    Workbench(Stage stage, BorderPane root, PictureView picture, Studio studio, WindowOptions options) {
+        this.stage = stage;
+        this.studio = studio;
+        this.picture = picture;
+        settings = new SettingsKeeper(options.settings(), options.found(), studio::notice);
+        Dialogs dialogs = new Dialogs(stage);
+        files = new FileActions(studio, options.files(), dialogs, settings, errands);
+        pictures = new PictureActions(studio, options.files(), dialogs, errands);
+        help = new HelpWindows(stage);
+        String usualEngine = studio.engineProperty().get().offer().id();
+        EngineList engines = EngineList.load(studio, errands);
+        panel = new Panel(studio, engines, files, () -> Panel.resetAll(studio, engines, usualEngine));
+        CommandActions actions = actions(() -> Panel.resetAll(studio, engines, usualEngine));
+        MenuView menu = new MenuView(studio, settings, files, actions);
+        pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
+        root.setTop(menu);
+        root.setRight(panel);
+        picture.addOverlay(new SelectionView(picture, studio));
+        BodyMouse.install(picture, studio);
+        Scene scene = root.getScene();
+        PanelKeys.install(scene, panel, picture, this::showPanel);
+        DropTarget.install(scene, files);
+        errands.run(
+                () -> SkyList.in(options.skyboxes()),
+                panel::offerSkies,
+                problem -> studio.notice(FileActions.explain(problem)));
+        restore();
+        studio.engineProperty()
+                .subscribe((_, choice) ->
+                        settings.change(kept -> kept.withEngine(choice.offer().id())));
+        studio.editsProperty().subscribe(_ -> showTitle());
+        studio.fileProperty().subscribe(_ -> showTitle());
+        stage.setOnCloseRequest(this::closeOnceSaved);
+        stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
+        stage.setFullScreenExitHint("");
+    }
+
+    /** Called in every pulse. */
+    void pulse() {
+        pictures.pulse();
+    }
+
+    /** Keeps the settings, and waits for a recording's last frames. */
+    @Override
+    public void close() {
+        settings.change(kept -> stage.isMaximized() || stage.isFullScreen()
+                ? kept.withWindow(kept.width(), kept.height(), true)
+                : kept.withWindow((int) stage.getWidth(), (int) stage.getHeight(), false));
+        settings.write();
+        help.close();
+        pictures.close();
+        errands.close();
+    }
+
+    /** The panel's rows, for a test to use. */
+    Panel panel() {
+        return panel;
+    }
+
+    private CommandActions actions(Runnable resetAll) {
+        return new CommandActions()
+                .on(Command.OPEN, files::open)
+                .on(Command.SAVE, files::save)
+                .on(Command.SAVE_AS, files::saveAs)
+                .on(Command.SCREENSHOT, pictures::screenshot)
+                .on(Command.RECORD, pictures::toggleRecording)
+                .on(Command.QUIT, () -> files.afterSaving(stage::hide))
+                .on(Command.UNDO, studio::undo)
+                .on(Command.REDO, studio::redo)
+                .on(Command.REDO_ALSO, studio::redo)
+                .on(Command.INSERT, this::insert)
+                .on(Command.DELETE, this::delete)
+                .on(Command.DESELECT, this::backToThePicture)
+                .on(Command.RESET, resetAll)
+                .on(Command.PANEL, () -> showPanel(!panel.isVisible()))
+                .on(Command.FULL_SCREEN, () -> stage.setFullScreen(!stage.isFullScreen()))
+                .on(Command.CONTROLS, () -> help.showControls(panel.rows()))
+                .on(Command.ABOUT, help::showAbout);
+    }
+
+    private void restore() {
+        stage.setWidth(settings.settings().width());
+        stage.setHeight(settings.settings().height());
+        stage.setMaximized(settings.settings().maximized());
+        showPanel(settings.settings().panelShown());
+        studio.views().putAll(settings.settings().views());
+        studio.views()
+                .subscribe(() ->
+                        studio.views().forEach((key, camera) -> settings.change(kept -> kept.withView(key, camera))));
+    }
+
+    private void showPanel(boolean shown) {
+        panel.setVisible(shown);
+        panel.setManaged(shown);
+        if (!shown) {
+            picture.requestFocus();
+        }
+        settings.change(kept -> kept.withPanelShown(shown));
+    }
+
+    private void insert() {
+        studio.pictureProperty().get().ifPresent(shown -> {
+            studio.edit("insert sphere", scene -> BodyEdits.inserted(scene, NewSphere.inFrontOf(shown.input(), scene)));
+            studio.endGesture();
+            studio.select(Layout.FIRST_SPHERE + studio.scene().spheres().size() - 1);
+        });
+    }
+
+    private void delete() {
+        int body = studio.selectionProperty().get();
+        if (BodyEdits.isSphere(studio.scene(), body)) {
+            studio.edit("delete sphere", scene -> BodyEdits.deleted(scene, body));
+            studio.endGesture();
+        }
+    }
+
+    private void backToThePicture() {
+        if (picture.isFocused()) {
+            studio.select(Layout.NOTHING);
+        } else {
+            picture.requestFocus();
+        }
+    }
+
+    private void closeOnceSaved(WindowEvent event) {
+        if (studio.editsProperty().get().changed()) {
+            event.consume();
+            files.afterSaving(stage::hide);
+        }
+    }
+
+    private void showTitle() {
+        String name = studio.fileProperty()
+                .get()
+                .map(file -> String.valueOf(file.getFileName()))
+                .orElse("untitled");
+        stage.setTitle((studio.editsProperty().get().changed() ? "• " : "") + name + " – Twister");
+    }
+}
