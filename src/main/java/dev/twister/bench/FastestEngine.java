@@ -7,12 +7,20 @@ import dev.twister.engine.JvmEngines;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 
-/** Chooses the fastest engine by measuring each once on this machine, and remembers which it was. */
+/**
+ * Chooses the fastest engine by measuring each once on this machine, and remembers which it was. A picture does not wait
+ * for that; a benchmark does.
+ */
 public final class FastestEngine {
     /** The name that stands for whichever engine is the fastest here. */
     public static final String AUTO = "auto";
+
+    /** Itself; what parallel does with more threads; and what is slow on purpose. */
+    private static final Set<String> NEVER_TAKEN = Set.of(AUTO, JvmEngines.SEQUENTIAL, JvmEngines.PLAIN);
 
     private final EngineTrial trial;
     private final ChoiceStore store;
@@ -28,16 +36,30 @@ public final class FastestEngine {
     }
 
     /**
-     * Opens the engine that was the fastest when it was measured, or else measures now, for two seconds.
+     * Opens an engine that draws at once, and that goes over to the one that was the fastest when it was measured as soon
+     * as that is warm. What was not measured yet is measured beside the frames.
      *
      * @throws EngineException where no engine can be opened
      */
-    public Engine open(List<EngineOffer> offers) {
+    public Engine openAtOnce(List<EngineOffer> offers) {
         List<EngineOffer> candidates = candidates(offers);
-        Optional<EngineOffer> known = remembered(offers)
-                .flatMap(id -> candidates.stream()
-                        .filter(offer -> offer.id().equals(id))
-                        .findFirst());
+        Optional<String> known = remembered(offers);
+        Engine standIn = openFirst(candidates, List.of());
+        if (known.isPresent() && known.get().equals(standIn.id())) {
+            return standIn;
+        }
+        return new AutoEngine(
+                standIn, new Successor(cancelled -> successor(candidates, known, standIn.id(), cancelled)));
+    }
+
+    /**
+     * Opens the engine that was the fastest when it was measured, or else measures now, patiently.
+     *
+     * @throws EngineException where no engine can be opened
+     */
+    public Engine openMeasured(List<EngineOffer> offers) {
+        List<EngineOffer> candidates = candidates(offers);
+        Optional<EngineOffer> known = remembered(offers).flatMap(id -> find(candidates, id));
         if (known.isPresent()) {
             try {
                 return known.get().opener().get();
@@ -45,10 +67,27 @@ public final class FastestEngine {
                 // Something changed since (a driver, say): measure again.
             }
         }
-        return openFirst(candidates, measure(candidates, TrialLimits.BRIEF));
+        return openFirst(candidates, measure(candidates, () -> false));
     }
 
-    /** The id of the engine that {@link #open} takes, where it was measured before. */
+    private Optional<Engine> successor(
+            List<EngineOffer> candidates, Optional<String> known, String standIn, BooleanSupplier cancelled) {
+        Optional<String> fastest = known.isPresent()
+                ? known
+                : measure(candidates, cancelled).stream()
+                        .filter(time -> time.frame().isPresent())
+                        .map(EngineTime::engine)
+                        .findFirst();
+        return fastest.filter(id -> !id.equals(standIn) && !cancelled.getAsBoolean())
+                .flatMap(id -> find(candidates, id))
+                .map(offer -> offer.opener().get());
+    }
+
+    private static Optional<EngineOffer> find(List<EngineOffer> candidates, String id) {
+        return candidates.stream().filter(offer -> offer.id().equals(id)).findFirst();
+    }
+
+    /** The id of the engine that {@link #openMeasured} takes, where it was measured before. */
     public Optional<String> remembered(List<EngineOffer> offers) {
         List<EngineOffer> candidates = candidates(offers);
         return store.read(MachineKey.of(candidates))
@@ -57,20 +96,21 @@ public final class FastestEngine {
 
     /** Measures with the patience that a device's compiler needs, and remembers; the fastest comes first. */
     public List<EngineTime> measurePatiently(List<EngineOffer> offers) {
-        return measure(candidates(offers), TrialLimits.PATIENT);
+        return measure(candidates(offers), () -> false);
     }
 
     /** The JVM's engines come first: they need no compiler that could still be at work beside the next trial. */
-    private List<EngineTime> measure(List<EngineOffer> candidates, TrialLimits limits) {
+    List<EngineTime> measure(List<EngineOffer> candidates, BooleanSupplier cancelled) {
         List<EngineTime> times = candidates.stream()
                 .sorted(Comparator.comparing(TrialLimits::isDevice))
-                .map(offer -> new EngineTime(offer.id(), trial.frameTime(offer, limits.of(offer, candidates))))
+                .map(offer -> new EngineTime(
+                        offer.id(), trial.frameTime(offer, TrialLimits.PATIENT.of(offer, candidates), cancelled)))
                 .sorted(Comparator.comparing(
                         time -> time.frame().orElse(null), Comparator.nullsLast(Comparator.naturalOrder())))
                 .toList();
         times.stream()
                 .findFirst()
-                .filter(fastest -> fastest.frame().isPresent())
+                .filter(fastest -> fastest.frame().isPresent() && !cancelled.getAsBoolean())
                 .ifPresent(fastest -> store.write(MachineKey.of(candidates), fastest.engine()));
         return times;
     }
@@ -80,7 +120,7 @@ public final class FastestEngine {
         List<String> order = Stream.of(
                         times.stream().filter(time -> time.frame().isPresent()).map(EngineTime::engine),
                         Stream.of(JvmEngines.PARALLEL),
-                        times.stream().map(EngineTime::engine))
+                        candidates.stream().map(EngineOffer::id))
                 .flatMap(ids -> ids)
                 .distinct()
                 .toList();
@@ -102,7 +142,7 @@ public final class FastestEngine {
     private static List<EngineOffer> candidates(List<EngineOffer> offers) {
         return offers.stream()
                 .filter(EngineOffer::works)
-                .filter(offer -> !offer.id().equals(AUTO) && !offer.id().equals(JvmEngines.PLAIN))
+                .filter(offer -> !NEVER_TAKEN.contains(offer.id()))
                 .toList();
     }
 }

@@ -11,15 +11,15 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.BooleanSupplier;
 
-/** Draws a small picture of the default kind for as long as it may, and takes the fastest frame. */
+/** Draws a small picture of the default kind until its frames get no faster, and takes the fastest. */
 final class TimedTrial implements EngineTrial {
     /** Small, because the frames of a JVM that has compiled nothing yet are hundreds of times slower. */
     private static final int WIDTH = 192;
 
     private static final int HEIGHT = 108;
-    private static final long NONE = Long.MAX_VALUE;
+    private static final long LOOK_MILLIS = 20;
 
     private final FrameInput input = SampleWorld.ofSize(WIDTH, HEIGHT).snapshot();
 
@@ -28,39 +28,42 @@ final class TimedTrial implements EngineTrial {
      * stopped: it is left to end by itself.
      */
     @Override
-    public Optional<Duration> frameTime(EngineOffer offer, Duration limit) {
-        AtomicLong best = new AtomicLong(NONE);
+    public Optional<Duration> frameTime(EngineOffer offer, Duration limit, BooleanSupplier cancelled) {
+        BestTime best = new BestTime();
         AtomicBoolean over = new AtomicBoolean();
         CountDownLatch done = new CountDownLatch(1);
         Thread.ofPlatform().daemon().name("trial of " + offer.id()).start(() -> {
             try {
-                draw(offer, best, over);
+                draw(offer, best, () -> over.get() || cancelled.getAsBoolean());
             } finally {
                 done.countDown();
             }
         });
         try {
-            if (done.await(limit.toNanos(), TimeUnit.NANOSECONDS)) {
-                // It failed: a trial that works goes on until it is told to stop.
-                return Optional.empty();
+            long end = System.nanoTime() + limit.toNanos();
+            boolean ended = false;
+            while (!ended && System.nanoTime() < end && !cancelled.getAsBoolean()) {
+                ended = done.await(LOOK_MILLIS, TimeUnit.MILLISECONDS);
             }
         } catch (InterruptedException _) {
             Thread.currentThread().interrupt();
         } finally {
             over.set(true);
         }
-        return best.get() == NONE ? Optional.empty() : Optional.of(Duration.ofNanos(best.get()));
+        return best.found();
     }
 
-    private void draw(EngineOffer offer, AtomicLong best, AtomicBoolean over) {
+    private void draw(EngineOffer offer, BestTime best, BooleanSupplier over) {
         Frame frame = Frame.ofPixels(WIDTH, HEIGHT);
+        CompilerActivity compiler = new CompilerActivity();
         try (Engine engine = offer.opener().get()) {
-            while (!over.get()) {
+            while (!over.getAsBoolean() && !best.isSettled()) {
                 engine.render(input, frame);
-                best.accumulateAndGet(frame.times().totalNanos(), Math::min);
+                best.add(frame.times().totalNanos(), compiler.sinceLastAsked());
             }
         } catch (EngineException _) {
             // An engine that fails is not the fastest; whoever opens it by its name is told why.
+            best.forget();
         }
     }
 }

@@ -12,11 +12,8 @@ import java.util.List;
  * @param devices for all devices together, whose first frame waits for TornadoVM's compiler
  */
 record TrialLimits(Duration jvm, Duration devices) {
-    /** Two seconds in all, at the start of a command. */
-    static final TrialLimits BRIEF = new TrialLimits(Duration.ofMillis(1500), Duration.ofMillis(500));
-
-    /** For a user who asked for it: time for devices to compile the kernel. */
-    static final TrialLimits PATIENT = new TrialLimits(Duration.ofSeconds(12), Duration.ofSeconds(60));
+    /** Time for the JVM's compiler, and for devices to compile the kernel; a trial that settles ends sooner. */
+    static final TrialLimits PATIENT = new TrialLimits(Duration.ofSeconds(30), Duration.ofSeconds(60));
 
     /** This engine's share. */
     Duration of(EngineOffer offer, List<EngineOffer> all) {

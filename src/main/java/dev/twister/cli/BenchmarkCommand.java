@@ -1,6 +1,7 @@
 package dev.twister.cli;
 
 import dev.twister.bench.Benchmark;
+import dev.twister.bench.BenchmarkEngines;
 import dev.twister.bench.BenchmarkPlan;
 import dev.twister.bench.BenchmarkReport;
 import dev.twister.bench.CsvReport;
@@ -175,7 +176,7 @@ final class BenchmarkCommand implements Callable<Integer> {
 
     private BenchmarkReport run(BenchmarkPlan plan, World world) {
         try (BenchmarkLines lines = new BenchmarkLines(spec.commandLine().getErr())) {
-            return Benchmark.run(Engines::open, plan, sceneName, world, lines);
+            return Benchmark.run(BenchmarkEngines::open, plan, sceneName, world, lines);
         }
     }
 

@@ -1,11 +1,11 @@
 package dev.twister.cli;
 
+import dev.twister.bench.BenchmarkEngines;
 import dev.twister.bench.EngineFailure;
 import dev.twister.bench.PaperBenchmark;
 import dev.twister.bench.PaperFolder;
 import dev.twister.bench.PaperPlan;
 import dev.twister.bench.PaperReport;
-import dev.twister.engine.Engines;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -34,7 +34,7 @@ final class PaperEvaluation {
             throws IOException {
         PaperReport report;
         try (PaperLine line = new PaperLine(err, plan)) {
-            report = PaperBenchmark.run(Engines::open, plan, scene, world, line);
+            report = PaperBenchmark.run(BenchmarkEngines::open, plan, scene, world, line);
         }
         Path page = PaperFolder.write(report, folder);
         out.println(page + ": " + report.engines().size() + " engines at "

@@ -104,8 +104,22 @@ public record FrameInput(
         int[] banded = dimensions.clone();
         banded[Layout.FIRST_ROW] = firstRow;
         banded[Layout.ROWS] = rows;
+        return with(banded);
+    }
+
+    /** The same view in a picture of another size, whole. */
+    public FrameInput ofSize(int width, int height) {
+        int[] sized = dimensions.clone();
+        sized[Layout.WIDTH] = width;
+        sized[Layout.HEIGHT] = height;
+        sized[Layout.FIRST_ROW] = 0;
+        sized[Layout.ROWS] = height;
+        return with(sized);
+    }
+
+    private FrameInput with(int[] newDimensions) {
         return new FrameInput(
-                banded,
+                newDimensions,
                 camera,
                 rayTracingProperties,
                 bodyPositions,

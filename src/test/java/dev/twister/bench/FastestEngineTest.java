@@ -7,7 +7,10 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
+import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
+import dev.twister.world.FrameInput;
+import dev.twister.world.SampleWorld;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -16,8 +19,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 class FastestEngineTest {
@@ -36,19 +43,19 @@ class FastestEngineTest {
     }
 
     @Test
-    void leavesOutPlainItselfAndWhatDoesNotWork() {
+    void leavesOutSequentialPlainItselfAndWhatDoesNotWork() {
         List<EngineOffer> offers = new ArrayList<>(offers("auto", "plain", "sequential", "parallel"));
         offers.add(EngineOffer.impossible("vector", "lanes", "wide", "no module"));
 
         assertThat(open(offers)).isEqualTo("parallel");
-        assertThat(tried).containsExactly("sequential", "parallel");
+        assertThat(tried).containsExactly("parallel");
     }
 
     @Test
     void devicesAreTriedLast() {
         open(offers("tornado:0:0", "sequential", "parallel"));
 
-        assertThat(tried).containsExactly("sequential", "parallel", "tornado:0:0");
+        assertThat(tried).containsExactly("parallel", "tornado:0:0");
     }
 
     @Test
@@ -68,7 +75,7 @@ class FastestEngineTest {
         tried.clear();
 
         assertThat(open(offers("sequential", "parallel", "vector"))).isEqualTo("vector");
-        assertThat(tried).hasSize(3);
+        assertThat(tried).hasSize(2);
     }
 
     @Test
@@ -90,7 +97,7 @@ class FastestEngineTest {
         List<EngineOffer> offers = offers("sequential", "parallel");
         for (Optional<Path> place : List.of(Optional.of(file), Optional.<Path>empty())) {
             FastestEngine fastest = new FastestEngine(this::time, new ChoiceStore(place));
-            try (Engine engine = fastest.open(offers)) {
+            try (Engine engine = fastest.openMeasured(offers)) {
                 assertThat(engine.id()).isEqualTo("parallel");
             }
             assertThat(fastest.remembered(offers)).isEmpty();
@@ -112,9 +119,9 @@ class FastestEngineTest {
     void whereNoneIsReadyInTimeParallelIsTakenAndNothingRemembered() {
         List<EngineOffer> offers = offers("sequential", "parallel");
         FastestEngine fastest =
-                new FastestEngine((offer, limit) -> Optional.empty(), new ChoiceStore(Optional.of(folder)));
+                new FastestEngine((offer, limit, cancelled) -> Optional.empty(), new ChoiceStore(Optional.of(folder)));
 
-        try (Engine engine = fastest.open(offers)) {
+        try (Engine engine = fastest.openMeasured(offers)) {
             assertThat(engine.id()).isEqualTo("parallel");
         }
         assertThat(fastest.remembered(offers)).isEmpty();
@@ -124,7 +131,7 @@ class FastestEngineTest {
     void withoutAnyEngineItSaysSo() {
         FastestEngine fastest = fastest();
 
-        assertThatThrownBy(() -> fastest.open(List.of()))
+        assertThatThrownBy(() -> fastest.openMeasured(List.of()))
                 .isInstanceOf(EngineException.class)
                 .hasMessageContaining("no engine works here");
     }
@@ -133,18 +140,70 @@ class FastestEngineTest {
     void measuringPatientlyListsTheFastestFirst() {
         assertThat(fastest().measurePatiently(offers("sequential", "unready", "tornado:0:0", "parallel")))
                 .extracting(EngineTime::engine)
-                .containsExactly("tornado:0:0", "parallel", "sequential", "unready");
+                .containsExactly("tornado:0:0", "parallel", "unready");
     }
 
     @Test
-    void theTrialsShareTwoSeconds() {
-        List<EngineOffer> offers = offers("sequential", "parallel", "vector", "tornado:0:0", "tornado:1:0");
+    void whatIsCancelledIsNotRemembered() {
+        List<EngineOffer> offers = offers("sequential", "parallel");
+        AtomicBoolean cancelled = new AtomicBoolean();
+        FastestEngine fastest = new FastestEngine(
+                (offer, limit, asked) -> {
+                    cancelled.set(true);
+                    return Optional.of(Duration.ofMillis(asked.getAsBoolean() ? 1 : 2));
+                },
+                new ChoiceStore(Optional.of(folder)));
+        fastest.measure(offers, cancelled::get);
 
-        Duration all = offers.stream()
-                .map(offer -> TrialLimits.BRIEF.of(offer, offers))
-                .reduce(Duration.ZERO, Duration::plus);
+        assertThat(fastest.remembered(offers)).isEmpty();
+    }
 
-        assertThat(all).isEqualTo(Duration.ofSeconds(2));
+    @Test
+    void drawsAtOnceWithParallelAndRemembersTheFastest() {
+        List<EngineOffer> offers = offers("sequential", "parallel", "vector");
+        Frame frame = Frame.ofPixels(8, 8);
+        FrameInput input = SampleWorld.ofSize(8, 8).snapshot();
+        try (Engine engine = fastest().openAtOnce(offers)) {
+            assertThat(engine.id()).isEqualTo("parallel");
+            while (fastest().remembered(offers).isEmpty()) {
+                engine.render(input, frame);
+            }
+        }
+
+        assertThat(fastest().remembered(offers)).contains("vector");
+    }
+
+    @Test
+    void whereParallelWasTheFastestNothingElseIsOpened() {
+        List<EngineOffer> offers = offers("sequential", "parallel");
+        open(offers);
+
+        try (Engine engine = fastest().openAtOnce(offers)) {
+            assertThat(engine).isNotInstanceOf(AutoEngine.class);
+            assertThat(engine.id()).isEqualTo("parallel");
+        }
+    }
+
+    @Test
+    @Timeout(60)
+    void aTrialThatSettlesEndsBeforeItsLimit() {
+        EngineOffer offer = EngineOffer.working(
+                "parallel", "a device", "draws", () -> new FakeEngine("parallel", 0, FrameTimes.onJvm(1_000_000)));
+
+        assertThat(new TimedTrial().frameTime(offer, Duration.ofHours(1), () -> false))
+                .contains(Duration.ofMillis(1));
+    }
+
+    @Test
+    @Timeout(60)
+    void aTrialThatIsCancelledEndsBeforeItsLimit() {
+        EngineOffer stuck = EngineOffer.working("vector", "lanes", "wide", () -> {
+            LockSupport.park();
+            throw new EngineException("woken");
+        });
+
+        assertThat(new TimedTrial().frameTime(stuck, Duration.ofHours(1), () -> true))
+                .isEmpty();
     }
 
     @Test
@@ -160,12 +219,12 @@ class FastestEngineTest {
     }
 
     private String open(List<EngineOffer> offers) {
-        try (Engine engine = fastest().open(offers)) {
+        try (Engine engine = fastest().openMeasured(offers)) {
             return engine.id();
         }
     }
 
-    private Optional<Duration> time(EngineOffer offer, Duration limit) {
+    private Optional<Duration> time(EngineOffer offer, Duration limit, BooleanSupplier cancelled) {
         tried.add(offer.id());
         return Optional.ofNullable(MILLIS.get(offer.id())).map(Duration::ofMillis);
     }

@@ -1,0 +1,106 @@
+package dev.twister.bench;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineException;
+import dev.twister.image.Frame;
+import dev.twister.world.FrameInput;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import java.util.function.Function;
+
+/**
+ * An engine that is opened and warmed on a thread of its own, with small pictures of what is drawn meanwhile, until it
+ * beats the one that draws.
+ */
+final class Successor implements AutoCloseable {
+    /** Large enough that what a device takes for each frame, whatever its size, does not hide how fast it is. */
+    private static final int WARM_UP_WIDTH = 320;
+
+    private final Function<BooleanSupplier, Optional<Engine>> opener;
+    private volatile double nanosPerPixelToBeat = Double.MAX_VALUE;
+    private volatile boolean closed;
+    private boolean started;
+    private Optional<Engine> ready = Optional.empty();
+
+    /**
+     * Starts nothing.
+     *
+     * @param opener may take its time, and is told when nobody waits for it any more; empty where the engine that draws
+     *     already is to stay
+     */
+    Successor(Function<BooleanSupplier, Optional<Engine>> opener) {
+        this.opener = opener;
+    }
+
+    /** Starts, the first time, to open and to warm the engine. */
+    void startWith(FrameInput input) {
+        if (!started) {
+            started = true;
+            FrameInput small = reduced(input);
+            Thread.ofPlatform().daemon().name("twister-warm-up").start(() -> warm(small));
+        }
+    }
+
+    /** How long the engine that draws takes for a pixel. */
+    void mustBeat(double nanosPerPixel) {
+        nanosPerPixelToBeat = nanosPerPixel;
+    }
+
+    /** The engine, once it is warm; from then on it is the caller's. */
+    synchronized Optional<Engine> take() {
+        Optional<Engine> taken = ready;
+        ready = Optional.empty();
+        return taken;
+    }
+
+    /** Ends the warming; an engine that nobody took is closed. */
+    @Override
+    public synchronized void close() {
+        closed = true;
+        take().ifPresent(Engine::close);
+    }
+
+    private void warm(FrameInput small) {
+        try {
+            Optional<Engine> opened = opener.apply(() -> closed);
+            if (opened.isPresent()) {
+                warm(opened.get(), small);
+            }
+        } catch (EngineException _) {
+            // What draws now goes on; whoever opens the engine by its name is told why.
+        }
+    }
+
+    private void warm(Engine engine, FrameInput small) {
+        boolean warm = false;
+        try {
+            Frame frame = Frame.ofPixels(small.width(), small.rows());
+            double pixels = (double) frame.width() * frame.height();
+            while (!warm && !closed) {
+                engine.render(small, frame);
+                warm = frame.times().totalNanos() / pixels < nanosPerPixelToBeat;
+            }
+        } finally {
+            if (!warm) {
+                engine.close();
+            }
+        }
+        if (warm) {
+            offer(engine);
+        }
+    }
+
+    private synchronized void offer(Engine engine) {
+        if (closed) {
+            engine.close();
+        } else {
+            ready = Optional.of(engine);
+        }
+    }
+
+    private static FrameInput reduced(FrameInput input) {
+        int width = Math.min(WARM_UP_WIDTH, input.width());
+        int height = Math.max(1, (int) ((long) width * input.height() / input.width()));
+        return input.ofSize(width, height);
+    }
+}

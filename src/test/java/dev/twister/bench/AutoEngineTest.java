@@ -1,0 +1,183 @@
+package dev.twister.bench;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineException;
+import dev.twister.image.Frame;
+import dev.twister.image.FrameTimes;
+import dev.twister.world.FrameInput;
+import dev.twister.world.SampleWorld;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
+import java.util.function.Function;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class AutoEngineTest {
+    private static final int WIDTH = 640;
+    private static final int HEIGHT = 200;
+
+    private final FrameInput input = SampleWorld.ofSize(WIDTH, HEIGHT).snapshot();
+    private final Frame frame = Frame.ofPixels(WIDTH, HEIGHT);
+    private final CountingEngine standIn = new CountingEngine("parallel", 100);
+
+    @Test
+    void theFirstFrameIsTheStandIns() {
+        CountingEngine fast = new CountingEngine("vector", 1);
+        try (Engine auto = auto(_ -> Optional.of(fast))) {
+            auto.render(input, frame);
+
+            assertThat(auto.id()).isEqualTo("parallel");
+            assertThat(standIn.frames.get()).isEqualTo(1);
+        }
+    }
+
+    @Test
+    void goesOverToTheFasterAndClosesTheStandIn() {
+        CountingEngine fast = new CountingEngine("vector", 99);
+        try (Engine auto = auto(_ -> Optional.of(fast))) {
+            renderUntil(auto, "vector");
+
+            assertThat(standIn.closed).isOne();
+            assertThat(frame.argb()).containsOnly(fast.id.hashCode());
+        }
+        assertThat(fast.closed).isOne();
+    }
+
+    @Test
+    void theWarmUpDrawsTheSameViewSmaller() throws InterruptedException {
+        CountingEngine slow = new CountingEngine("tornado:0:0", 1000);
+        try (Engine auto = auto(_ -> Optional.of(slow))) {
+            auto.render(input, frame);
+            slow.awaitFrames(1);
+        }
+        assertThat(slow.lastWidth).isEqualTo(320);
+        assertThat(slow.lastHeight).isEqualTo(100);
+    }
+
+    @Test
+    void aSlowerOneNeverDraws() throws InterruptedException {
+        CountingEngine slow = new CountingEngine("tornado:0:0", 101);
+        try (Engine auto = auto(_ -> Optional.of(slow))) {
+            auto.render(input, frame);
+            slow.awaitFrames(20);
+            auto.render(input, frame);
+
+            assertThat(auto.id()).isEqualTo("parallel");
+        }
+        slow.awaitClosed();
+    }
+
+    @Test
+    void oneThatFailsLeavesTheStandIn() throws InterruptedException {
+        CountDownLatch asked = new CountDownLatch(1);
+        try (Engine auto = auto(_ -> {
+            asked.countDown();
+            throw new EngineException("out of order");
+        })) {
+            auto.render(input, frame);
+            asked.await();
+            auto.render(input, frame);
+
+            assertThat(auto.id()).isEqualTo("parallel");
+            assertThat(standIn.frames.get()).isEqualTo(2);
+        }
+    }
+
+    @Test
+    void closingTellsWhoStillLooksForTheFastest() throws InterruptedException {
+        CountDownLatch told = new CountDownLatch(1);
+        Engine auto = auto(cancelled -> {
+            while (!cancelled.getAsBoolean()) {
+                Thread.onSpinWait();
+            }
+            told.countDown();
+            return Optional.empty();
+        });
+        auto.render(input, frame);
+
+        auto.close();
+
+        told.await();
+        assertThat(standIn.closed).isOne();
+    }
+
+    @Test
+    void whoNeverDrawsStartsNothing() {
+        AtomicInteger asked = new AtomicInteger();
+        auto(_ -> {
+                    asked.incrementAndGet();
+                    return Optional.empty();
+                })
+                .close();
+
+        assertThat(asked.get()).isZero();
+        assertThat(standIn.closed).isOne();
+    }
+
+    private Engine auto(Function<BooleanSupplier, Optional<Engine>> successor) {
+        return new AutoEngine(standIn, new Successor(successor));
+    }
+
+    private void renderUntil(Engine auto, String id) {
+        while (!auto.id().equals(id)) {
+            auto.render(input, frame);
+        }
+    }
+
+    /** Says that each pixel took it so many nanoseconds. */
+    private static final class CountingEngine implements Engine {
+        private final String id;
+        private final int nanosPerPixel;
+        private final AtomicInteger frames = new AtomicInteger();
+        private volatile int closed;
+        private volatile int lastWidth;
+        private volatile int lastHeight;
+
+        CountingEngine(String id, int nanosPerPixel) {
+            this.id = id;
+            this.nanosPerPixel = nanosPerPixel;
+        }
+
+        @Override
+        public String id() {
+            return id;
+        }
+
+        @Override
+        public String device() {
+            return "a device of the test's";
+        }
+
+        @Override
+        public void render(FrameInput drawn, Frame into) {
+            lastWidth = drawn.width();
+            lastHeight = drawn.height();
+            Arrays.fill(into.argb(), id.hashCode());
+            into.setTimes(FrameTimes.onJvm((long) nanosPerPixel * drawn.width() * drawn.rows()));
+            frames.incrementAndGet();
+        }
+
+        void awaitFrames(int wanted) throws InterruptedException {
+            while (frames.get() < wanted) {
+                Thread.sleep(1);
+            }
+        }
+
+        void awaitClosed() throws InterruptedException {
+            while (closed == 0) {
+                Thread.sleep(1);
+            }
+        }
+
+        @Override
+        public void close() {
+            closed = 1;
+        }
+    }
+}
