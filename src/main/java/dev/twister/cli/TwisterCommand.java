@@ -16,6 +16,7 @@ import picocli.CommandLine.ScopeType;
             GuiCommand.class,
             RenderCommand.class,
             BenchmarkCommand.class,
+            StartUpCommand.class,
             DevicesCommand.class,
             SkyCommand.class,
             SceneCommand.class,
