@@ -27,7 +27,8 @@ final class GuiCommand implements Callable<Integer> {
     @Option(
             names = "--engine",
             paramLabel = "ENGINE",
-            description = "What draws at first (see 'twister devices'); where not said, what drew last time, or auto.")
+            description =
+                    "What draws at first (see 'twister devices'); where not said, the one chosen last in the window, or auto.")
     private Optional<String> engineId = Optional.empty();
 
     @Override

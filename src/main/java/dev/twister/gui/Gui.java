@@ -24,7 +24,7 @@ public final class Gui {
      *
      * @param scene shown first
      * @param file where it came from
-     * @param engine the id of what draws first; where it is not said, the one that drew last time
+     * @param engine the id of what draws first; where it is not said, the one that was chosen last in the window
      * @param skyboxes the folder of the panoramas that are offered; need not exist
      * @throws NoDisplayException where there is no screen
      */

@@ -2,6 +2,7 @@ package dev.twister.gui;
 
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.NewSphere;
+import dev.twister.gui.model.WindowSettings;
 import dev.twister.kernel.Layout;
 import javafx.scene.Scene;
 import javafx.scene.input.KeyCombination;
@@ -80,9 +81,17 @@ final class Workbench implements AutoCloseable {
         errands.close();
     }
 
-    /** The panel's rows, for a test to use. */
     Panel panel() {
         return panel;
+    }
+
+    FileActions files() {
+        return files;
+    }
+
+    /** What would be kept if the window were closed now. */
+    WindowSettings settings() {
+        return settings.settings();
     }
 
     private CommandActions actions(Runnable resetAll) {

@@ -67,7 +67,7 @@ class EngineChangeTest {
     void thePictureFollowsTheWindowAndTheResolution() {
         try (WindowDriver driver = WindowDriver.open()) {
             driver.run(() -> driver.stage.setWidth(WindowDriver.WIDTH + 100));
-            driver.awaitPicture(picture -> picture.frame().width() == (int) WindowDriver.WIDTH + 100);
+            driver.awaitPicture(picture -> picture.frame().width() == WindowDriver.WIDTH + 100);
 
             driver.run(() -> driver.studio.setResolution(ResolutionMode.HD));
             DrawnPicture large = driver.awaitPicture(picture -> picture.frame().width() == 1280);

@@ -7,6 +7,8 @@ import dev.twister.gui.model.SettingsStore;
 import dev.twister.gui.model.WindowSettings;
 import dev.twister.scene.Scene;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
@@ -18,30 +20,37 @@ import java.util.function.Consumer;
 import java.util.function.Predicate;
 import javafx.application.Platform;
 import javafx.geometry.Bounds;
+import javafx.geometry.Point2D;
 import javafx.scene.Node;
 import javafx.scene.control.Labeled;
 import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyCodeCombination;
+import javafx.scene.input.KeyCombination;
+import javafx.scene.input.KeyCombination.ModifierValue;
+import javafx.scene.input.MouseButton;
 import javafx.scene.paint.Color;
 import javafx.scene.robot.Robot;
 import javafx.stage.Stage;
 
 /** The window on JavaFX's headless screen, with a hand on its keyboard and mouse. */
 final class WindowDriver implements AutoCloseable {
-    static final double WIDTH = 320;
-    static final double HEIGHT = 240;
+    static final int WIDTH = 320;
+    static final int HEIGHT = 240;
+
+    /** As large as the screen. */
+    private static final double LARGE = 1000;
 
     /** Long enough for the slowest machine; only a failure takes it. */
     private static final long LIMIT_SECONDS = 60;
 
     /** The window is too small for the panel. */
-    private static final SettingsStore.Found FOUND =
-            new SettingsStore.Found(WindowSettings.DEFAULT.withPanelShown(false), Optional.empty());
+    private static final SettingsStore.Found FOUND = new SettingsStore.Found(
+            WindowSettings.DEFAULT.withPanelShown(false).withWindow(WIDTH, HEIGHT, false), Optional.empty());
 
     final Stage stage;
     final Studio studio;
     final MainWindow window;
     final Answers files = new Answers();
-    final SettingsStore settings = new SettingsStore(Optional.empty());
     private final Robot robot;
 
     /** Started once for all tests of this JVM; it ends with it. */
@@ -54,14 +63,12 @@ final class WindowDriver implements AutoCloseable {
         }
     }
 
-    private WindowDriver(Scene scene, EngineOffer engine) {
+    private WindowDriver(Scene scene, EngineOffer engine, SettingsStore settings, SettingsStore.Found found) {
         stage = new Stage();
         stage.setX(0);
         stage.setY(0);
         studio = Studio.start(new GuiOptions(scene, Path.of("test.json"), engine));
-        window = new MainWindow(stage, studio, new WindowOptions(files, settings, FOUND, Path.of("skyboxes")));
-        stage.setWidth(WIDTH);
-        stage.setHeight(HEIGHT);
+        window = new MainWindow(stage, studio, new WindowOptions(files, settings, found, Path.of("skyboxes")));
         window.show();
         robot = new Robot();
     }
@@ -72,13 +79,34 @@ final class WindowDriver implements AutoCloseable {
     }
 
     static WindowDriver open(Scene scene, EngineOffer engine) {
+        return open(() -> new WindowDriver(scene, engine, new SettingsStore(Optional.empty()), FOUND));
+    }
+
+    /** A window with the settings that are kept there. */
+    static WindowDriver open(SettingsStore settings) {
+        return open(() -> new WindowDriver(WindowScenes.tiny(), JvmEngines.parallel(), settings, settings.read()));
+    }
+
+    private static WindowDriver open(Callable<WindowDriver> opening) {
         Toolkit.STARTED.join();
-        WindowDriver driver = call(() -> new WindowDriver(scene, engine));
+        WindowDriver driver = call(opening);
         driver.await(() -> driver.studio
                 .pictureProperty()
                 .get()
                 .filter(DrawnPicture::isWhole)
                 .isPresent());
+        return driver;
+    }
+
+    /** A window with room for the panel, which is shown; the focus is on the picture. */
+    static WindowDriver openWithPanel() {
+        WindowDriver driver = open();
+        driver.run(() -> {
+            driver.stage.setWidth(LARGE);
+            driver.stage.setHeight(LARGE);
+        });
+        driver.type(KeyCode.TAB);
+        driver.awaitCurrentPicture();
         return driver;
     }
 
@@ -190,6 +218,49 @@ final class WindowDriver implements AutoCloseable {
     void type(KeyCode key) {
         press(key);
         release(key);
+    }
+
+    /** A key while others are held. */
+    void typeWith(KeyCode key, KeyCode... held) {
+        press(held);
+        type(key);
+        release(held);
+    }
+
+    /** The keys of a combination, such as those of a row of the panel. */
+    void type(KeyCombination combination) {
+        KeyCodeCombination keys = (KeyCodeCombination) combination;
+        List<KeyCode> held = new ArrayList<>();
+        if (keys.getAlt() == ModifierValue.DOWN) {
+            held.add(KeyCode.ALT);
+        }
+        if (keys.getShortcut() == ModifierValue.DOWN || keys.getControl() == ModifierValue.DOWN) {
+            held.add(KeyCode.CONTROL);
+        }
+        if (keys.getShift() == ModifierValue.DOWN) {
+            held.add(KeyCode.SHIFT);
+        }
+        typeWith(keys.getCode(), held.toArray(KeyCode[]::new));
+    }
+
+    /** What is in the window, of that kind; by a selector of style sheets. */
+    <T extends Node> T find(String selector, Class<T> kind) {
+        return call(() -> kind.cast(stage.getScene().getRoot().lookup(selector)));
+    }
+
+    /** Clicks the middle of a node. */
+    void click(Node node) {
+        Point2D place = call(() -> node.localToScreen(
+                node.getLayoutBounds().getCenterX(), node.getLayoutBounds().getCenterY()));
+        click(place.getX(), place.getY());
+    }
+
+    /** Clicks a place on the screen. */
+    void click(double x, double y) {
+        withRobot(hand -> hand.mouseMove(x, y));
+        withRobot(hand -> hand.mousePress(MouseButton.PRIMARY));
+        withRobot(hand -> hand.mouseRelease(MouseButton.PRIMARY));
+        pulse();
     }
 
     /** The robot itself, for the mouse. */

@@ -107,4 +107,10 @@ public record NumberSetting(
                 .setScale(decimals, RoundingMode.HALF_UP)
                 .doubleValue();
     }
+
+    /** The label. */
+    @Override
+    public String toString() {
+        return label;
+    }
 }

@@ -1,0 +1,197 @@
+package dev.twister.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.SphereOutline;
+import dev.twister.kernel.Layout;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
+import javafx.geometry.Bounds;
+import javafx.geometry.Point2D;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import javafx.scene.shape.Polygon;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** Bodies selected, moved, inserted and deleted by hand. */
+class BodiesTest {
+    private static final int MIDDLE = Layout.FIRST_SPHERE + 1;
+    private static WindowDriver driver;
+
+    @BeforeAll
+    static void open() {
+        driver = WindowDriver.open();
+        driver.run(() -> {
+            driver.stage.setWidth(640);
+            driver.stage.setHeight(480);
+        });
+    }
+
+    @AfterAll
+    static void close() {
+        driver.close();
+    }
+
+    @BeforeEach
+    void startAnew() {
+        driver.type(Command.RESET.keys());
+        driver.run(() -> driver.studio.select(Layout.NOTHING));
+        awaitRest();
+    }
+
+    /** Layout follows a picture by a pulse. */
+    private static DrawnPicture awaitRest() {
+        DrawnPicture picture = driver.awaitCurrentPicture();
+        driver.await(() -> driver.studio.pictureProperty().get().orElseThrow().isWhole());
+        driver.pulse();
+        driver.pulse();
+        return picture;
+    }
+
+    private static Scene scene() {
+        return WindowDriver.call(driver.studio::scene);
+    }
+
+    private static int selected() {
+        return WindowDriver.call(driver.studio.selectionProperty()::get);
+    }
+
+    /** Where on the screen a body's middle is seen. */
+    private static Point2D seenAt(int body) {
+        return WindowDriver.call(() -> {
+            DrawnPicture picture = driver.studio.pictureProperty().get().orElseThrow();
+            double[] corners = SphereOutline.corners(picture.input(), body, 4);
+            double x = (corners[0] + corners[2] + corners[4] + corners[6]) / 4;
+            double y = (corners[1] + corners[3] + corners[5] + corners[7]) / 4;
+            PictureView view = (PictureView) driver.stage.getScene().getRoot().lookup(".picture");
+            return view.localToScreen(view.place().toView(x, y));
+        });
+    }
+
+    private static void click(Point2D place) {
+        driver.click(place.getX(), place.getY());
+    }
+
+    private static void drag(Point2D from, double right, double down) {
+        driver.withRobot(hand -> hand.mouseMove(from.getX(), from.getY()));
+        driver.withRobot(hand -> hand.mousePress(MouseButton.PRIMARY));
+        for (int step = 1; step <= 4; step++) {
+            double part = step / 4.0;
+            driver.withRobot(hand -> hand.mouseMove(from.getX() + part * right, from.getY() + part * down));
+        }
+        driver.withRobot(hand -> hand.mouseRelease(MouseButton.PRIMARY));
+    }
+
+    @Test
+    void aClickSelectsAndTheOutlineLiesOnTheSphere() {
+        click(seenAt(MIDDLE));
+        assertThat(selected()).isEqualTo(MIDDLE);
+        Polygon outline = driver.find("#outline", Polygon.class);
+        Bounds place = WindowDriver.call(() -> outline.localToScreen(outline.getLayoutBounds()));
+        assertThat(place.contains(seenAt(MIDDLE))).isTrue();
+        // The pixels on both sides of the line differ: the sphere ends there.
+        Point2D left = new Point2D(place.getMinX() + 6, place.getCenterY());
+        click(left);
+        assertThat(selected()).isEqualTo(MIDDLE);
+        click(new Point2D(place.getMinX() - 4, place.getCenterY()));
+        assertThat(selected()).isNotEqualTo(MIDDLE);
+    }
+
+    @Test
+    void theOutlineIsDrawn() {
+        click(seenAt(MIDDLE));
+        driver.pulse();
+        Polygon outline = driver.find("#outline", Polygon.class);
+        Point2D corner = WindowDriver.call(() -> outline.localToScreen(
+                outline.getPoints().get(0), outline.getPoints().get(1)));
+        var seen = driver.pixel(Math.floor(corner.getX()), Math.floor(corner.getY()));
+        assertThat(seen.getRed()).isGreaterThan(0.7);
+        assertThat(seen.getBlue()).isLessThan(0.6);
+    }
+
+    @Test
+    void theSkyAndThePlaneSelectNothing() {
+        click(seenAt(MIDDLE));
+        Bounds picture = driver.pictureOnScreen();
+        click(new Point2D(picture.getCenterX() + 60, picture.getMinY() + 130));
+        assertThat(selected()).isEqualTo(Layout.NOTHING);
+        assertThat(driver.find("#outline", Polygon.class).getPoints()).isEmpty();
+    }
+
+    @Test
+    void theSelectedSphereIsMovedAndThatIsOneEdit() {
+        Point2D start = seenAt(MIDDLE);
+        click(start);
+        Vector3 before = BodyEdits.position(scene(), MIDDLE);
+        drag(start, 60, -30);
+        Vector3 after = BodyEdits.position(scene(), MIDDLE);
+        assertThat(after.x()).isGreaterThan(before.x() + 0.2);
+        assertThat(after.y()).isGreaterThan(before.y() + 0.1);
+        awaitRest();
+        Point2D end = seenAt(MIDDLE);
+        assertThat(end.getX() - start.getX()).isCloseTo(60, within(6.0));
+        assertThat(end.getY() - start.getY()).isCloseTo(-30, within(6.0));
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+    }
+
+    @Test
+    void aDragThatBeginsElsewhereLooksAround() {
+        click(seenAt(MIDDLE));
+        double yaw = scene().camera().yawDegrees();
+        drag(seenAt(Layout.FIRST_SPHERE), 50, 0);
+        assertThat(scene().camera().yawDegrees()).isNotEqualTo(yaw);
+        assertThat(scene().spheres())
+                .isEqualTo(WindowDriver.call(driver.studio::original).spheres());
+        assertThat(selected()).isEqualTo(MIDDLE);
+    }
+
+    @Test
+    void insertAndDeleteCanBeUndone() {
+        int before = scene().spheres().size();
+        driver.type(KeyCode.INSERT);
+        assertThat(scene().spheres()).hasSize(before + 1);
+        assertThat(selected()).isEqualTo(Layout.FIRST_SPHERE + before);
+        DrawnPicture picture = awaitRest();
+        assertThat(picture.input().bodies()).isEqualTo(Layout.FIRST_SPHERE + before + 1);
+        driver.type(KeyCode.DELETE);
+        assertThat(scene().spheres()).hasSize(before);
+        assertThat(selected()).isEqualTo(Layout.NOTHING);
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene().spheres()).hasSize(before + 1);
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene().spheres()).hasSize(before);
+    }
+
+    @Test
+    void deleteWithoutASelectionDeletesNothing() {
+        driver.type(KeyCode.DELETE);
+        driver.run(() -> driver.studio.select(Layout.LIGHT));
+        driver.type(KeyCode.DELETE);
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+    }
+
+    @Test
+    void theLightIsMovedToo() {
+        driver.run(() ->
+                driver.studio.edit("light", scene -> BodyEdits.moved(scene, Layout.LIGHT, new Vector3(-1.2, 3, 0))));
+        awaitRest();
+        click(seenAt(Layout.LIGHT));
+        assertThat(selected()).isEqualTo(Layout.LIGHT);
+        drag(seenAt(Layout.LIGHT), 40, 0);
+        assertThat(scene().light().position().x()).isGreaterThan(-1.1);
+    }
+
+    @Test
+    void escapeSelectsNothing() {
+        click(seenAt(MIDDLE));
+        driver.type(KeyCode.ESCAPE);
+        assertThat(selected()).isEqualTo(Layout.NOTHING);
+    }
+}

@@ -1,0 +1,323 @@
+package dev.twister.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneException;
+import dev.twister.scene.SceneReader;
+import dev.twister.sky.SkyException;
+import dev.twister.sky.SkyboxReader;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.RandomAccessFile;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import javafx.scene.control.Button;
+import javafx.scene.control.DialogPane;
+import javafx.scene.input.KeyCode;
+import javafx.stage.Window;
+import javafx.stage.WindowEvent;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Scenes, skies, screenshots and recordings, and what goes wrong with them. */
+class FilesTest {
+    private static WindowDriver driver;
+
+    @TempDir
+    private Path folder;
+
+    @BeforeAll
+    static void open() {
+        driver = WindowDriver.open();
+    }
+
+    @AfterAll
+    static void close() {
+        driver.close();
+    }
+
+    @BeforeEach
+    void startAnew() throws IOException {
+        Path scene =
+                Files.copy(Path.of("scenes", "teaching.json"), sceneFolder().resolve("start.json"));
+        driver.run(() -> {
+            driver.studio.open(scene);
+            driver.files.chooseNothing();
+            driver.studio.edit("shadows", now -> now.withSettings(now.settings().withShadows(1)));
+            driver.studio.save(scene);
+        });
+        driver.awaitCurrentPicture();
+    }
+
+    /** With the skies next to it, as shipped scenes expect. */
+    private Path sceneFolder() throws IOException {
+        Path skies = Files.createDirectories(folder.resolve("skyboxes"));
+        Files.copy(Path.of("skyboxes", "day.hdr"), skies.resolve("day.hdr"));
+        return Files.createDirectories(folder.resolve("scenes"));
+    }
+
+    private static Scene scene() {
+        return WindowDriver.call(driver.studio::scene);
+    }
+
+    private static void change() {
+        driver.run(() -> {
+            driver.studio.edit(
+                    "bounces",
+                    now -> now.withSettings(
+                            now.settings().withBounces(now.settings().bounces() + 1)));
+            driver.studio.endGesture();
+        });
+    }
+
+    /** The dialog of that id, where it is shown. */
+    private static Optional<DialogPane> dialog(String id) {
+        return WindowDriver.call(() -> Window.getWindows().stream()
+                .map(window -> window.getScene().getRoot())
+                .filter(root -> id.equals(root.getId()))
+                .map(DialogPane.class::cast)
+                .findFirst());
+    }
+
+    private static DialogPane awaitDialog(String id) {
+        driver.await(() -> dialog(id).isPresent());
+        return dialog(id).orElseThrow();
+    }
+
+    /** Presses the dialog's button of that name. */
+    private static void answer(DialogPane dialog, String button) {
+        driver.run(() -> dialog.getButtonTypes().stream()
+                .filter(type -> type.getText().equals(button))
+                .map(type -> (Button) dialog.lookupButton(type))
+                .findFirst()
+                .orElseThrow()
+                .fire());
+        driver.await(() -> dialog(dialog.getId()).isEmpty());
+    }
+
+    private static void drop(Path file) {
+        driver.run(() -> driver.window.workbench().files().drop(List.of(file)));
+    }
+
+    /** What can be dropped on a window that is neither a scene nor a sky. */
+    enum Hostile {
+        MISSING(folder -> folder.resolve("missing.json")),
+        A_FOLDER(folder -> Files.createDirectory(folder.resolve("folder.json"))),
+        EMPTY(folder -> Files.createFile(folder.resolve("empty.json"))),
+        BINARY_SCENE(folder -> Files.write(folder.resolve("binary.json"), new byte[] {0, -1, -2, 0, 7})),
+        BINARY(folder -> Files.write(folder.resolve("program"), new byte[] {127, 'E', 'L', 'F', 0, 1})),
+        OTHER_JSON(folder -> Files.writeString(folder.resolve("package.json"), "{\"name\": \"left-pad\"}")),
+        HALF_A_SCENE(folder -> Files.writeString(
+                folder.resolve("half.json"),
+                Files.readString(Path.of("scenes", "teaching.json")).substring(0, 300))),
+        NO_SKY(folder -> Files.writeString(
+                folder.resolve("no-sky.json"),
+                Files.readString(Path.of("scenes", "teaching.json")).replace("day.hdr", "night.hdr"))),
+        HUGE_SCENE(folder -> sized(folder.resolve("huge.json"), 65L << 20)),
+        BROKEN_HDR(folder ->
+                Files.writeString(folder.resolve("broken.hdr"), "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 9")),
+        HUGE_HDR(folder -> Files.writeString(
+                folder.resolve("wide.hdr"), "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 99999 +X 999999\n")),
+        NOT_A_PICTURE(folder -> Files.writeString(folder.resolve("text.png"), "hello")),
+        HUGE_PICTURE(folder -> sized(folder.resolve("huge.hdr"), 2L << 30));
+
+        private interface Making {
+            Path in(Path folder) throws IOException;
+        }
+
+        @SuppressWarnings("ImmutableEnumChecker") // writes a file
+        private final Making making;
+
+        Hostile(Making making) {
+            this.making = making;
+        }
+
+        private static Path sized(Path file, long bytes) throws IOException {
+            try (RandomAccessFile sparse = new RandomAccessFile(file.toFile(), "rw")) {
+                sparse.setLength(bytes);
+            }
+            return file;
+        }
+    }
+
+    /** What the command line says of a file. */
+    private static String commandLinesMessage(Path file) {
+        try {
+            if (file.toString().endsWith(".json")) {
+                Scene scene = SceneReader.read(file);
+                SkyboxReader.read(scene.skybox());
+            } else {
+                SkyboxReader.read(file);
+            }
+            throw new AssertionError(file + " is all right");
+        } catch (SceneException | SkyException problem) {
+            return problem.getMessage();
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void whatCannotBeOpenedIsSaidAndEverythingGoesOn(Hostile hostile) throws IOException {
+        Path file = hostile.making.in(folder.resolve("scenes"));
+        Scene before = scene();
+        drop(file);
+        DialogPane dialog = awaitDialog("complaint");
+        if (Files.isRegularFile(file) && hostile != Hostile.BINARY) {
+            assertThat(dialog.getContentText()).isEqualTo(commandLinesMessage(file));
+        } else {
+            assertThat(dialog.getContentText()).startsWith(file.toString()).contains("neither a scene");
+        }
+        assertThat(dialog.getContentText().lines()).hasSize(1);
+        assertThat(scene()).isEqualTo(before);
+        change();
+        driver.awaitCurrentPicture();
+        answer(dialog, "OK");
+    }
+
+    @Test
+    void aSceneIsOpenedSavedAndRemembered() throws IOException {
+        Path other = folder.resolve("scenes").resolve("other.json");
+        Files.copy(folder.resolve("scenes").resolve("start.json"), other);
+        driver.files.choose(other);
+        driver.typeWith(KeyCode.O, KeyCode.CONTROL);
+        driver.await(() -> driver.studio.fileProperty().get().equals(Optional.of(other)));
+        assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("other.json – Twister");
+        change();
+        assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("• other.json – Twister");
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+        assertThat(SceneReader.read(other)).isEqualTo(scene());
+        assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("other.json – Twister");
+        Path third = folder.resolve("scenes").resolve("third.json");
+        driver.files.choose(third);
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL, KeyCode.SHIFT);
+        assertThat(SceneReader.read(third)).isEqualTo(scene());
+        assertThat(driver.text("notice")).isEqualTo("Saved " + third);
+        assertThat(driver.window.workbench().settings().recentScenes()).startsWith(third.toString(), other.toString());
+    }
+
+    @Test
+    void changesAreNotLostUnasked() throws IOException {
+        Path other = Files.copy(
+                folder.resolve("scenes").resolve("start.json"),
+                folder.resolve("scenes").resolve("b.json"));
+        Path start = folder.resolve("scenes").resolve("start.json");
+        change();
+        Scene changed = scene();
+        drop(other);
+        answer(awaitDialog("save-question"), "Cancel");
+        assertThat(scene()).isEqualTo(changed);
+        drop(other);
+        answer(awaitDialog("save-question"), "Save");
+        driver.await(() -> driver.studio.fileProperty().get().equals(Optional.of(other)));
+        assertThat(SceneReader.read(start)).isEqualTo(changed);
+        change();
+        drop(start);
+        answer(awaitDialog("save-question"), "Don't save");
+        driver.await(() -> driver.studio.fileProperty().get().equals(Optional.of(start)));
+        assertThat(SceneReader.read(other).settings().bounces())
+                .isEqualTo(changed.settings().bounces() - 1);
+    }
+
+    @Test
+    void closingAsksToo() {
+        change();
+        driver.typeWith(KeyCode.Q, KeyCode.CONTROL);
+        answer(awaitDialog("save-question"), "Cancel");
+        assertThat(driver.stage.isShowing()).isTrue();
+        driver.run(() -> driver.stage.fireEvent(new WindowEvent(driver.stage, WindowEvent.WINDOW_CLOSE_REQUEST)));
+        answer(awaitDialog("save-question"), "Cancel");
+        assertThat(driver.stage.isShowing()).isTrue();
+    }
+
+    @Test
+    void aSceneThatCannotBeSavedIsSaidAndNotTakenForSaved() {
+        change();
+        driver.files.choose(folder.resolve("nowhere").resolve("x.json"));
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL, KeyCode.SHIFT);
+        DialogPane dialog = awaitDialog("complaint");
+        assertThat(dialog.getContentText()).contains("there is no folder to write it in");
+        answer(dialog, "OK");
+        assertThat(WindowDriver.call(driver.studio.editsProperty()::get).changed())
+                .isTrue();
+    }
+
+    @Test
+    void aDroppedPanoramaBecomesTheSky() throws IOException {
+        Path sunset = Files.copy(Path.of("skyboxes", "sunset.hdr"), folder.resolve("evening.hdr"));
+        int[] before = driver.awaitCurrentPicture().frame().argb().clone();
+        drop(sunset);
+        driver.await(() -> driver.studio.scene().skybox().equals(sunset));
+        assertThat(driver.awaitCurrentPicture().frame().argb()).isNotEqualTo(before);
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene().skybox().getFileName()).hasToString("day.hdr");
+    }
+
+    @Test
+    void aScreenshotIsThePictureThatIsShown() throws IOException {
+        driver.run(() -> driver.studio.refiningProperty().set(false));
+        DrawnPicture shown = driver.awaitCurrentPicture();
+        Path png = folder.resolve("shot.png");
+        driver.files.choose(png);
+        driver.type(KeyCode.F12);
+        driver.await(() -> Files.exists(png));
+        BufferedImage read = ImageIO.read(png.toFile());
+        assertThat(read.getWidth()).isEqualTo(shown.frame().width());
+        int x = read.getWidth() / 2;
+        int y = read.getHeight() / 2;
+        assertThat(read.getRGB(x, y)).isEqualTo(shown.frame().argb()[y * read.getWidth() + x]);
+        assertThat(driver.files.suggested().orElseThrow().getFileName()).hasToString("twister-1.png");
+
+        Path hdr = folder.resolve("shot.hdr");
+        driver.files.choose(hdr);
+        driver.type(KeyCode.F12);
+        driver.await(() -> Files.exists(hdr));
+        assertThat(SkyboxReader.read(hdr).width()).isEqualTo(shown.frame().width());
+        driver.run(() -> driver.studio.refiningProperty().set(true));
+    }
+
+    @Test
+    void aScreenshotThatCannotBeWrittenIsSaid() {
+        driver.files.choose(folder.resolve("nowhere").resolve("shot.png"));
+        driver.type(KeyCode.F12);
+        DialogPane dialog = awaitDialog("complaint");
+        assertThat(dialog.getContentText()).contains("there is no folder");
+        answer(dialog, "OK");
+    }
+
+    @Test
+    void picturesAreRecordedUntilStopped() throws IOException {
+        Path frames = Files.createDirectory(folder.resolve("frames"));
+        driver.files.choose(frames);
+        driver.typeWith(KeyCode.R, KeyCode.CONTROL);
+        change();
+        driver.awaitCurrentPicture();
+        change();
+        driver.awaitCurrentPicture();
+        assertThat(driver.text("notice")).startsWith("Recording");
+        driver.typeWith(KeyCode.R, KeyCode.CONTROL);
+        driver.await(() -> driver.studio.noticeProperty().get().startsWith("Recorded"));
+        DrawnPicture last = driver.awaitCurrentPicture();
+        BufferedImage first = ImageIO.read(frames.resolve("frame-000001.png").toFile());
+        assertThat(first.getWidth()).isEqualTo(last.frame().width());
+        assertThat(frames.resolve("frame-000003.png")).exists();
+    }
+
+    @Test
+    void recordingNeedsAFolder() {
+        driver.files.choose(folder.resolve("nowhere"));
+        driver.typeWith(KeyCode.R, KeyCode.CONTROL);
+        DialogPane dialog = awaitDialog("complaint");
+        assertThat(dialog.getContentText()).contains("there is no such folder");
+        answer(dialog, "OK");
+    }
+}

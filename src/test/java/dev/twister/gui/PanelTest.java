@@ -1,0 +1,352 @@
+package dev.twister.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.NumberSetting;
+import dev.twister.gui.model.ResolutionMode;
+import dev.twister.gui.model.SceneNumbers;
+import dev.twister.kernel.Layout;
+import dev.twister.scene.Scene;
+import dev.twister.scene.ToneMap;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javafx.scene.Node;
+import javafx.scene.control.Button;
+import javafx.scene.control.ColorPicker;
+import javafx.scene.control.ComboBox;
+import javafx.scene.control.Label;
+import javafx.scene.control.TextField;
+import javafx.scene.control.Tooltip;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import javafx.stage.Window;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Each control of the panel, used by hand. One window for all: every test starts from the scene as it was opened. */
+class PanelTest {
+    private static final int SPHERE = Layout.FIRST_SPHERE + 1;
+    private static final int SOME_COLOUR = 40;
+    private static WindowDriver driver;
+
+    @BeforeAll
+    static void open() {
+        driver = WindowDriver.openWithPanel();
+    }
+
+    @AfterAll
+    static void close() {
+        driver.close();
+    }
+
+    @BeforeEach
+    void startAnew() {
+        driver.type(Command.RESET.keys());
+        driver.run(() -> {
+            driver.studio.notice("");
+            driver.studio.select(SPHERE);
+        });
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+    }
+
+    static Stream<NumberSetting> numbers() {
+        return Stream.of(
+                SceneNumbers.SHADOW_SAMPLES,
+                SceneNumbers.BOUNCES,
+                SceneNumbers.SAMPLES_PER_PIXEL,
+                SceneNumbers.EXPOSURE,
+                SceneNumbers.FIELD_OF_VIEW,
+                SceneNumbers.LIGHT_X,
+                SceneNumbers.LIGHT_Y,
+                SceneNumbers.LIGHT_Z,
+                SceneNumbers.LIGHT_RADIUS,
+                SceneNumbers.LIGHT_STRENGTH,
+                BodyEdits.x(SPHERE),
+                BodyEdits.y(SPHERE),
+                BodyEdits.z(SPHERE),
+                BodyEdits.radiusOf(SPHERE),
+                BodyEdits.reflectivityOf(SPHERE));
+    }
+
+    private static Scene scene() {
+        return WindowDriver.call(driver.studio::scene);
+    }
+
+    private static PanelRow row(String label) {
+        return WindowDriver.call(() -> driver.window.workbench().panel().rows().stream()
+                .filter(row -> row.name().equals(label))
+                .findFirst()
+                .orElseThrow());
+    }
+
+    private static <T extends Node> T in(PanelRow row, String selector, Class<T> kind) {
+        return WindowDriver.call(() -> kind.cast(row.lookup(selector)));
+    }
+
+    private static void typeText(TextField field, String text) {
+        driver.run(field::requestFocus);
+        driver.typeWith(KeyCode.A, KeyCode.CONTROL);
+        driver.run(() -> field.replaceSelection(text));
+        driver.type(KeyCode.ENTER);
+    }
+
+    @ParameterizedTest
+    @MethodSource("numbers")
+    void aNumberIsSlidTypedAndReset(NumberSetting setting) {
+        PanelRow row = row(setting.label());
+        TextField field = in(row, ".text-field", TextField.class);
+        Button reset = in(row, ".reset", Button.class);
+        double before = setting.read(scene());
+        assertThat(reset.isDisabled()).isTrue();
+
+        driver.type(row.keys());
+        driver.type(KeyCode.RIGHT);
+        double slid = setting.read(scene());
+        assertThat(slid).isGreaterThan(before);
+        assertThat(field.getText()).isEqualTo(setting.text(slid));
+        driver.awaitCurrentPicture();
+
+        double other = setting.numberAt(0.8);
+        typeText(field, setting.text(other));
+        assertThat(setting.read(scene())).isCloseTo(other, within(1e-9));
+
+        driver.click(reset);
+        assertThat(setting.read(scene())).isEqualTo(before);
+        assertThat(reset.isDisabled()).isTrue();
+    }
+
+    @Test
+    void aSliderIsDraggedAndThatIsOneEdit() {
+        NumberRow row = (NumberRow) row("Exposure");
+        Node slider = row.firstControl();
+        DrawnPicture before = driver.awaitCurrentPicture();
+        long darkness = brightness(before);
+        var bounds = WindowDriver.call(() -> slider.localToScreen(slider.getLayoutBounds()));
+        double middle = bounds.getCenterX();
+        double y = bounds.getCenterY();
+        driver.withRobot(hand -> hand.mouseMove(middle, y));
+        driver.withRobot(hand -> hand.mousePress(MouseButton.PRIMARY));
+        for (int i = 1; i <= 5; i++) {
+            double x = middle + 4 * i;
+            driver.withRobot(hand -> hand.mouseMove(x, y));
+        }
+        driver.withRobot(hand -> hand.mouseRelease(MouseButton.PRIMARY));
+        assertThat(scene().settings().exposure()).isBetween(0.5, 6.0);
+        assertThat(brightness(driver.awaitCurrentPicture())).isGreaterThan(darkness);
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene().settings().exposure()).isZero();
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL, KeyCode.SHIFT);
+        assertThat(scene().settings().exposure()).isGreaterThan(0.5);
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        driver.typeWith(KeyCode.Y, KeyCode.CONTROL);
+        assertThat(scene().settings().exposure()).isGreaterThan(0.5);
+    }
+
+    private static long brightness(DrawnPicture picture) {
+        long sum = 0;
+        for (int argb : picture.frame().argb()) {
+            sum += (argb >> 8) & 255;
+        }
+        return sum / picture.frame().argb().length;
+    }
+
+    @Test
+    void whatIsNoNumberIsSaidAndNotTaken() {
+        PanelRow row = row("Shadow samples");
+        TextField field = in(row, ".text-field", TextField.class);
+        typeText(field, "many");
+        assertThat(driver.text("notice")).isEqualTo("Shadow samples is 'many', but must be a number from 1 to 1024");
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        driver.type(KeyCode.ESCAPE);
+        assertThat(field.getText()).isEqualTo("1");
+    }
+
+    @Test
+    void anEngineIsChosenAndReset() {
+        driver.await(
+                () -> ((ComboBox<?>) row("Engine").firstControl()).getItems().size() > 3);
+        driver.type(row("Engine").keys());
+        String before = WindowDriver.call(
+                () -> driver.studio.engineProperty().get().offer().id());
+        driver.type(KeyCode.UP);
+        String chosen = WindowDriver.call(
+                () -> driver.studio.engineProperty().get().offer().id());
+        assertThat(chosen).isNotEqualTo(before);
+        driver.awaitPicture(picture -> picture.engine().equals(chosen));
+        driver.click(in(row("Engine"), ".reset", Button.class));
+        driver.awaitPicture(picture -> picture.engine().equals(before));
+    }
+
+    @Test
+    void enginesThatCannotRunAreGreyWithTheReason() {
+        ComboBox<String> box = WindowDriver.call(() -> {
+            @SuppressWarnings("unchecked")
+            ComboBox<String> engines = (ComboBox<String>) row("Engine").firstControl();
+            return engines;
+        });
+        assertThat(box.getItems()).isNotEmpty();
+        ChoiceRow<String> row = WindowDriver.call(() -> new ChoiceRow<String>(
+                "Test",
+                "Some work.",
+                "Alt+Q",
+                name -> new ChoiceRow.Look(
+                        name, "", name.equals("broken") ? Optional.of("no driver") : Optional.empty()),
+                _ -> {},
+                driver.studio::notice));
+        driver.run(() -> {
+            row.show(List.of("good", "broken"), "good", "good");
+            @SuppressWarnings("unchecked")
+            ComboBox<String> choice = (ComboBox<String>) row.firstControl();
+            choice.getSelectionModel().select("broken");
+            assertThat(choice.getValue()).isEqualTo("good");
+        });
+        assertThat(driver.text("notice")).isEqualTo("broken: no driver");
+    }
+
+    @Test
+    void aResolutionIsChosenAndThePictureScaled() {
+        driver.type(row("Resolution").keys());
+        driver.type(KeyCode.DOWN);
+        DrawnPicture picture = driver.awaitPicture(drawn -> drawn.frame().width() == 1280 && drawn.isWhole());
+        assertThat(picture.frame().height()).isEqualTo(720);
+        assertThat(driver.pictureOnScreen().getWidth()).isLessThan(1000);
+        driver.click(in(row("Resolution"), ".reset", Button.class));
+        assertThat(WindowDriver.call(driver.studio.resolutionProperty()::get)).isEqualTo(ResolutionMode.WINDOW);
+        driver.awaitPicture(drawn -> drawn.frame().width() < 1000);
+    }
+
+    @Test
+    void aToneMapAndTheSrgbCurveAreChosen() {
+        long clamped = brightness(driver.awaitCurrentPicture());
+        driver.type(row("Tone map").keys());
+        driver.type(KeyCode.DOWN);
+        assertThat(scene().settings().toneMap()).isEqualTo(ToneMap.REINHARD);
+        assertThat(brightness(driver.awaitCurrentPicture())).isLessThan(clamped);
+        driver.type(row("sRGB curve").keys());
+        driver.type(KeyCode.SPACE);
+        assertThat(scene().settings().srgb()).isTrue();
+        assertThat(brightness(driver.awaitCurrentPicture())).isGreaterThan(clamped / 2);
+        driver.click(in(row("sRGB curve"), ".reset", Button.class));
+        driver.click(in(row("Tone map"), ".reset", Button.class));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+    }
+
+    @Test
+    void refiningIsSwitched() {
+        driver.type(row("Refine at rest").keys());
+        driver.type(KeyCode.SPACE);
+        assertThat(WindowDriver.call(driver.studio.refiningProperty()::get)).isFalse();
+        driver.click(in(row("Refine at rest"), ".reset", Button.class));
+        assertThat(WindowDriver.call(driver.studio.refiningProperty()::get)).isTrue();
+    }
+
+    @Test
+    void coloursAreChosenFromThePalette() {
+        for (String label : List.of("Light colour", "Sphere colour")) {
+            PanelRow row = row(label);
+            ColorPicker picker = (ColorPicker) row.firstControl();
+            Scene before = scene();
+            driver.type(row.keys());
+            driver.type(KeyCode.F4);
+            driver.await(picker::isShowing);
+            driver.pulse();
+            driver.click(WindowDriver.call(() -> Window.getWindows().stream()
+                    .flatMap(window -> window.getScene().getRoot().lookupAll(".color-square").stream())
+                    .skip(SOME_COLOUR)
+                    .findFirst()
+                    .orElseThrow()));
+            assertThat(scene()).as(label).isNotEqualTo(before);
+            driver.awaitCurrentPicture();
+            driver.run(picker::hide);
+            driver.click(in(row, ".reset", Button.class));
+            assertThat(scene()).as(label).isEqualTo(before);
+        }
+    }
+
+    @Test
+    void aSkyIsChosenFromTheList() {
+        driver.await(() -> ((ComboBox<?>) row("Sky").firstControl()).getItems().size() >= 3);
+        long before = brightness(driver.awaitCurrentPicture());
+        driver.type(row("Sky").keys());
+        driver.type(KeyCode.DOWN);
+        driver.await(() ->
+                !driver.studio.scene().skybox().equals(driver.studio.original().skybox()));
+        assertThat(brightness(driver.awaitCurrentPicture())).isNotEqualTo(before);
+        driver.click(in(row("Sky"), ".reset", Button.class));
+        driver.await(() ->
+                driver.studio.scene().skybox().equals(driver.studio.original().skybox()));
+    }
+
+    @Test
+    void everyRowHasATooltipWithItsOwnKey() {
+        List<PanelRow> rows =
+                WindowDriver.call(() -> driver.window.workbench().panel().rows());
+        assertThat(rows).hasSizeGreaterThan(20);
+        assertThat(rows.stream().map(PanelRow::keys)).doesNotHaveDuplicates();
+        assertThat(rows.stream().map(Node::getId)).doesNotHaveDuplicates();
+        for (PanelRow row : rows) {
+            Tooltip tooltip = in(row, ".row-name", Label.class).getTooltip();
+            assertThat(tooltip.getText()).contains(row.keys().getDisplayText());
+        }
+        for (Command command : Command.values()) {
+            assertThat(rows.stream().map(PanelRow::keys)).doesNotContain(command.keys());
+        }
+    }
+
+    @Test
+    void everyControlComesIntoSightByItsKey() {
+        for (PanelRow row :
+                WindowDriver.call(() -> driver.window.workbench().panel().rows())) {
+            driver.type(row.keys());
+            assertThat(row.firstControl().isFocused()).as(row.name()).isTrue();
+            var panel = WindowDriver.call(() -> driver.window
+                    .workbench()
+                    .panel()
+                    .localToScene(driver.window.workbench().panel().getLayoutBounds()));
+            var place = WindowDriver.call(() -> row.localToScene(row.getLayoutBounds()));
+            assertThat(panel.contains(place.getCenterX(), place.getCenterY()))
+                    .as(row.name())
+                    .isTrue();
+        }
+    }
+
+    @Test
+    void tabAndF9ShowAndHideThePanelAndEscapeLeavesIt() {
+        Panel panel = driver.window.workbench().panel();
+        driver.type(row("Exposure").keys());
+        driver.type(KeyCode.TAB);
+        assertThat(in(row("Exposure"), ".text-field", TextField.class).isFocused())
+                .isTrue();
+        driver.type(KeyCode.ESCAPE);
+        assertThat(driver.find(".picture", Node.class).isFocused()).isTrue();
+        driver.type(KeyCode.TAB);
+        assertThat(panel.isVisible()).isFalse();
+        driver.type(KeyCode.F9);
+        assertThat(panel.isVisible()).isTrue();
+        driver.type(KeyCode.F9);
+        assertThat(panel.isVisible()).isFalse();
+        driver.type(row("Exposure").keys());
+        assertThat(panel.isVisible()).isTrue();
+    }
+
+    @Test
+    void everythingIsResetAtOnceAndThatCanBeUndone() {
+        driver.type(row("Exposure").keys());
+        driver.type(KeyCode.RIGHT);
+        driver.type(row("Light x").keys());
+        driver.type(KeyCode.RIGHT);
+        Scene edited = scene();
+        driver.click(driver.find("#reset-everything", Button.class));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene()).isEqualTo(edited);
+    }
+}

@@ -1,0 +1,123 @@
+package dev.twister.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.engine.EngineOffer;
+import dev.twister.engine.JvmEngines;
+import dev.twister.gui.model.SettingsStore;
+import dev.twister.gui.model.WindowSettings;
+import dev.twister.scene.Camera;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import javafx.scene.Node;
+import javafx.scene.control.Labeled;
+import javafx.scene.input.KeyCode;
+import javafx.stage.Stage;
+import javafx.stage.Window;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What outlives the window, and the windows that explain it. */
+class SettingsTest {
+    @TempDir
+    private Path folder;
+
+    @Test
+    void whatWasSetIsThereTheNextTime() {
+        SettingsStore store = new SettingsStore(Optional.of(folder.resolve("twister")));
+        Camera view;
+        try (WindowDriver driver = WindowDriver.open(store)) {
+            driver.run(() -> {
+                driver.stage.setWidth(700);
+                driver.stage.setHeight(500);
+                driver.find(".picture", Node.class).requestFocus();
+            });
+            driver.type(KeyCode.TAB);
+            driver.run(() -> driver.studio.chooseEngine(sequential()));
+            driver.typeWith(KeyCode.DIGIT4, KeyCode.CONTROL);
+            view = WindowDriver.call(driver.studio::scene).camera();
+        }
+        WindowSettings kept = store.read().settings();
+        assertThat(kept.panelShown()).isFalse();
+        assertThat(kept.width()).isEqualTo(700);
+        assertThat(kept.height()).isEqualTo(500);
+        assertThat(kept.engine()).isEqualTo(JvmEngines.SEQUENTIAL);
+        assertThat(kept.views()).containsEntry(4, view);
+        try (WindowDriver driver = WindowDriver.open(store)) {
+            assertThat(driver.stage.getWidth()).isEqualTo(700);
+            assertThat(driver.window.workbench().panel().isVisible()).isFalse();
+            driver.type(KeyCode.HOME);
+            driver.run(() -> driver.studio.moveCamera(
+                    camera -> new Camera(camera.position(), 90, 0, camera.fieldOfViewDegrees())));
+            driver.type(KeyCode.DIGIT4);
+            assertThat(WindowDriver.call(driver.studio::scene).camera()).isEqualTo(view);
+        }
+    }
+
+    private static EngineOffer sequential() {
+        return new JvmEngines()
+                .offers().stream()
+                        .filter(offer -> offer.id().equals(JvmEngines.SEQUENTIAL))
+                        .findFirst()
+                        .orElseThrow();
+    }
+
+    @Test
+    void damagedSettingsAreSaid() throws IOException {
+        Files.writeString(folder.resolve("window.json"), "{\"width\": ");
+        try (WindowDriver driver = WindowDriver.open(new SettingsStore(Optional.of(folder)))) {
+            assertThat(driver.text("notice")).contains("could not be read");
+        }
+        assertThat(folder.resolve("window.damaged.json")).hasContent("{\"width\": ");
+    }
+
+    @Test
+    void helpIsShownOnceAndClosedWithEscape() {
+        try (WindowDriver driver = WindowDriver.open()) {
+            driver.type(KeyCode.F1);
+            driver.type(KeyCode.F1);
+            List<String> texts = texts("controls-page");
+            assertThat(texts).contains("W A S D", "F12", "Shadow samples");
+            for (Command command : Command.values()) {
+                assertThat(texts).contains(command.keys().getDisplayText());
+            }
+            assertThat(helpWindows()).hasSize(1);
+            driver.type(KeyCode.ESCAPE);
+            assertThat(helpWindows()).isEmpty();
+            driver.run(() -> driver.stage.requestFocus());
+            driver.typeWith(KeyCode.F1, KeyCode.SHIFT);
+            assertThat(texts("about-page")).anyMatch(text -> text.contains("Apache License 2.0"));
+            driver.type(KeyCode.ESCAPE);
+            assertThat(helpWindows()).isEmpty();
+        }
+    }
+
+    private static List<Window> helpWindows() {
+        return WindowDriver.call(() -> Window.getWindows().stream()
+                .filter(window -> window instanceof Stage stage && stage.getOwner() != null)
+                .toList());
+    }
+
+    private static List<String> texts(String page) {
+        return WindowDriver.call(() -> Window.getWindows().stream()
+                .map(window -> window.getScene().getRoot().lookup("#" + page))
+                .filter(Objects::nonNull)
+                .flatMap(found -> found.lookupAll(".label").stream())
+                .map(label -> ((Labeled) label).getText())
+                .toList());
+    }
+
+    @Test
+    void f11FillsTheScreen() {
+        try (WindowDriver driver = WindowDriver.open()) {
+            driver.type(KeyCode.F11);
+            assertThat(driver.stage.isFullScreen()).isTrue();
+            driver.type(KeyCode.F11);
+            assertThat(driver.stage.isFullScreen()).isFalse();
+        }
+    }
+}
