@@ -36,10 +36,10 @@ class RoomsTest {
                 room("scene"),
                 room("sky"),
                 room("image"),
-                room("physics", "scene", "world"),
+                room("threads"),
                 room("engine", "kernel", "world", "image"),
                 room("engine.tornado", "kernel", "world", "image", "engine"),
-                room("engine.vector", "kernel", "world", "image", "engine"),
+                room("engine.vector", "kernel", "world", "image", "engine", "threads"),
                 room("bench", "engine", "image", "world", "scene"),
                 room("gui.model", "scene", "sky", "kernel", "world", "physics", "engine", "image", "bench"),
                 room("gui.drawing", "scene", "sky", "world", "engine", "image", "gui.model"),
@@ -101,9 +101,23 @@ class RoomsTest {
     }
 
     @Test
+    void physicsKnowsTheKernelsLayoutOnly() {
+        DescribedPredicate<JavaClass> allowed = resideOutsideOfPackage("dev.twister..")
+                .or(resideInAnyPackage(
+                        "dev.twister.physics", "dev.twister.scene", "dev.twister.world", "dev.twister.threads"))
+                .or(belongToAnyOf(Layout.class));
+        classes()
+                .that()
+                .resideInAPackage("dev.twister.physics")
+                .should()
+                .onlyDependOnClassesThat(allowed)
+                .check(TWISTER);
+    }
+
+    @Test
     void everyPackageIsARoom() {
         Stream<String> known =
-                Stream.concat(rooms().map(room -> room.get()[0].toString()), Stream.of("kernel", "world"));
+                Stream.concat(rooms().map(room -> room.get()[0].toString()), Stream.of("kernel", "world", "physics"));
         assertThat(TWISTER.stream().map(JavaClass::getPackageName).distinct())
                 .isSubsetOf(known.map(name -> "dev.twister." + name).toList());
     }

@@ -5,6 +5,7 @@ import dev.twister.engine.EngineException;
 import dev.twister.engine.FrameFit;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
+import dev.twister.threads.Crew;
 import dev.twister.world.FrameInput;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -21,7 +22,7 @@ final class VectorEngine implements Engine {
         this.threads = threads;
         renderers = new TileRenderer[threads];
         Arrays.setAll(renderers, thread -> new TileRenderer());
-        crew = new Crew(threads, this::drawTiles);
+        crew = new Crew("vector", threads, this::drawTiles);
     }
 
     /** What {@link #device} says of so many threads. */

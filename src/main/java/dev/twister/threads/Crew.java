@@ -1,4 +1,4 @@
-package dev.twister.engine.vector;
+package dev.twister.threads;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -10,7 +10,7 @@ import java.util.function.IntConsumer;
  * Threads that do one job together, again and again, without allocating: the caller is one of them, the others sleep in
  * between.
  */
-final class Crew implements AutoCloseable {
+public final class Crew implements AutoCloseable {
     /** Turns of waiting before a thread sleeps: some tens of microseconds. */
     private static final int PATIENCE = 2000;
 
@@ -25,13 +25,14 @@ final class Crew implements AutoCloseable {
     /**
      * Starts all but one of the threads.
      *
+     * @param name what the threads are called after
      * @param job is called by each with its number, 0 being the caller
      */
-    Crew(int threads, IntConsumer job) {
+    public Crew(String name, int threads, IntConsumer job) {
         this.job = job;
         for (int number = 1; number < threads; number++) {
             int own = number;
-            Thread helper = new Thread(() -> help(own), "twister-vector-" + number);
+            Thread helper = new Thread(() -> help(own), "twister-" + name + "-" + number);
             helper.setDaemon(true);
             helper.start();
             helpers.add(helper);
@@ -40,7 +41,7 @@ final class Crew implements AutoCloseable {
 
     /** Does the job once on every thread; returns when all are done. */
     @SuppressWarnings("NonAtomicVolatileUpdate") // only the caller writes it
-    void work() {
+    public void work() {
         failure = null;
         caller = Thread.currentThread();
         working.set(helpers.size());
@@ -53,7 +54,7 @@ final class Crew implements AutoCloseable {
             await(turn);
         }
         if (failure != null) {
-            throw new IllegalStateException("drawing failed: " + failure, failure);
+            throw new IllegalStateException("the work failed: " + failure, failure);
         }
     }
 

@@ -1,0 +1,138 @@
+package dev.twister.physics;
+
+import dev.twister.scene.Light;
+import dev.twister.scene.Physics;
+import dev.twister.scene.Plane;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * The bodies' numbers: body 0 is the light, body k + 1 the scene's sphere k. Those of one body lie together, because a
+ * contact needs all of two bodies that are anywhere.
+ */
+final class BodyStore {
+    static final int LIGHT = 0;
+    static final int FIRST_SPHERE = 1;
+
+    /** Numbers for each body: places 0 to 11. */
+    static final int STRIDE = 12;
+
+    /** The centre, in metres: x, y, z. */
+    static final int POSITION = 0;
+
+    /**
+     * What the centre moved in the last sub-step, in metres: the position less the previous one of Verlet's method,
+     * which is kept instead of that one because it loses no digits far from the origin.
+     */
+    static final int MOVE = 3;
+
+    /** What the contacts' impulses of the last sub-step come to in {@link #MOVE}: the next one starts with them. */
+    static final int SUPPORT = 6;
+
+    /** In metres. */
+    static final int RADIUS = 9;
+
+    /** 1 for the largest sphere of the scene; 0 for the light, which nothing moves. */
+    static final int INVERSE_MASS = 10;
+
+    /** How far from the centre something may touch the body until the pairs are looked for again, in metres. */
+    static final int REACH = 11;
+
+    static final byte AWAKE = 0;
+    static final byte ASLEEP = 1;
+
+    /** Hit in this step: it moves, but its other contacts are not known before the next one. */
+    static final byte WOKEN = 2;
+
+    final double[] numbers;
+
+    /** Where the centres were one step ago: 3 for each body. */
+    final double[] before;
+
+    final byte[] state;
+
+    /** 1 above the plane, -1 below it: kept while over or under the square, so that no force presses a body through. */
+    final byte[] side;
+
+    /** Whether the walls keep it in: it was between them, and fits, when it came. */
+    final boolean[] walled;
+
+    /** Steps that it has been nearly at rest on others. */
+    final int[] calmSteps;
+
+    /** The bodies that are there: the light and the first spheres. */
+    int count = FIRST_SPHERE;
+
+    private double smallestRadius = Double.POSITIVE_INFINITY;
+    private final double largestRadius;
+    private final double halfSide;
+    private final double planeHeight;
+    private final boolean walls;
+
+    BodyStore(Scene scene, List<Sphere> spheres) {
+        int room = FIRST_SPHERE + spheres.size();
+        numbers = new double[STRIDE * room];
+        before = new double[3 * room];
+        state = new byte[room];
+        side = new byte[room];
+        walled = new boolean[room];
+        calmSteps = new int[room];
+        Plane plane = scene.plane();
+        halfSide = plane.size() / 2;
+        planeHeight = plane.height();
+        Physics physics = scene.physics();
+        walls = physics.walls();
+        largestRadius = spheres.stream().mapToDouble(Sphere::radius).max().orElse(1);
+        Light light = scene.light();
+        put(LIGHT, light.position(), light.radius());
+        numbers[STRIDE * LIGHT + INVERSE_MASS] = 0;
+        // Never woken, for nothing moves it; so it never looks for pairs itself.
+        state[LIGHT] = ASLEEP;
+    }
+
+    /** Lets the next sphere be there. */
+    void add(Vector3 position, double radius) {
+        put(count, position, radius);
+        smallestRadius = Math.min(smallestRadius, radius);
+        count++;
+    }
+
+    /** Sets how far a body moves in a sub-step. */
+    void setMove(int body, double x, double y, double z) {
+        int at = STRIDE * body + MOVE;
+        numbers[at] = x;
+        numbers[at + 1] = y;
+        numbers[at + 2] = z;
+    }
+
+    /** Of the spheres that are there; infinite where there is none. */
+    double smallestRadius() {
+        return smallestRadius;
+    }
+
+    private void put(int body, Vector3 position, double radius) {
+        int at = STRIDE * body;
+        numbers[at + POSITION] = position.x();
+        numbers[at + POSITION + 1] = position.y();
+        numbers[at + POSITION + 2] = position.z();
+        numbers[at + RADIUS] = radius;
+        double ratio = largestRadius / radius;
+        numbers[at + INVERSE_MASS] = ratio * ratio * ratio;
+        System.arraycopy(numbers, at + POSITION, before, 3 * body, 3);
+        boolean above = position.y() >= planeHeight;
+        boolean over = Math.abs(position.x()) <= halfSide && Math.abs(position.z()) <= halfSide;
+        side[body] = (byte) (above ? 1 : -1);
+        walled[body] = walls && above && over && radius <= halfSide;
+    }
+
+    /** Lets a body rest where it is. */
+    void sleep(int body) {
+        state[body] = ASLEEP;
+        calmSteps[body] = 0;
+        int at = STRIDE * body;
+        Arrays.fill(numbers, at + MOVE, at + RADIUS, 0);
+    }
+}

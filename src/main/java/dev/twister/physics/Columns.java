@@ -1,0 +1,117 @@
+package dev.twister.physics;
+
+import java.util.Arrays;
+
+/**
+ * The bodies in square columns of space, in four colours as a map has them: what is done to the pairs of one column
+ * touches no body that the pairs of another one of the same colour touch. So columns of one colour go to any threads in
+ * any order and the result is the same.
+ */
+final class Columns {
+    static final int COLOURS = 4;
+
+    /** As many a side at most: there is work for many threads, and few columns without any. */
+    private static final int MAX_SIDE = 48;
+
+    private int columnsX;
+    private int columnsZ;
+    private int[] columnOfSlot = {};
+    private int[] starts = {};
+    private int[] slots = {};
+    private final int[] colourStarts = new int[COLOURS + 1];
+    private int[] columnsByColour = {};
+
+    /**
+     * Puts all slots but the giants' into columns, each in the order of the slots.
+     *
+     * @param minX and the other three: where the bodies' centres are
+     */
+    void sort(NeighbourGrid grid, double minX, double maxX, double minZ, double maxZ) {
+        // Two bodies of a pair are at most a cell apart; a column between two of one colour has to keep both off.
+        double least = 2 * grid.topCell();
+        double widthX = Math.max(least, (maxX - minX) / MAX_SIDE);
+        double widthZ = Math.max(least, (maxZ - minZ) / MAX_SIDE);
+        columnsX = side(minX, maxX, widthX);
+        columnsZ = side(minZ, maxZ, widthZ);
+        int columns = columnsX * columnsZ;
+        if (columnOfSlot.length < grid.slots) {
+            columnOfSlot = new int[grid.slots];
+            slots = new int[grid.slots];
+        }
+        if (starts.length < columns + 1) {
+            starts = new int[columns + 1];
+            columnsByColour = new int[columns];
+        }
+        Arrays.fill(starts, 0);
+        for (int slot = 0; slot < grid.slots; slot++) {
+            int column = -1;
+            if (!grid.isGiant(slot)) {
+                int cx = index(grid.x[slot], minX, widthX, columnsX);
+                int cz = index(grid.z[slot], minZ, widthZ, columnsZ);
+                column = cz * columnsX + cx;
+                starts[column + 1]++;
+            }
+            columnOfSlot[slot] = column;
+        }
+        for (int column = 0; column < columns; column++) {
+            starts[column + 1] += starts[column];
+        }
+        int sorted = starts[columns];
+        for (int slot = grid.slots - 1; slot >= 0; slot--) {
+            if (columnOfSlot[slot] >= 0) {
+                slots[--starts[columnOfSlot[slot] + 1]] = slot;
+            }
+        }
+        System.arraycopy(starts, 1, starts, 0, columns);
+        starts[columns] = sorted;
+        paint();
+    }
+
+    private static int side(double min, double max, double width) {
+        return (int) Math.clamp(Math.floor((max - min) / width) + 1, 1, MAX_SIDE);
+    }
+
+    private static int index(double place, double min, double width, int columns) {
+        return (int) Math.clamp((place - min) / width, 0, columns - 1);
+    }
+
+    private void paint() {
+        int painted = 0;
+        for (int colour = 0; colour < COLOURS; colour++) {
+            colourStarts[colour] = painted;
+            for (int column = 0; column < columnsX * columnsZ; column++) {
+                if (column % columnsX % 2 + column / columnsX % 2 * 2 == colour
+                        && starts[column] < starts[column + 1]) {
+                    columnsByColour[painted++] = column;
+                }
+            }
+        }
+        colourStarts[COLOURS] = painted;
+    }
+
+    int count() {
+        return columnsX * columnsZ;
+    }
+
+    /** How many columns of a colour have any bodies. */
+    int ofColour(int colour) {
+        return colourStarts[colour + 1] - colourStarts[colour];
+    }
+
+    /** The column that is the colour's that-many-eth. */
+    int column(int colour, int index) {
+        return columnsByColour[colourStarts[colour] + index];
+    }
+
+    int start(int column) {
+        return starts[column];
+    }
+
+    int end(int column) {
+        return starts[column + 1];
+    }
+
+    int slot(int index) {
+        return slots[index];
+    }
+}

@@ -1,0 +1,91 @@
+package dev.twister.physics;
+
+import java.util.Arrays;
+
+/**
+ * The contacts of one search, in lists that are worked on side by side, and where each body's own are, so that the next
+ * search finds the impulses that a pair has built up.
+ */
+final class ContactBook {
+    private final int[] list;
+    private final int[] start;
+    private final int[] end;
+    private Contacts[] lists = {};
+
+    ContactBook(int bodies) {
+        list = new int[bodies];
+        start = new int[bodies];
+        end = new int[bodies];
+    }
+
+    /** Empties as many lists, and forgets all contacts. */
+    void open(int count) {
+        if (lists.length < count) {
+            int old = lists.length;
+            lists = Arrays.copyOf(lists, count);
+            for (int i = old; i < count; i++) {
+                lists[i] = new Contacts();
+            }
+        }
+        for (Contacts contacts : lists) {
+            contacts.clear();
+        }
+        Arrays.fill(end, 0);
+        Arrays.fill(start, 0);
+    }
+
+    Contacts list(int index) {
+        return lists[index];
+    }
+
+    /** Says that a body's contacts are the list's from a place on. */
+    void setRange(int body, int index, int from) {
+        list[body] = index;
+        start[body] = from;
+        end[body] = lists[index].count;
+    }
+
+    /** Takes over the impulses of the contacts of a body from an earlier search. */
+    void inherit(ContactBook earlier, int body) {
+        Contacts contacts = lists[list[body]];
+        for (int contact = start[body]; contact < end[body]; contact++) {
+            int other = contacts.second[contact];
+            int to = Contacts.IMPULSES * contact;
+            int found = earlier.find(body, other);
+            if (found >= 0) {
+                double[] old = earlier.lists[earlier.list[body]].impulses;
+                System.arraycopy(old, Contacts.IMPULSES * found, contacts.impulses, to, Contacts.IMPULSES);
+            } else if (other >= 0) {
+                found = earlier.find(other, body);
+                if (found >= 0) {
+                    double[] old = earlier.lists[earlier.list[other]].impulses;
+                    int from = Contacts.IMPULSES * found;
+                    contacts.impulses[to] = old[from];
+                    // Across the normal they acted on the other body.
+                    contacts.impulses[to + 1] = -old[from + 1];
+                    contacts.impulses[to + 2] = -old[from + 2];
+                    contacts.impulses[to + 3] = -old[from + 3];
+                }
+            }
+        }
+    }
+
+    /** Scales all impulses, as a change of the sub-step's length asks for. */
+    void scale(double factor) {
+        for (Contacts contacts : lists) {
+            for (int i = 0; i < Contacts.IMPULSES * contacts.count; i++) {
+                contacts.impulses[i] *= factor;
+            }
+        }
+    }
+
+    private int find(int body, int other) {
+        int[] second = end[body] > start[body] ? lists[list[body]].second : start;
+        for (int contact = start[body]; contact < end[body]; contact++) {
+            if (second[contact] == other) {
+                return contact;
+            }
+        }
+        return -1;
+    }
+}

@@ -1,0 +1,123 @@
+package dev.twister.physics;
+
+/** Finds what may touch until the next search, column by column, and carries the impulses over from the last search. */
+final class ContactSearch {
+    /** Bodies of which each is compared with all: in a small scene they are all there are. */
+    private static final int MAX_GIANTS = 32;
+
+    private static final int BODIES_AT_ONCE = 4096;
+
+    private final BodyStore bodies;
+    private final Surroundings surroundings;
+    private final Team team;
+    private final int firstBody;
+    private final NeighbourGrid grid;
+    private final Columns columns = new Columns();
+    private ContactBook contacts;
+    private ContactBook earlier;
+
+    ContactSearch(BodyStore bodies, Surroundings surroundings, Team team, int firstBody, double typicalReach) {
+        this.bodies = bodies;
+        this.surroundings = surroundings;
+        this.team = team;
+        this.firstBody = firstBody;
+        grid = new NeighbourGrid(bodies, typicalReach);
+        contacts = new ContactBook(bodies.state.length);
+        earlier = new ContactBook(bodies.state.length);
+    }
+
+    Columns columns() {
+        return columns;
+    }
+
+    /** A column's contacts. */
+    Contacts contacts(int column) {
+        return contacts.list(column);
+    }
+
+    /** The contacts of the few very large or fast bodies, which no other list has. */
+    Contacts giantsContacts() {
+        return contacts.list(columns.count());
+    }
+
+    void scaleImpulses(double factor) {
+        contacts.scale(factor);
+    }
+
+    /**
+     * Finds all pairs whose bodies' reaches meet.
+     *
+     * @param bounds where the centres are: least x, largest x, least z, largest z
+     */
+    void search(double[] bounds) {
+        team.inChunks(firstBody, bodies.count, BODIES_AT_ONCE, (from, to) -> {
+            for (int body = from; body < to; body++) {
+                grid.locate(body);
+            }
+        });
+        grid.sort(firstBody, MAX_GIANTS);
+        team.inChunks(0, grid.slots, BODIES_AT_ONCE, grid::gather);
+        columns.sort(grid, bounds[0], bounds[1], bounds[2], bounds[3]);
+        ContactBook spare = earlier;
+        earlier = contacts;
+        contacts = spare;
+        contacts.open(columns.count() + 1);
+        for (int colour = 0; colour < Columns.COLOURS; colour++) {
+            int own = colour;
+            team.each(columns.ofColour(colour), index -> searchColumn(columns.column(own, index)));
+        }
+        for (int slot = 0; slot < grid.slots; slot++) {
+            if (grid.isGiant(slot)) {
+                Contacts list = giantsContacts();
+                int start = list.count;
+                grid.addGiantsPairs(slot, list);
+                finish(grid.body[slot], columns.count(), start);
+            }
+        }
+    }
+
+    private void searchColumn(int column) {
+        Contacts list = contacts.list(column);
+        for (int index = columns.start(column); index < columns.end(column); index++) {
+            int slot = columns.slot(index);
+            int start = list.count;
+            grid.addPairs(slot, list);
+            finish(grid.body[slot], column, start);
+        }
+    }
+
+    private void finish(int body, int list, int start) {
+        if (bodies.state[body] != BodyStore.ASLEEP) {
+            addSurfaces(body, contacts.list(list));
+        }
+        contacts.setRange(body, list, start);
+        contacts.inherit(earlier, body);
+    }
+
+    private void addSurfaces(int body, Contacts list) {
+        int at = BodyStore.STRIDE * body;
+        double x = bodies.numbers[at + BodyStore.POSITION];
+        double y = bodies.numbers[at + BodyStore.POSITION + 1] - surroundings.height();
+        double z = bodies.numbers[at + BodyStore.POSITION + 2];
+        double reach = bodies.numbers[at + BodyStore.REACH];
+        if (surroundings.isOver(x, z)) {
+            if (bodies.side[body] * y <= reach) {
+                list.add(body, -1 - Surroundings.GROUND);
+            }
+        } else {
+            double outX = x - surroundings.nearest(x);
+            double outZ = z - surroundings.nearest(z);
+            if (outX * outX + y * y + outZ * outZ <= reach * reach) {
+                list.add(body, -1 - Surroundings.GROUND);
+            }
+            bodies.side[body] = (byte) (y >= 0 ? 1 : -1);
+        }
+        if (bodies.walled[body]) {
+            for (int wall = 0; wall < Surroundings.WALLS; wall++) {
+                if (surroundings.halfSide() - surroundings.towardsWall(wall, x, z) <= reach) {
+                    list.add(body, -1 - Surroundings.FIRST_WALL - wall);
+                }
+            }
+        }
+    }
+}

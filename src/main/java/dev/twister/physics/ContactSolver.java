@@ -1,0 +1,399 @@
+package dev.twister.physics;
+
+/**
+ * Lets bodies that touch push each other. A contact is either an impact, which is settled at once between its two
+ * bodies by Newton's law of restitution as if at the time at which they met, or one of rest, whose impulse is built up
+ * from sub-step to sub-step so that it carries what lies on it (accumulated impulses: Catto, "Iterative Dynamics with
+ * Temporal Coherence", 2005; many small steps instead of many iterations: Macklin et al., "Small Steps in Physics
+ * Simulation", 2019). Friction is Coulomb's in both. What overlaps is pushed apart slowly, in place, without speed.
+ *
+ * <p>All speeds are lengths a sub-step here.
+ */
+final class ContactSolver {
+    /** Share of an overlap that is pushed apart in a sub-step. */
+    private static final double PUSH_SHARE = 0.2;
+
+    /** The most that a pair is pushed apart in a sub-step, in its radii: what starts overlapping must not jump. */
+    private static final double MOST_PUSH = 0.02;
+
+    /** Overlap that is left alone, in radii, so that what rests keeps touching. */
+    private static final double SLOP = 0.005;
+
+    /** A body this near, in radii, wakes one that sleeps when it moves. */
+    private static final double WAKE_GAP = 0.1;
+
+    /** Below it, relative to the pair's radii, centres are taken to be one point. */
+    private static final double COINCIDENT = 1e-9;
+
+    private final BodyStore bodies;
+    private final double[] numbers;
+    private final Surroundings surroundings;
+    private double gravityX;
+    private double gravityY;
+    private double gravityZ;
+    private double impactSpeed;
+    private double wakeSpeedSquared;
+
+    ContactSolver(BodyStore bodies, Surroundings surroundings) {
+        this.bodies = bodies;
+        this.surroundings = surroundings;
+        numbers = bodies.numbers;
+    }
+
+    /** Says how long the sub-steps are from now on, in seconds. */
+    void setSubstep(double seconds) {
+        double square = seconds * seconds;
+        gravityX = surroundings.gravity().x() * square;
+        gravityY = surroundings.gravity().y() * square;
+        gravityZ = surroundings.gravity().z() * square;
+        double strength = surroundings.gravityStrength();
+        impactSpeed = Rest.impactSpeed(strength) * seconds;
+        wakeSpeedSquared = Rest.wakeSpeedSquared(strength) * square;
+    }
+
+    void solve(Contacts contacts) {
+        for (int contact = 0; contact < contacts.count; contact++) {
+            int other = contacts.second[contact];
+            if (other >= 0) {
+                solvePair(contacts, contact, contacts.first[contact], other);
+            } else {
+                solveSurface(contacts.impulses, Contacts.IMPULSES * contact, contacts.first[contact], -1 - other);
+            }
+        }
+    }
+
+    private void solvePair(Contacts contacts, int contact, int one, int two) {
+        int a = BodyStore.STRIDE * one;
+        int b = BodyStore.STRIDE * two;
+        double[] n = numbers;
+        double px = n[a] - n[b];
+        double py = n[a + 1] - n[b + 1];
+        double pz = n[a + 2] - n[b + 2];
+        double radii = n[a + BodyStore.RADIUS] + n[b + BodyStore.RADIUS];
+        double square = px * px + py * py + pz * pz;
+        double outside = square - radii * radii;
+        double[] impulses = contacts.impulses;
+        int at = Contacts.IMPULSES * contact;
+        boolean sleeper = bodies.state[one] == BodyStore.ASLEEP || bodies.state[two] == BodyStore.ASLEEP;
+        if (sleeper) {
+            wake(one, two, square, radii);
+        }
+        double dx = n[a + BodyStore.MOVE] - n[b + BodyStore.MOVE];
+        double dy = n[a + BodyStore.MOVE + 1] - n[b + BodyStore.MOVE + 1];
+        double dz = n[a + BodyStore.MOVE + 2] - n[b + BodyStore.MOVE + 2];
+        double path = dx * dx + dy * dy + dz * dz;
+        double closing = px * dx + py * dy + pz * dz;
+        if (outside > 0 && impulses[at] == 0 && missed(outside, closing, path)) {
+            return;
+        }
+        double wa = bodies.state[one] == BodyStore.ASLEEP ? 0 : n[a + BodyStore.INVERSE_MASS];
+        double wb = bodies.state[two] == BodyStore.ASLEEP ? 0 : n[b + BodyStore.INVERSE_MASS];
+        double both = wa + wb;
+        if (both == 0) {
+            return;
+        }
+        double distance = Math.sqrt(square);
+        double nx;
+        double ny;
+        double nz;
+        if (distance > COINCIDENT * radii) {
+            nx = px / distance;
+            ny = py / distance;
+            nz = pz / distance;
+        } else {
+            // Any direction does; which one follows from the bodies' numbers, so that many at one point part in many.
+            int axis = (one + two) % 3;
+            nx = axis == 0 ? 1 : 0;
+            ny = axis == 1 ? 1 : 0;
+            nz = axis == 2 ? 1 : 0;
+        }
+        double gap = distance - radii;
+        double along = dx * nx + dy * ny + dz * nz;
+        if (impulses[at] == 0
+                && -along > impactSpeed
+                && impact(impulses, at, a, b, wa, wb, px, py, pz, outside, closing, path)) {
+            return;
+        }
+        // Rest: the bodies may close the gap, not more.
+        double old = impulses[at];
+        double built = Math.max(0, old - (along + Math.max(0, gap)) / both);
+        double change = built - old;
+        impulses[at] = built;
+        double sx = change * nx;
+        double sy = change * ny;
+        double sz = change * nz;
+        double tx = 0;
+        double ty = 0;
+        double tz = 0;
+        double friction = surroundings.friction();
+        if (friction > 0) {
+            // What was built up across the normal, turned with it; then as much more as stops the sliding.
+            double stray = impulses[at + 1] * nx + impulses[at + 2] * ny + impulses[at + 3] * nz;
+            double ox = impulses[at + 1] - stray * nx;
+            double oy = impulses[at + 2] - stray * ny;
+            double oz = impulses[at + 3] - stray * nz;
+            tx = ox - (dx - along * nx) / both;
+            ty = oy - (dy - along * ny) / both;
+            tz = oz - (dz - along * nz) / both;
+            double wanted = tx * tx + ty * ty + tz * tz;
+            double most = friction * built;
+            if (wanted > most * most) {
+                double scale = most / Math.sqrt(wanted);
+                tx *= scale;
+                ty *= scale;
+                tz *= scale;
+            }
+            sx += tx - impulses[at + 1];
+            sy += ty - impulses[at + 2];
+            sz += tz - impulses[at + 3];
+            impulses[at + 1] = tx;
+            impulses[at + 2] = ty;
+            impulses[at + 3] = tz;
+        }
+        double push = Math.max(0, Math.min(PUSH_SHARE * (-gap - SLOP * radii), MOST_PUSH * radii)) / both;
+        double cx = built * nx + tx;
+        double cy = built * ny + ty;
+        double cz = built * nz + tz;
+        apply(a, wa, sx, sy, sz, push * nx, push * ny, push * nz, cx, cy, cz);
+        apply(b, wb, -sx, -sy, -sz, -push * nx, -push * ny, -push * nz, -cx, -cy, -cz);
+    }
+
+    /**
+     * Settles an impact at the place where the paths of this sub-step meet; where they met before it, a little back.
+     *
+     * @return false where the bodies do not meet within the sub-step's paths
+     */
+    private boolean impact(
+            double[] impulses,
+            int at,
+            int a,
+            int b,
+            double wa,
+            double wb,
+            double px,
+            double py,
+            double pz,
+            double outside,
+            double closing,
+            double path) {
+        double root = closing * closing - path * outside;
+        if (root < 0) {
+            return false;
+        }
+        double time = (-closing - Math.sqrt(root)) / path;
+        if (time > 1) {
+            return false;
+        }
+        time = Math.max(time, -1);
+        double[] n = numbers;
+        double dx = n[a + BodyStore.MOVE] - n[b + BodyStore.MOVE];
+        double dy = n[a + BodyStore.MOVE + 1] - n[b + BodyStore.MOVE + 1];
+        double dz = n[a + BodyStore.MOVE + 2] - n[b + BodyStore.MOVE + 2];
+        double nx = px + time * dx;
+        double ny = py + time * dy;
+        double nz = pz + time * dz;
+        double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+        if (length == 0) {
+            return false;
+        }
+        nx /= length;
+        ny /= length;
+        nz /= length;
+        double along = dx * nx + dy * ny + dz * nz;
+        if (!(along < 0)) {
+            return false;
+        }
+        double both = wa + wb;
+        double impulse = -(1 + surroundings.elasticity()) * along / both;
+        double tx = along * nx - dx;
+        double ty = along * ny - dy;
+        double tz = along * nz - dz;
+        double sliding = Math.sqrt(tx * tx + ty * ty + tz * tz);
+        double share = sliding > 0 ? Math.min(1 / both, surroundings.friction() * impulse / sliding) : 0;
+        double sx = impulse * nx + share * tx;
+        double sy = impulse * ny + share * ty;
+        double sz = impulse * nz + share * tz;
+        clear(impulses, at);
+        // From where they met on they move as they do after it, until there as before.
+        apply(a, wa, sx, sy, sz, -time * sx, -time * sy, -time * sz, 0, 0, 0);
+        apply(b, wb, -sx, -sy, -sz, time * sx, time * sy, time * sz, 0, 0, 0);
+        return true;
+    }
+
+    private void solveSurface(double[] impulses, int at, int body, int surface) {
+        int a = BodyStore.STRIDE * body;
+        double[] n = numbers;
+        if (bodies.state[body] == BodyStore.ASLEEP) {
+            return;
+        }
+        double nx = 0;
+        double ny = 0;
+        double nz = 0;
+        double distance;
+        if (surface == Surroundings.GROUND) {
+            double up = n[a + 1] - surroundings.height();
+            double outX = n[a] - surroundings.nearest(n[a]);
+            double outZ = n[a + 2] - surroundings.nearest(n[a + 2]);
+            if (outX == 0 && outZ == 0) {
+                ny = bodies.side[body];
+                distance = ny * up;
+            } else {
+                distance = Math.sqrt(outX * outX + up * up + outZ * outZ);
+                nx = outX / distance;
+                ny = up / distance;
+                nz = outZ / distance;
+            }
+        } else {
+            int wall = surface - Surroundings.FIRST_WALL;
+            distance = surroundings.halfSide() - surroundings.towardsWall(wall, n[a], n[a + 2]);
+            double inwards = wall % 2 == 0 ? -1 : 1;
+            nx = wall < 2 ? inwards : 0;
+            nz = wall < 2 ? 0 : inwards;
+        }
+        double radius = n[a + BodyStore.RADIUS];
+        double gap = distance - radius;
+        double dx = n[a + BodyStore.MOVE];
+        double dy = n[a + BodyStore.MOVE + 1];
+        double dz = n[a + BodyStore.MOVE + 2];
+        double along = dx * nx + dy * ny + dz * nz;
+        double old = impulses[at];
+        if (old == 0 && gap + along >= 0) {
+            return;
+        }
+        double weight = n[a + BodyStore.INVERSE_MASS];
+        double friction = surroundings.friction();
+        double pull = gravityX * nx + gravityY * ny + gravityZ * nz;
+        // The sub-step's start is half a sub-step before the time of the move.
+        double atStart = along - pull / 2;
+        double tx = along * nx - dx;
+        double ty = along * ny - dy;
+        double tz = along * nz - dz;
+        if (old == 0 && -atStart > impactSpeed) {
+            double met = Math.max(gap, along);
+            // Energy: the speed at the surface, and what is left of the bounced one where it is taken up.
+            double hit = Math.max(0, atStart * atStart - 2 * pull * met);
+            double e = surroundings.elasticity();
+            double left = Math.sqrt(Math.max(0, e * e * hit - 2 * pull * e * met)) + pull / 2;
+            double impulse = Math.max(0, left - along);
+            double sliding = Math.sqrt(tx * tx + ty * ty + tz * tz);
+            double share = sliding > 0 ? Math.min(1, friction * impulse / sliding) : 0;
+            clear(impulses, at);
+            double back = -(1 + e) * met;
+            applyOnce(
+                    a,
+                    impulse * nx + share * tx,
+                    impulse * ny + share * ty,
+                    impulse * nz + share * tz,
+                    back * nx,
+                    back * ny,
+                    back * nz);
+            return;
+        }
+        double built = Math.max(0, old - (along + Math.max(0, gap)) / weight);
+        double change = built - old;
+        impulses[at] = built;
+        double sx = change * nx;
+        double sy = change * ny;
+        double sz = change * nz;
+        double fx = 0;
+        double fy = 0;
+        double fz = 0;
+        if (friction > 0) {
+            fx = impulses[at + 1] + tx / weight;
+            fy = impulses[at + 2] + ty / weight;
+            fz = impulses[at + 3] + tz / weight;
+            double wanted = fx * fx + fy * fy + fz * fz;
+            double most = friction * built;
+            if (wanted > most * most) {
+                double scale = most / Math.sqrt(wanted);
+                fx *= scale;
+                fy *= scale;
+                fz *= scale;
+            }
+            sx += fx - impulses[at + 1];
+            sy += fy - impulses[at + 2];
+            sz += fz - impulses[at + 3];
+            impulses[at + 1] = fx;
+            impulses[at + 2] = fy;
+            impulses[at + 3] = fz;
+        }
+        double push = Math.max(0, Math.min(PUSH_SHARE * (-gap - SLOP * radius), MOST_PUSH * radius)) / weight;
+        apply(
+                a,
+                weight,
+                sx,
+                sy,
+                sz,
+                push * nx,
+                push * ny,
+                push * nz,
+                built * nx + fx,
+                built * ny + fy,
+                built * nz + fz);
+    }
+
+    // A miss needs no root: moving apart, never near enough, or not yet at the end of the sub-step.
+    private static boolean missed(double outside, double closing, double path) {
+        return closing >= 0
+                || closing * closing < path * outside
+                || (-closing > path && outside + 2 * closing + path > 0);
+    }
+
+    private void wake(int one, int two, double square, double radii) {
+        double near = (1 + WAKE_GAP) * radii;
+        if (square < near * near) {
+            wakeBy(one, two);
+            wakeBy(two, one);
+        }
+    }
+
+    private void wakeBy(int sleeper, int mover) {
+        int at = BodyStore.STRIDE * mover + BodyStore.MOVE;
+        double speedSquared =
+                numbers[at] * numbers[at] + numbers[at + 1] * numbers[at + 1] + numbers[at + 2] * numbers[at + 2];
+        boolean hit = speedSquared > wakeSpeedSquared * numbers[BodyStore.STRIDE * sleeper + BodyStore.RADIUS];
+        if (hit
+                && bodies.state[sleeper] == BodyStore.ASLEEP
+                && numbers[BodyStore.STRIDE * sleeper + BodyStore.INVERSE_MASS] > 0) {
+            bodies.state[sleeper] = BodyStore.WOKEN;
+        }
+    }
+
+    private static void clear(double[] impulses, int at) {
+        impulses[at] = 0;
+        impulses[at + 1] = 0;
+        impulses[at + 2] = 0;
+        impulses[at + 3] = 0;
+    }
+
+    private void applyOnce(int a, double dx, double dy, double dz, double px, double py, double pz) {
+        apply(a, 1, dx, dy, dz, px, py, pz, 0, 0, 0);
+    }
+
+    /** Changes a body's move by an impulse, its place by a push, and what it starts the next sub-step with. */
+    private void apply(
+            int a,
+            double weight,
+            double sx,
+            double sy,
+            double sz,
+            double px,
+            double py,
+            double pz,
+            double cx,
+            double cy,
+            double cz) {
+        if (weight > 0) {
+            double[] n = numbers;
+            n[a] += weight * px;
+            n[a + 1] += weight * py;
+            n[a + 2] += weight * pz;
+            n[a + BodyStore.MOVE] += weight * sx;
+            n[a + BodyStore.MOVE + 1] += weight * sy;
+            n[a + BodyStore.MOVE + 2] += weight * sz;
+            n[a + BodyStore.SUPPORT] += weight * cx;
+            n[a + BodyStore.SUPPORT + 1] += weight * cy;
+            n[a + BodyStore.SUPPORT + 2] += weight * cz;
+        }
+    }
+}

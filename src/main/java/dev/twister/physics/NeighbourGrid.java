@@ -1,0 +1,225 @@
+package dev.twister.physics;
+
+import java.util.Arrays;
+
+/**
+ * A hashed grid in levels: each body is in the level whose cells are just wider than twice its reach, so that whatever
+ * it may touch is, in that level and in all coarser ones, in its own cell or in one beside it (Ericson, "Real-Time
+ * Collision Detection", 7.2). Cells side by side along x are side by side in memory.
+ *
+ * <p>Bodies are in the cells in the order of their numbers, so that nothing depends on how many threads work.
+ */
+final class NeighbourGrid {
+    /** Odd numbers without a pattern: no two cells near each other have one key. */
+    private static final long Y_FACTOR = 0x9E3779B97F4A7C15L;
+
+    private static final long Z_FACTOR = 0xC2B2AE3D27D4EB4FL;
+    private static final long LEVEL_FACTOR = 0x165667B19E3779F9L;
+    private static final int MIDDLE_LEVEL = 32;
+    private static final int LEVELS = 64;
+    private static final int MIN_BUCKETS = 1 << 10;
+
+    private final BodyStore bodies;
+    private final double baseCell;
+    private final double[] cells = new double[LEVELS];
+    private final long[] keyOfBody;
+    private final byte[] levelOfBody;
+    private final int[] inLevel = new int[LEVELS];
+    private int[] starts = {};
+    private int mask;
+
+    /** By slot, which is the order of the cells: the body, its cell's key, its centre, its reach (below 0 asleep). */
+    final int[] body;
+
+    final long[] key;
+    final double[] x;
+    final double[] y;
+    final double[] z;
+    final double[] reach;
+    int from;
+    int slots;
+
+    /** The coarsest level whose bodies are many; those above it are giants, whose pairs are sought one by one. */
+    int topLevel;
+
+    NeighbourGrid(BodyStore bodies, double typicalReach) {
+        this.bodies = bodies;
+        baseCell = 2 * typicalReach;
+        for (int level = 0; level < LEVELS; level++) {
+            cells[level] = Math.scalb(baseCell, level - MIDDLE_LEVEL);
+        }
+        int room = bodies.state.length;
+        keyOfBody = new long[room];
+        levelOfBody = new byte[room];
+        body = new int[room];
+        key = new long[room];
+        x = new double[room];
+        y = new double[room];
+        z = new double[room];
+        reach = new double[room];
+    }
+
+    double topCell() {
+        return cells[topLevel];
+    }
+
+    int level(int slot) {
+        return levelOfBody[body[slot]];
+    }
+
+    /** Finds a body's level and cell; its reach and its position must stand. */
+    void locate(int number) {
+        int at = BodyStore.STRIDE * number;
+        double ratio = 2 * bodies.numbers[at + BodyStore.REACH] / baseCell;
+        int exponent = Math.getExponent(ratio);
+        int steps = ratio > Math.scalb(1.0, exponent) ? exponent + 1 : exponent;
+        int level = Math.clamp(steps + (long) MIDDLE_LEVEL, 0, LEVELS - 1);
+        levelOfBody[number] = (byte) level;
+        keyOfBody[number] = cellKey(
+                bodies.numbers[at + BodyStore.POSITION],
+                bodies.numbers[at + BodyStore.POSITION + 1],
+                bodies.numbers[at + BodyStore.POSITION + 2],
+                level);
+    }
+
+    /**
+     * Sorts the bodies into the cells.
+     *
+     * @param first the first body that counts
+     * @param giants how many bodies may be looked after one by one
+     */
+    void sort(int first, int giants) {
+        from = first;
+        slots = bodies.count - first;
+        int buckets = Math.max(MIN_BUCKETS, Integer.highestOneBit(Math.max(1, slots)) * 2);
+        if (starts.length != buckets + 1) {
+            starts = new int[buckets + 1];
+        }
+        mask = buckets - 1;
+        Arrays.fill(starts, 0);
+        Arrays.fill(inLevel, 0);
+        for (int number = first; number < bodies.count; number++) {
+            starts[bucket(keyOfBody[number]) + 1]++;
+            inLevel[levelOfBody[number]]++;
+        }
+        for (int bucket = 0; bucket < buckets; bucket++) {
+            starts[bucket + 1] += starts[bucket];
+        }
+        // Filled from the end, so that afterwards each start is where it belongs, and the order is kept.
+        for (int number = bodies.count - 1; number >= first; number--) {
+            body[--starts[bucket(keyOfBody[number]) + 1]] = number;
+        }
+        System.arraycopy(starts, 1, starts, 0, buckets);
+        starts[buckets] = slots;
+        topLevel = LEVELS - 1;
+        int above = 0;
+        while (topLevel > 0 && above + inLevel[topLevel] <= giants) {
+            above += inLevel[topLevel];
+            topLevel--;
+        }
+    }
+
+    /** Copies what a search reads of the bodies of some slots. */
+    void gather(int fromSlot, int toSlot) {
+        double[] numbers = bodies.numbers;
+        for (int slot = fromSlot; slot < toSlot; slot++) {
+            int number = body[slot];
+            int at = BodyStore.STRIDE * number;
+            key[slot] = keyOfBody[number];
+            x[slot] = numbers[at + BodyStore.POSITION];
+            y[slot] = numbers[at + BodyStore.POSITION + 1];
+            z[slot] = numbers[at + BodyStore.POSITION + 2];
+            double far = numbers[at + BodyStore.REACH];
+            reach[slot] = bodies.state[number] == BodyStore.ASLEEP ? -far : far;
+        }
+    }
+
+    boolean isGiant(int slot) {
+        return level(slot) > topLevel;
+    }
+
+    /**
+     * Adds the pairs of a slot's body with bodies that come after it in its own level, and with all in coarser levels up
+     * to the top one.
+     */
+    void addPairs(int slot, Contacts contacts) {
+        long own = key[slot];
+        int bucket = bucket(own);
+        scan(slot, slot + 1, starts[bucket + 1], own, 0, contacts);
+        scanBucket(slot, own + 1, contacts);
+        scanRow(slot, own + Y_FACTOR - 1, contacts);
+        scanRow(slot, own + Z_FACTOR - 1, contacts);
+        scanRow(slot, own + Z_FACTOR + Y_FACTOR - 1, contacts);
+        scanRow(slot, own + Z_FACTOR - Y_FACTOR - 1, contacts);
+        for (int level = level(slot) + 1; level <= topLevel; level++) {
+            if (inLevel[level] > 0) {
+                long middle = cellKey(x[slot], y[slot], z[slot], level);
+                for (int dz = -1; dz <= 1; dz++) {
+                    for (int dy = -1; dy <= 1; dy++) {
+                        scanRow(slot, middle + dz * Z_FACTOR + dy * Y_FACTOR - 1, contacts);
+                    }
+                }
+            }
+        }
+    }
+
+    /** Adds the pairs of a giant with everything, other giants after it only. */
+    void addGiantsPairs(int slot, Contacts contacts) {
+        for (int other = 0; other < slots; other++) {
+            if (!isGiant(other) || other > slot) {
+                test(slot, other, contacts);
+            }
+        }
+    }
+
+    private void scanRow(int slot, long firstKey, Contacts contacts) {
+        int bucket = bucket(firstKey);
+        if (bucket + 3 <= mask + 1) {
+            scan(slot, starts[bucket], starts[bucket + 3], firstKey, 2, contacts);
+        } else {
+            scanBucket(slot, firstKey, contacts);
+            scanBucket(slot, firstKey + 1, contacts);
+            scanBucket(slot, firstKey + 2, contacts);
+        }
+    }
+
+    private void scanBucket(int slot, long wanted, Contacts contacts) {
+        int bucket = bucket(wanted);
+        scan(slot, starts[bucket], starts[bucket + 1], wanted, 0, contacts);
+    }
+
+    // Buckets hold other cells' bodies too: the keys tell.
+    private void scan(int slot, int start, int end, long firstKey, long span, Contacts contacts) {
+        for (int other = start; other < end; other++) {
+            if (Long.compareUnsigned(key[other] - firstKey, span) <= 0) {
+                test(slot, other, contacts);
+            }
+        }
+    }
+
+    private void test(int slot, int other, Contacts contacts) {
+        double one = reach[slot];
+        double two = reach[other];
+        if (one > 0 || two > 0) {
+            double dx = x[slot] - x[other];
+            double dy = y[slot] - y[other];
+            double dz = z[slot] - z[other];
+            double sum = Math.abs(one) + Math.abs(two);
+            if (dx * dx + dy * dy + dz * dz <= sum * sum) {
+                contacts.add(body[slot], body[other]);
+            }
+        }
+    }
+
+    private long cellKey(double px, double py, double pz, int level) {
+        double cell = cells[level];
+        return (long) Math.floor(px / cell)
+                + (long) Math.floor(py / cell) * Y_FACTOR
+                + (long) Math.floor(pz / cell) * Z_FACTOR
+                + level * LEVEL_FACTOR;
+    }
+
+    private int bucket(long cellKey) {
+        return (int) cellKey & mask;
+    }
+}

@@ -1,0 +1,235 @@
+package dev.twister.physics;
+
+import dev.twister.kernel.Layout;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import dev.twister.world.World;
+import java.util.List;
+
+/**
+ * A scene's spheres in motion, in steps of a fixed length whatever the frames' rate. The same scene gives the same bits
+ * after the same number of steps, on every run and with every number of threads. Used by one thread at a time.
+ *
+ * <p>No sphere passes through the ground or a wall at any speed. Spheres do not pass through each other up to
+ * {@value #MAX_SPEED} m/s, which is the speed limit; a sphere that is hit and itself flies more than its radius in a
+ * {@value #MAX_PARTS}th of a step may pass through a third one within that step. A sphere that falls off the plane stops
+ * {@value #DEPTH} metres away from everything that the scene started with.
+ */
+public final class Simulation implements AutoCloseable {
+    /** The length of a step. */
+    public static final double STEP_SECONDS = 1.0 / 120;
+
+    /** In m/s; nothing becomes faster. */
+    public static final double MAX_SPEED = 500;
+
+    /** Contacts are looked for once in each part of a step; fast scenes have more parts. */
+    static final int MAX_PARTS = 8;
+
+    private static final int SUBSTEPS = 4;
+    private static final double DEPTH = 1000;
+    /** Below it threads cost more than they give. */
+    private static final int MIN_BODIES_FOR_THREADS = 1000;
+
+    /** How much further than its radius a body at rest is looked around for neighbours. */
+    private static final double MARGIN = 0.05;
+
+    /** Elapsed seconds are sums of fractions: so much short of a step is one. */
+    private static final double ROUNDING = 1e-9;
+
+    private final BodyStore bodies;
+    private final Surroundings surroundings;
+    private final Team team;
+    private final int firstBody;
+    private final ContactSearch search;
+    private final ContactSolver solver;
+    private final Integrator integrator;
+    private final Spout spout;
+    private final Survey survey;
+    private final double limit;
+    private double substep;
+    private long steps;
+    private double ahead;
+
+    private Simulation(Scene scene, int threads) {
+        List<Sphere> spheres = scene.allSpheres();
+        int placed = scene.spheres().size();
+        bodies = new BodyStore(scene, spheres);
+        surroundings = Surroundings.of(scene);
+        team = new Team(spheres.size() < MIN_BODIES_FOR_THREADS ? 1 : threads);
+        firstBody = scene.physics().solidLight() ? BodyStore.LIGHT : BodyStore.FIRST_SPHERE;
+        double largest = spheres.stream().mapToDouble(Sphere::radius).max().orElse(1);
+        search = new ContactSearch(bodies, surroundings, team, firstBody, largest * (1 + 2 * MARGIN));
+        solver = new ContactSolver(bodies, surroundings);
+        integrator = new Integrator(bodies, surroundings);
+        survey = new Survey(bodies, team, firstBody);
+        spout = Spout.of(scene.pour(), spheres.subList(placed, spheres.size()));
+        limit = largestCoordinate(scene, spheres) + DEPTH;
+        setSubstep(STEP_SECONDS / SUBSTEPS);
+        Vector3 gravity = surroundings.gravity();
+        for (Sphere sphere : scene.spheres()) {
+            bodies.add(sphere.position(), sphere.radius());
+            bodies.setMove(
+                    bodies.count - 1,
+                    integrator.moveBefore(0, gravity.x()),
+                    integrator.moveBefore(0, gravity.y()),
+                    integrator.moveBefore(0, gravity.z()));
+        }
+    }
+
+    /** The scene at time 0, to be moved by all of the machine's cores. */
+    public static Simulation of(Scene scene) {
+        return of(scene, Runtime.getRuntime().availableProcessors());
+    }
+
+    /**
+     * The scene at time 0.
+     *
+     * @param threads how many work, 1 or more; small scenes are moved by one
+     */
+    public static Simulation of(Scene scene, int threads) {
+        return new Simulation(scene, threads);
+    }
+
+    /** Lets time pass, 0 seconds or more: takes as many steps as fit, and keeps the rest for the next call. */
+    public void advance(double seconds) {
+        ahead += seconds;
+        while (ahead >= STEP_SECONDS - ROUNDING) {
+            step();
+            ahead = Math.max(0, ahead - STEP_SECONDS);
+        }
+    }
+
+    /** Moves everything by one step. */
+    public void step() {
+        double longest = survey.begin(limit);
+        double now = steps * STEP_SECONDS;
+        spout.open(now, now + STEP_SECONDS, bodies, integrator, surroundings.gravity());
+        steps++;
+        if (longest >= 0 || spout.isOpen()) {
+            int parts = parts(Math.sqrt(Math.max(0, longest)) / substep);
+            changeSubstep(STEP_SECONDS / (parts * SUBSTEPS));
+            for (int part = 0; part < parts; part++) {
+                movePart();
+            }
+            double strength = surroundings.gravityStrength();
+            inChunks((from, to) -> Rest.settle(bodies, from, to, strength, STEP_SECONDS));
+        }
+    }
+
+    /** The simulated time, in seconds: that of the whole steps. */
+    public double seconds() {
+        return steps * STEP_SECONDS;
+    }
+
+    /** The bodies that are there, light and plane included: those that are not poured yet are not. */
+    public int bodies() {
+        return bodies.count - BodyStore.FIRST_SPHERE + Layout.FIRST_SPHERE;
+    }
+
+    /**
+     * Where the bodies are, a new array each time: between the last two steps, by the time that is ahead of a step; so
+     * the picture is less than a step behind.
+     *
+     * @return {@code float[3 * room]}, as {@link World#setBodyPositions} takes it
+     */
+    public float[] positions() {
+        float share = (float) (ahead / STEP_SECONDS);
+        float[] positions = new float[3 * (bodies.state.length - BodyStore.FIRST_SPHERE + Layout.FIRST_SPHERE)];
+        positions[3 * Layout.PLANE + 1] = (float) surroundings.height();
+        put(BodyStore.LIGHT, positions, Layout.LIGHT, 1);
+        inChunks((from, to) -> {
+            for (int body = Math.max(from, BodyStore.FIRST_SPHERE); body < to; body++) {
+                put(body, positions, body - BodyStore.FIRST_SPHERE + Layout.FIRST_SPHERE, share);
+            }
+        });
+        return positions;
+    }
+
+    /** Moves a world's bodies to where they are here; it must be of the same scene. */
+    public void place(World world) {
+        world.setBodyPositions(positions(), bodies());
+    }
+
+    /** Lets the threads go. */
+    @Override
+    public void close() {
+        team.close();
+    }
+
+    BodyStore store() {
+        return bodies;
+    }
+
+    /** A sphere's velocity along an axis at the end of the last step, in m/s, where nothing but gravity acts on it. */
+    double velocity(int body, int axis) {
+        Vector3 gravity = surroundings.gravity();
+        double pull = axis == 0 ? gravity.x() : axis == 1 ? gravity.y() : gravity.z();
+        return bodies.numbers[BodyStore.STRIDE * body + BodyStore.MOVE + axis] / substep + pull * substep / 2;
+    }
+
+    private void movePart() {
+        double moves = SUBSTEPS;
+        double seconds = SUBSTEPS * substep;
+        double fall = surroundings.gravityStrength() * seconds * seconds;
+        search.search(survey.reach(MARGIN, moves, fall));
+        Columns columns = search.columns();
+        for (int sub = 0; sub < SUBSTEPS; sub++) {
+            inChunks(integrator::accelerate);
+            for (int colour = 0; colour < Columns.COLOURS; colour++) {
+                int own = colour;
+                team.each(columns.ofColour(colour), index -> solver.solve(search.contacts(columns.column(own, index))));
+            }
+            solver.solve(search.giantsContacts());
+            inChunks(integrator::move);
+        }
+    }
+
+    // Powers of two, so that a speed that wavers changes the sub-steps seldom.
+    private int parts(double speed) {
+        double diameters = speed * STEP_SECONDS / (2 * bodies.smallestRadius());
+        int parts = 1;
+        while (parts < MAX_PARTS && parts < diameters) {
+            parts *= 2;
+        }
+        return parts;
+    }
+
+    private void changeSubstep(double seconds) {
+        if (seconds != substep) {
+            double old = substep;
+            setSubstep(seconds);
+            inChunks((from, to) -> integrator.rescale(from, to, old));
+            search.scaleImpulses(seconds * seconds / (old * old));
+        }
+    }
+
+    private void setSubstep(double seconds) {
+        substep = seconds;
+        solver.setSubstep(seconds);
+        integrator.setSubstep(seconds);
+    }
+
+    private void inChunks(Team.Range work) {
+        team.inChunks(firstBody, bodies.count, Survey.BODIES_AT_ONCE, work);
+    }
+
+    private void put(int body, float[] positions, int place, float share) {
+        for (int axis = 0; axis < 3; axis++) {
+            double before = bodies.before[3 * body + axis];
+            double now = bodies.numbers[BodyStore.STRIDE * body + BodyStore.POSITION + axis];
+            positions[3 * place + axis] = (float) (before + (now - before) * share);
+        }
+    }
+
+    private static double largestCoordinate(Scene scene, List<Sphere> spheres) {
+        double largest =
+                Math.max(scene.plane().size() / 2, Math.abs(scene.plane().height()));
+        for (Sphere sphere : spheres) {
+            Vector3 place = sphere.position();
+            largest = Math.max(
+                    largest, Math.max(Math.abs(place.x()), Math.max(Math.abs(place.y()), Math.abs(place.z()))));
+        }
+        return largest;
+    }
+}

@@ -1,0 +1,62 @@
+package dev.twister.physics;
+
+import dev.twister.scene.Pour;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+
+/** Lets a pour's spheres out, each at its time, falling a little to one side or the other. */
+final class Spout {
+    /** Of the speed at the spout, at most: without it spheres would pile up in towers under it. */
+    private static final double SPREAD = 0.04;
+
+    private final double rate;
+    private final double speed;
+    private final List<Sphere> spheres;
+    private final double[] sideways;
+    private int out;
+
+    private Spout(double rate, double speed, long seed, List<Sphere> spheres) {
+        this.rate = rate;
+        this.speed = speed;
+        this.spheres = spheres;
+        Random random = new Random(seed);
+        sideways = new double[2 * spheres.size()];
+        for (int i = 0; i < sideways.length; i++) {
+            sideways[i] = speed * SPREAD * (2 * random.nextDouble() - 1);
+        }
+    }
+
+    /** Lets these spheres out as the pour says; without one there are none. */
+    static Spout of(Optional<Pour> pour, List<Sphere> spheres) {
+        return pour.map(known -> new Spout(known.rate(), known.speed(), known.seed(), spheres))
+                .orElseGet(() -> new Spout(1, 0, 0, List.of()));
+    }
+
+    /** Adds the spheres that come out before a time, as far above the spout at the other as they are early. */
+    void open(double now, double end, BodyStore bodies, Integrator integrator, Vector3 gravity) {
+        while (out < spheres.size() && out / rate < end) {
+            double early = out / rate - now;
+            Sphere sphere = spheres.get(out);
+            double vx = sideways[2 * out];
+            double vz = sideways[2 * out + 1];
+            Vector3 place = sphere.position();
+            bodies.add(
+                    new Vector3(place.x() - vx * early, place.y() + speed * early, place.z() - vz * early),
+                    sphere.radius());
+            bodies.setMove(
+                    bodies.count - 1,
+                    integrator.moveBefore(vx, gravity.x()),
+                    integrator.moveBefore(-speed, gravity.y()),
+                    integrator.moveBefore(vz, gravity.z()));
+            out++;
+        }
+    }
+
+    /** Whether more are to come. */
+    boolean isOpen() {
+        return out < spheres.size();
+    }
+}

@@ -1,0 +1,54 @@
+package dev.twister.physics;
+
+import dev.twister.scene.Physics;
+import dev.twister.scene.Plane;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
+
+/**
+ * What does not move: the plane's square, which is met from above, from below and at its border, and four walls on the
+ * border.
+ *
+ * @param halfSide of the square, in metres
+ * @param height the plane's y, in metres
+ * @param gravity in m/s^2
+ */
+record Surroundings(
+        double halfSide, double height, Vector3 gravity, double elasticity, double friction, double damping) {
+    static final int GROUND = 0;
+    static final int FIRST_WALL = 1;
+
+    /** At the largest x, the least x, the largest z, the least z. */
+    static final int WALLS = 4;
+
+    static Surroundings of(Scene scene) {
+        Plane plane = scene.plane();
+        Physics physics = scene.physics();
+        return new Surroundings(
+                plane.size() / 2,
+                plane.height(),
+                physics.gravity(),
+                physics.elasticity(),
+                physics.friction(),
+                physics.damping());
+    }
+
+    double gravityStrength() {
+        return Math.sqrt(gravity.x() * gravity.x() + gravity.y() * gravity.y() + gravity.z() * gravity.z());
+    }
+
+    boolean isOver(double x, double z) {
+        return Math.abs(x) <= halfSide && Math.abs(z) <= halfSide;
+    }
+
+    /** x of the square's point that is nearest to one with that x; its z alike. */
+    double nearest(double coordinate) {
+        return Math.max(-halfSide, Math.min(halfSide, coordinate));
+    }
+
+    /** How far a point is from the y axis towards a wall, in metres. */
+    double towardsWall(int wall, double x, double z) {
+        double along = wall < 2 ? x : z;
+        return wall % 2 == 0 ? along : -along;
+    }
+}

@@ -1,0 +1,128 @@
+package dev.twister.physics;
+
+/** What a look at all bodies tells, chunk by chunk, so that threads can look side by side. */
+final class Survey {
+    static final int BODIES_AT_ONCE = 4096;
+
+    private static final int FACTS = 5;
+    private static final int LONGEST_MOVE_SQUARED = 4;
+
+    private final BodyStore bodies;
+    private final Team team;
+    private final int firstBody;
+    private final double[] bounds = new double[4];
+    private double[] facts = {};
+
+    Survey(BodyStore bodies, Team team, int firstBody) {
+        this.bodies = bodies;
+        this.team = team;
+        this.firstBody = firstBody;
+    }
+
+    /**
+     * Remembers where the bodies are, before a step, and lets those that were hit in the last one be awake.
+     *
+     * @param limit the largest coordinate of the world: what gets there stays there
+     * @return the square of the longest move of a sub-step, in metres squared; below 0 where all bodies sleep
+     */
+    double begin(double limit) {
+        double[] longest = look((from, to, at) -> {
+            facts[at + LONGEST_MOVE_SQUARED] = begin(from, to, limit);
+        });
+        double most = -1;
+        for (int at = 0; at < longest.length; at += FACTS) {
+            most = Math.max(most, longest[at + LONGEST_MOVE_SQUARED]);
+        }
+        return most;
+    }
+
+    /**
+     * Sets how far the bodies may get before the next search.
+     *
+     * @param margin of each body, in its radii
+     * @param moves how many sub-steps there are until then
+     * @param fall what gravity adds until then, in metres
+     * @return where the centres are: least x, largest x, least z, largest z; overwritten by the next call
+     */
+    double[] reach(double margin, double moves, double fall) {
+        double[] found = look((from, to, at) -> setReach(from, to, at, margin, moves, fall));
+        bounds[0] = Double.POSITIVE_INFINITY;
+        bounds[1] = Double.NEGATIVE_INFINITY;
+        bounds[2] = Double.POSITIVE_INFINITY;
+        bounds[3] = Double.NEGATIVE_INFINITY;
+        for (int at = 0; at < found.length; at += FACTS) {
+            bounds[0] = Math.min(bounds[0], found[at]);
+            bounds[1] = Math.max(bounds[1], found[at + 1]);
+            bounds[2] = Math.min(bounds[2], found[at + 2]);
+            bounds[3] = Math.max(bounds[3], found[at + 3]);
+        }
+        return bounds;
+    }
+
+    private interface Look {
+        void at(int from, int to, int facts);
+    }
+
+    private double[] look(Look look) {
+        int needed = FACTS * Math.ceilDiv(bodies.count - firstBody, BODIES_AT_ONCE);
+        if (facts.length != needed) {
+            facts = new double[needed];
+        }
+        team.inChunks(
+                firstBody,
+                bodies.count,
+                BODIES_AT_ONCE,
+                (from, to) -> look.at(from, to, FACTS * ((from - firstBody) / BODIES_AT_ONCE)));
+        return facts;
+    }
+
+    private double begin(int from, int to, double limit) {
+        double[] n = bodies.numbers;
+        double longest = -1;
+        for (int body = from; body < to; body++) {
+            int at = BodyStore.STRIDE * body;
+            bodies.before[3 * body] = n[at];
+            bodies.before[3 * body + 1] = n[at + 1];
+            bodies.before[3 * body + 2] = n[at + 2];
+            if (Math.abs(n[at]) > limit || Math.abs(n[at + 1]) > limit || Math.abs(n[at + 2]) > limit) {
+                bodies.sleep(body);
+            }
+            if (bodies.state[body] != BodyStore.ASLEEP) {
+                bodies.state[body] = BodyStore.AWAKE;
+                longest = Math.max(longest, moveSquared(at));
+            }
+        }
+        return longest;
+    }
+
+    private void setReach(int from, int to, int facts0, double margin, double moves, double fall) {
+        double[] n = bodies.numbers;
+        double minX = Double.POSITIVE_INFINITY;
+        double maxX = Double.NEGATIVE_INFINITY;
+        double minZ = Double.POSITIVE_INFINITY;
+        double maxZ = Double.NEGATIVE_INFINITY;
+        for (int body = from; body < to; body++) {
+            int at = BodyStore.STRIDE * body;
+            double far = n[at + BodyStore.RADIUS] * (1 + margin);
+            if (bodies.state[body] != BodyStore.ASLEEP) {
+                far += Math.sqrt(moveSquared(at)) * moves + fall;
+            }
+            n[at + BodyStore.REACH] = far;
+            minX = Math.min(minX, n[at]);
+            maxX = Math.max(maxX, n[at]);
+            minZ = Math.min(minZ, n[at + 2]);
+            maxZ = Math.max(maxZ, n[at + 2]);
+        }
+        facts[facts0] = minX;
+        facts[facts0 + 1] = maxX;
+        facts[facts0 + 2] = minZ;
+        facts[facts0 + 3] = maxZ;
+    }
+
+    private double moveSquared(int at) {
+        double x = bodies.numbers[at + BodyStore.MOVE];
+        double y = bodies.numbers[at + BodyStore.MOVE + 1];
+        double z = bodies.numbers[at + BodyStore.MOVE + 2];
+        return x * x + y * y + z * z;
+    }
+}

@@ -1,0 +1,62 @@
+package dev.twister.physics;
+
+import dev.twister.threads.Crew;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.IntConsumer;
+
+/** Does many small tasks on all threads; which thread does which is left open, so no task may depend on another. */
+final class Team implements AutoCloseable {
+    /** Works on some bodies, the last one excluded. */
+    interface Range {
+        void work(int from, int to);
+    }
+
+    private static final IntConsumer NOTHING = _ -> {};
+
+    private final int threads;
+    private final Crew crew;
+    private final AtomicInteger next = new AtomicInteger();
+    private volatile IntConsumer task = NOTHING;
+    private volatile int tasks;
+
+    Team(int threads) {
+        this.threads = threads;
+        crew = new Crew("physics", threads, _ -> takeTasks());
+    }
+
+    /** Calls the task with 0 to count - 1; returns when all are done. */
+    void each(int count, IntConsumer newTask) {
+        if (threads == 1 || count < 2) {
+            for (int index = 0; index < count; index++) {
+                newTask.accept(index);
+            }
+            return;
+        }
+        task = newTask;
+        tasks = count;
+        next.set(0);
+        crew.work();
+        task = NOTHING;
+    }
+
+    /** Cuts the numbers from one to another, the last one excluded, into chunks of a size. */
+    void inChunks(int from, int to, int size, Range work) {
+        each(Math.ceilDiv(to - from, size), chunk -> {
+            int start = from + chunk * size;
+            work.work(start, Math.min(to, start + size));
+        });
+    }
+
+    private void takeTasks() {
+        int count = tasks;
+        IntConsumer own = task;
+        for (int index = next.getAndIncrement(); index < count; index = next.getAndIncrement()) {
+            own.accept(index);
+        }
+    }
+
+    @Override
+    public void close() {
+        crew.close();
+    }
+}
