@@ -10,8 +10,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The bodies' numbers: body 0 is the light, body k + 1 the scene's sphere k. Those of one body lie together, because a
- * contact needs all of two bodies that are anywhere.
+ * The bodies' numbers: body 0 is the light, the others are spheres, in an order that changes so that what is near in
+ * space is near in memory. Those of one body lie together, because a contact needs all of two bodies.
  */
 final class BodyStore {
     static final int LIGHT = 0;
@@ -60,6 +60,9 @@ final class BodyStore {
     /** Whether the walls keep it in: it was between them, and fits, when it came. */
     final boolean[] walled;
 
+    /** Which of the scene's spheres a body is, from 0; -1 for the light. */
+    final int[] sphere;
+
     /** Steps that it has been nearly at rest on others. */
     final int[] calmSteps;
 
@@ -80,6 +83,7 @@ final class BodyStore {
         side = new byte[room];
         walled = new boolean[room];
         calmSteps = new int[room];
+        sphere = new int[room];
         Plane plane = scene.plane();
         halfSide = plane.size() / 2;
         planeHeight = plane.height();
@@ -88,6 +92,7 @@ final class BodyStore {
         largestRadius = spheres.stream().mapToDouble(Sphere::radius).max().orElse(1);
         Light light = scene.light();
         put(LIGHT, light.position(), light.radius());
+        sphere[LIGHT] = -1;
         numbers[STRIDE * LIGHT + INVERSE_MASS] = 0;
         // Never woken, for nothing moves it; so it never looks for pairs itself.
         state[LIGHT] = ASLEEP;
@@ -96,6 +101,7 @@ final class BodyStore {
     /** Lets the next sphere be there. */
     void add(Vector3 position, double radius) {
         put(count, position, radius);
+        sphere[count] = count - FIRST_SPHERE;
         smallestRadius = Math.min(smallestRadius, radius);
         count++;
     }
@@ -111,6 +117,31 @@ final class BodyStore {
     /** Of the spheres that are there; infinite where there is none. */
     double smallestRadius() {
         return smallestRadius;
+    }
+
+    /**
+     * Changes the bodies' order; the light stays the first.
+     *
+     * @param order for each place, the body that comes there
+     */
+    void reorder(int[] order) {
+        double[] oldNumbers = Arrays.copyOf(numbers, STRIDE * count);
+        double[] oldBefore = Arrays.copyOf(before, 3 * count);
+        byte[] oldState = Arrays.copyOf(state, count);
+        byte[] oldSide = Arrays.copyOf(side, count);
+        boolean[] oldWalled = Arrays.copyOf(walled, count);
+        int[] oldCalmSteps = Arrays.copyOf(calmSteps, count);
+        int[] oldSphere = Arrays.copyOf(sphere, count);
+        for (int body = FIRST_SPHERE; body < count; body++) {
+            int old = order[body];
+            System.arraycopy(oldNumbers, STRIDE * old, numbers, STRIDE * body, STRIDE);
+            System.arraycopy(oldBefore, 3 * old, before, 3 * body, 3);
+            state[body] = oldState[old];
+            side[body] = oldSide[old];
+            walled[body] = oldWalled[old];
+            calmSteps[body] = oldCalmSteps[old];
+            sphere[body] = oldSphere[old];
+        }
     }
 
     private void put(int body, Vector3 position, double radius) {

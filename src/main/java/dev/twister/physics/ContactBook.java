@@ -51,7 +51,9 @@ final class ContactBook {
         for (int contact = start[body]; contact < end[body]; contact++) {
             int other = contacts.second[contact];
             int to = Contacts.IMPULSES * contact;
-            int found = earlier.find(body, other);
+            int same = earlier.start[body] + contact - start[body];
+            // Mostly nothing has changed since the last search.
+            int found = earlier.holds(body, same, other) ? same : earlier.find(body, other);
             if (found >= 0) {
                 double[] old = earlier.lists[earlier.list[body]].impulses;
                 System.arraycopy(old, Contacts.IMPULSES * found, contacts.impulses, to, Contacts.IMPULSES);
@@ -70,6 +72,31 @@ final class ContactBook {
         }
     }
 
+    /**
+     * Follows a change of the bodies' order.
+     *
+     * @param order for each place, the body that came there
+     * @param places for each body as it was called, its new place
+     * @param count how many bodies there are
+     */
+    void reorder(int[] order, int[] places, int count) {
+        int[] oldList = Arrays.copyOf(list, count);
+        int[] oldStart = Arrays.copyOf(start, count);
+        int[] oldEnd = Arrays.copyOf(end, count);
+        for (int body = 0; body < count; body++) {
+            list[body] = oldList[order[body]];
+            start[body] = oldStart[order[body]];
+            end[body] = oldEnd[order[body]];
+        }
+        for (Contacts contacts : lists) {
+            for (int contact = 0; contact < contacts.count; contact++) {
+                contacts.first[contact] = places[contacts.first[contact]];
+                int other = contacts.second[contact];
+                contacts.second[contact] = other < 0 ? other : places[other];
+            }
+        }
+    }
+
     /** Scales all impulses, as a change of the sub-step's length asks for. */
     void scale(double factor) {
         for (Contacts contacts : lists) {
@@ -77,6 +104,10 @@ final class ContactBook {
                 contacts.impulses[i] *= factor;
             }
         }
+    }
+
+    private boolean holds(int body, int contact, int other) {
+        return contact < end[body] && lists[list[body]].second[contact] == other;
     }
 
     private int find(int body, int other) {

@@ -47,9 +47,10 @@ final class ContactSearch {
     /**
      * Finds all pairs whose bodies' reaches meet.
      *
-     * @param bounds where the centres are: least x, largest x, least z, largest z
+     * @param bounds where the centres are: least and largest x, y, z
      */
     void search(double[] bounds) {
+        grid.layOut(bounds[1] - bounds[0], bounds[3] - bounds[2]);
         team.inChunks(firstBody, bodies.count, BODIES_AT_ONCE, (from, to) -> {
             for (int body = from; body < to; body++) {
                 grid.locate(body);
@@ -57,7 +58,7 @@ final class ContactSearch {
         });
         grid.sort(firstBody, MAX_GIANTS);
         team.inChunks(0, grid.slots, BODIES_AT_ONCE, grid::gather);
-        columns.sort(grid, bounds[0], bounds[1], bounds[2], bounds[3]);
+        columns.sort(grid, bounds[0], bounds[1], bounds[4], bounds[5]);
         ContactBook spare = earlier;
         earlier = contacts;
         contacts = spare;
@@ -74,6 +75,36 @@ final class ContactSearch {
                 finish(grid.body[slot], columns.count(), start);
             }
         }
+    }
+
+    /** Puts the bodies of a column side by side in memory; to be called after a search. */
+    void reorder() {
+        int[] order = new int[bodies.count];
+        int place = BodyStore.FIRST_SPHERE;
+        for (int column = 0; column < columns.count(); column++) {
+            for (int index = columns.start(column); index < columns.end(column); index++) {
+                place = put(order, place, grid.body[columns.slot(index)]);
+            }
+        }
+        for (int slot = 0; slot < grid.slots; slot++) {
+            if (grid.isGiant(slot)) {
+                place = put(order, place, grid.body[slot]);
+            }
+        }
+        int[] places = new int[bodies.count];
+        for (int body = 0; body < order.length; body++) {
+            places[order[body]] = body;
+        }
+        bodies.reorder(order);
+        contacts.reorder(order, places, bodies.count);
+    }
+
+    private static int put(int[] order, int place, int body) {
+        if (body == BodyStore.LIGHT) {
+            return place;
+        }
+        order[place] = body;
+        return place + 1;
     }
 
     private void searchColumn(int column) {

@@ -5,7 +5,7 @@ import java.util.Arrays;
 /**
  * A hashed grid in levels: each body is in the level whose cells are just wider than twice its reach, so that whatever
  * it may touch is, in that level and in all coarser ones, in its own cell or in one beside it (Ericson, "Real-Time
- * Collision Detection", 7.2). Cells side by side along x are side by side in memory.
+ * Collision Detection", 7.2). Cells side by side along x are side by side in memory, and their neighbours not far.
  *
  * <p>Bodies are in the cells in the order of their numbers, so that nothing depends on how many threads work.
  */
@@ -18,15 +18,22 @@ final class NeighbourGrid {
     private static final int MIDDLE_LEVEL = 32;
     private static final int LEVELS = 64;
     private static final int MIN_BUCKETS = 1 << 10;
+    private static final int BUCKETS_FOR_A_BODY = 4;
 
     private final BodyStore bodies;
     private final double baseCell;
     private final double[] cells = new double[LEVELS];
     private final long[] keyOfBody;
+    private final int[] bucketOfBody;
     private final byte[] levelOfBody;
     private final int[] inLevel = new int[LEVELS];
     private int[] starts = {};
     private int mask;
+
+    /** Buckets from a cell to the one above it, and to the one behind it. */
+    private int rowStride = 1;
+
+    private int layerStride = 1;
 
     /** By slot, which is the order of the cells: the body, its cell's key, its centre, its reach (below 0 asleep). */
     final int[] body;
@@ -50,6 +57,7 @@ final class NeighbourGrid {
         }
         int room = bodies.state.length;
         keyOfBody = new long[room];
+        bucketOfBody = new int[room];
         levelOfBody = new byte[room];
         body = new int[room];
         key = new long[room];
@@ -67,6 +75,23 @@ final class NeighbourGrid {
         return levelOfBody[body[slot]];
     }
 
+    /**
+     * Lays the buckets out for bodies within some bounds; others are found too, but share buckets with them.
+     *
+     * @param width of the bounds along x, in metres
+     * @param height of the bounds along y, in metres
+     */
+    void layOut(double width, double height) {
+        int buckets = Math.max(MIN_BUCKETS, Integer.highestOneBit(Math.max(1, bodies.count)) * BUCKETS_FOR_A_BODY);
+        if (starts.length != buckets + 1) {
+            starts = new int[buckets + 1];
+        }
+        mask = buckets - 1;
+        // The base level has most of the bodies.
+        rowStride = (int) Math.clamp(width / baseCell + 2, 3, buckets / 3.0);
+        layerStride = (int) Math.clamp(rowStride * (height / baseCell + 2), rowStride, buckets);
+    }
+
     /** Finds a body's level and cell; its reach and its position must stand. */
     void locate(int number) {
         int at = BodyStore.STRIDE * number;
@@ -75,11 +100,11 @@ final class NeighbourGrid {
         int steps = ratio > Math.scalb(1.0, exponent) ? exponent + 1 : exponent;
         int level = Math.clamp(steps + (long) MIDDLE_LEVEL, 0, LEVELS - 1);
         levelOfBody[number] = (byte) level;
-        keyOfBody[number] = cellKey(
-                bodies.numbers[at + BodyStore.POSITION],
-                bodies.numbers[at + BodyStore.POSITION + 1],
-                bodies.numbers[at + BodyStore.POSITION + 2],
-                level);
+        double px = bodies.numbers[at + BodyStore.POSITION];
+        double py = bodies.numbers[at + BodyStore.POSITION + 1];
+        double pz = bodies.numbers[at + BodyStore.POSITION + 2];
+        keyOfBody[number] = cellKey(px, py, pz, level);
+        bucketOfBody[number] = bucket(px, py, pz, level);
     }
 
     /**
@@ -91,15 +116,11 @@ final class NeighbourGrid {
     void sort(int first, int giants) {
         from = first;
         slots = bodies.count - first;
-        int buckets = Math.max(MIN_BUCKETS, Integer.highestOneBit(Math.max(1, slots)) * 2);
-        if (starts.length != buckets + 1) {
-            starts = new int[buckets + 1];
-        }
-        mask = buckets - 1;
+        int buckets = mask + 1;
         Arrays.fill(starts, 0);
         Arrays.fill(inLevel, 0);
         for (int number = first; number < bodies.count; number++) {
-            starts[bucket(keyOfBody[number]) + 1]++;
+            starts[bucketOfBody[number] + 1]++;
             inLevel[levelOfBody[number]]++;
         }
         for (int bucket = 0; bucket < buckets; bucket++) {
@@ -107,7 +128,7 @@ final class NeighbourGrid {
         }
         // Filled from the end, so that afterwards each start is where it belongs, and the order is kept.
         for (int number = bodies.count - 1; number >= first; number--) {
-            body[--starts[bucket(keyOfBody[number]) + 1]] = number;
+            body[--starts[bucketOfBody[number] + 1]] = number;
         }
         System.arraycopy(starts, 1, starts, 0, buckets);
         starts[buckets] = slots;
@@ -144,21 +165,28 @@ final class NeighbourGrid {
      */
     void addPairs(int slot, Contacts contacts) {
         long own = key[slot];
-        int bucket = bucket(own);
+        int bucket = bucketOfBody[body[slot]];
         scan(slot, slot + 1, starts[bucket + 1], own, 0, contacts);
-        scanBucket(slot, own + 1, contacts);
-        scanRow(slot, own + Y_FACTOR - 1, contacts);
-        scanRow(slot, own + Z_FACTOR - 1, contacts);
-        scanRow(slot, own + Z_FACTOR + Y_FACTOR - 1, contacts);
-        scanRow(slot, own + Z_FACTOR - Y_FACTOR - 1, contacts);
+        scanBucket(slot, own + 1, bucket + 1, contacts);
+        int left = bucket - 1;
+        scanRow(slot, own + Y_FACTOR - 1, left + rowStride, contacts);
+        scanRow(slot, own + Z_FACTOR - 1, left + layerStride, contacts);
+        scanRow(slot, own + Z_FACTOR + Y_FACTOR - 1, left + layerStride + rowStride, contacts);
+        scanRow(slot, own + Z_FACTOR - Y_FACTOR - 1, left + layerStride - rowStride, contacts);
         for (int level = level(slot) + 1; level <= topLevel; level++) {
             if (inLevel[level] > 0) {
-                long middle = cellKey(x[slot], y[slot], z[slot], level);
-                for (int dz = -1; dz <= 1; dz++) {
-                    for (int dy = -1; dy <= 1; dy++) {
-                        scanRow(slot, middle + dz * Z_FACTOR + dy * Y_FACTOR - 1, contacts);
-                    }
-                }
+                addPairsOfLevel(slot, level, contacts);
+            }
+        }
+    }
+
+    private void addPairsOfLevel(int slot, int level, Contacts contacts) {
+        long middle = cellKey(x[slot], y[slot], z[slot], level);
+        int bucket = bucket(x[slot], y[slot], z[slot], level);
+        for (int dz = -1; dz <= 1; dz++) {
+            for (int dy = -1; dy <= 1; dy++) {
+                long firstKey = middle + dz * Z_FACTOR + dy * Y_FACTOR - 1;
+                scanRow(slot, firstKey, bucket + dz * layerStride + dy * rowStride - 1, contacts);
             }
         }
     }
@@ -172,19 +200,19 @@ final class NeighbourGrid {
         }
     }
 
-    private void scanRow(int slot, long firstKey, Contacts contacts) {
-        int bucket = bucket(firstKey);
+    private void scanRow(int slot, long firstKey, int firstBucket, Contacts contacts) {
+        int bucket = firstBucket & mask;
         if (bucket + 3 <= mask + 1) {
             scan(slot, starts[bucket], starts[bucket + 3], firstKey, 2, contacts);
         } else {
-            scanBucket(slot, firstKey, contacts);
-            scanBucket(slot, firstKey + 1, contacts);
-            scanBucket(slot, firstKey + 2, contacts);
+            scanBucket(slot, firstKey, bucket, contacts);
+            scanBucket(slot, firstKey + 1, bucket + 1, contacts);
+            scanBucket(slot, firstKey + 2, bucket + 2, contacts);
         }
     }
 
-    private void scanBucket(int slot, long wanted, Contacts contacts) {
-        int bucket = bucket(wanted);
+    private void scanBucket(int slot, long wanted, int unwrapped, Contacts contacts) {
+        int bucket = unwrapped & mask;
         scan(slot, starts[bucket], starts[bucket + 1], wanted, 0, contacts);
     }
 
@@ -219,7 +247,12 @@ final class NeighbourGrid {
                 + level * LEVEL_FACTOR;
     }
 
-    private int bucket(long cellKey) {
-        return (int) cellKey & mask;
+    private int bucket(double px, double py, double pz, int level) {
+        double cell = cells[level];
+        long linear = (long) Math.floor(px / cell)
+                + (long) Math.floor(py / cell) * rowStride
+                + (long) Math.floor(pz / cell) * layerStride
+                + level * LEVEL_FACTOR;
+        return (int) linear & mask;
     }
 }

@@ -31,6 +31,8 @@ public final class Simulation implements AutoCloseable {
     /** Below it threads cost more than they give. */
     private static final int MIN_BODIES_FOR_THREADS = 1000;
 
+    private static final int REORDER_STEPS = 16;
+
     /** How much further than its radius a body at rest is looked around for neighbours. */
     private static final double MARGIN = 0.05;
 
@@ -112,6 +114,9 @@ public final class Simulation implements AutoCloseable {
             for (int part = 0; part < parts; part++) {
                 movePart();
             }
+            if (steps % REORDER_STEPS == 0 && bodies.count > MIN_BODIES_FOR_THREADS) {
+                search.reorder();
+            }
             double strength = surroundings.gravityStrength();
             inChunks((from, to) -> Rest.settle(bodies, from, to, strength, STEP_SECONDS));
         }
@@ -140,7 +145,7 @@ public final class Simulation implements AutoCloseable {
         put(BodyStore.LIGHT, positions, Layout.LIGHT, 1);
         inChunks((from, to) -> {
             for (int body = Math.max(from, BodyStore.FIRST_SPHERE); body < to; body++) {
-                put(body, positions, body - BodyStore.FIRST_SPHERE + Layout.FIRST_SPHERE, share);
+                put(body, positions, Layout.FIRST_SPHERE + bodies.sphere[body], share);
             }
         });
         return positions;

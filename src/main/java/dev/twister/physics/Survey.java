@@ -4,13 +4,13 @@ package dev.twister.physics;
 final class Survey {
     static final int BODIES_AT_ONCE = 4096;
 
-    private static final int FACTS = 5;
-    private static final int LONGEST_MOVE_SQUARED = 4;
+    private static final int FACTS = 7;
+    private static final int LONGEST_MOVE_SQUARED = 6;
 
     private final BodyStore bodies;
     private final Team team;
     private final int firstBody;
-    private final double[] bounds = new double[4];
+    private final double[] bounds = new double[6];
     private double[] facts = {};
 
     Survey(BodyStore bodies, Team team, int firstBody) {
@@ -42,19 +42,17 @@ final class Survey {
      * @param margin of each body, in its radii
      * @param moves how many sub-steps there are until then
      * @param fall what gravity adds until then, in metres
-     * @return where the centres are: least x, largest x, least z, largest z; overwritten by the next call
+     * @return where the centres are: least and largest x, y, z; overwritten by the next call
      */
     double[] reach(double margin, double moves, double fall) {
         double[] found = look((from, to, at) -> setReach(from, to, at, margin, moves, fall));
-        bounds[0] = Double.POSITIVE_INFINITY;
-        bounds[1] = Double.NEGATIVE_INFINITY;
-        bounds[2] = Double.POSITIVE_INFINITY;
-        bounds[3] = Double.NEGATIVE_INFINITY;
-        for (int at = 0; at < found.length; at += FACTS) {
-            bounds[0] = Math.min(bounds[0], found[at]);
-            bounds[1] = Math.max(bounds[1], found[at + 1]);
-            bounds[2] = Math.min(bounds[2], found[at + 2]);
-            bounds[3] = Math.max(bounds[3], found[at + 3]);
+        for (int axis = 0; axis < 3; axis++) {
+            bounds[2 * axis] = Double.POSITIVE_INFINITY;
+            bounds[2 * axis + 1] = Double.NEGATIVE_INFINITY;
+            for (int at = 2 * axis; at < found.length; at += FACTS) {
+                bounds[2 * axis] = Math.min(bounds[2 * axis], found[at]);
+                bounds[2 * axis + 1] = Math.max(bounds[2 * axis + 1], found[at + 1]);
+            }
         }
         return bounds;
     }
@@ -97,10 +95,10 @@ final class Survey {
 
     private void setReach(int from, int to, int facts0, double margin, double moves, double fall) {
         double[] n = bodies.numbers;
-        double minX = Double.POSITIVE_INFINITY;
-        double maxX = Double.NEGATIVE_INFINITY;
-        double minZ = Double.POSITIVE_INFINITY;
-        double maxZ = Double.NEGATIVE_INFINITY;
+        for (int axis = 0; axis < 3; axis++) {
+            facts[facts0 + 2 * axis] = Double.POSITIVE_INFINITY;
+            facts[facts0 + 2 * axis + 1] = Double.NEGATIVE_INFINITY;
+        }
         for (int body = from; body < to; body++) {
             int at = BodyStore.STRIDE * body;
             double far = n[at + BodyStore.RADIUS] * (1 + margin);
@@ -108,15 +106,12 @@ final class Survey {
                 far += Math.sqrt(moveSquared(at)) * moves + fall;
             }
             n[at + BodyStore.REACH] = far;
-            minX = Math.min(minX, n[at]);
-            maxX = Math.max(maxX, n[at]);
-            minZ = Math.min(minZ, n[at + 2]);
-            maxZ = Math.max(maxZ, n[at + 2]);
+            for (int axis = 0; axis < 3; axis++) {
+                int fact = facts0 + 2 * axis;
+                facts[fact] = Math.min(facts[fact], n[at + axis]);
+                facts[fact + 1] = Math.max(facts[fact + 1], n[at + axis]);
+            }
         }
-        facts[facts0] = minX;
-        facts[facts0 + 1] = maxX;
-        facts[facts0 + 2] = minZ;
-        facts[facts0 + 3] = maxZ;
     }
 
     private double moveSquared(int at) {
