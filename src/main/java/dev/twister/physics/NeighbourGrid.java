@@ -28,6 +28,14 @@ final class NeighbourGrid {
     private final byte[] levelOfBody;
     private final int[] inLevel = new int[LEVELS];
     private int[] starts = {};
+
+    /** By bucket: 1 where a body of that level is in the cell or beside it. Most cells of coarse levels have none. */
+    private byte[] near = {};
+
+    /** The same of bodies that are awake. */
+    private byte[] awakeNear = {};
+
+    private int finestLevel;
     private int mask;
 
     /** Buckets from a cell to the one above it, and to the one behind it. */
@@ -85,6 +93,8 @@ final class NeighbourGrid {
         int buckets = Math.max(MIN_BUCKETS, Integer.highestOneBit(Math.max(1, bodies.count)) * BUCKETS_FOR_A_BODY);
         if (starts.length != buckets + 1) {
             starts = new int[buckets + 1];
+            near = new byte[buckets];
+            awakeNear = new byte[buckets];
         }
         mask = buckets - 1;
         // The base level has most of the bodies.
@@ -118,6 +128,8 @@ final class NeighbourGrid {
         slots = bodies.count - first;
         int buckets = mask + 1;
         Arrays.fill(starts, 0);
+        Arrays.fill(near, (byte) 0);
+        Arrays.fill(awakeNear, (byte) 0);
         Arrays.fill(inLevel, 0);
         for (int number = first; number < bodies.count; number++) {
             starts[bucketOfBody[number] + 1]++;
@@ -132,6 +144,10 @@ final class NeighbourGrid {
         }
         System.arraycopy(starts, 1, starts, 0, buckets);
         starts[buckets] = slots;
+        finestLevel = 0;
+        while (finestLevel < LEVELS - 1 && inLevel[finestLevel] == 0) {
+            finestLevel++;
+        }
         topLevel = LEVELS - 1;
         int above = 0;
         while (topLevel > 0 && above + inLevel[topLevel] <= giants) {
@@ -152,6 +168,24 @@ final class NeighbourGrid {
             z[slot] = numbers[at + BodyStore.POSITION + 2];
             double far = numbers[at + BodyStore.REACH];
             reach[slot] = bodies.state[number] == BodyStore.ASLEEP ? -far : far;
+            if (levelOfBody[number] > finestLevel && levelOfBody[number] <= topLevel) {
+                announce(near, bucketOfBody[number]);
+            }
+            if (reach[slot] > 0) {
+                announce(awakeNear, bucketOfBody[number]);
+            }
+        }
+    }
+
+    // Threads may write one place at once, but all write the same.
+    private void announce(byte[] marks, int bucket) {
+        for (int dz = -1; dz <= 1; dz++) {
+            for (int dy = -1; dy <= 1; dy++) {
+                int row = bucket + dz * layerStride + dy * rowStride;
+                marks[(row - 1) & mask] = 1;
+                marks[row & mask] = 1;
+                marks[(row + 1) & mask] = 1;
+            }
         }
     }
 
@@ -164,6 +198,17 @@ final class NeighbourGrid {
      * to the top one.
      */
     void addPairs(int slot, Contacts contacts) {
+        if (reach[slot] > 0 || awakeNear[bucketOfBody[body[slot]]] != 0) {
+            addPairsOfOwnLevel(slot, contacts);
+        }
+        for (int level = level(slot) + 1; level <= topLevel; level++) {
+            if (inLevel[level] > 0) {
+                addPairsOfLevel(slot, level, contacts);
+            }
+        }
+    }
+
+    private void addPairsOfOwnLevel(int slot, Contacts contacts) {
         long own = key[slot];
         int bucket = bucketOfBody[body[slot]];
         scan(slot, slot + 1, starts[bucket + 1], own, 0, contacts);
@@ -173,16 +218,14 @@ final class NeighbourGrid {
         scanRow(slot, own + Z_FACTOR - 1, left + layerStride, contacts);
         scanRow(slot, own + Z_FACTOR + Y_FACTOR - 1, left + layerStride + rowStride, contacts);
         scanRow(slot, own + Z_FACTOR - Y_FACTOR - 1, left + layerStride - rowStride, contacts);
-        for (int level = level(slot) + 1; level <= topLevel; level++) {
-            if (inLevel[level] > 0) {
-                addPairsOfLevel(slot, level, contacts);
-            }
-        }
     }
 
     private void addPairsOfLevel(int slot, int level, Contacts contacts) {
-        long middle = cellKey(x[slot], y[slot], z[slot], level);
         int bucket = bucket(x[slot], y[slot], z[slot], level);
+        if (near[bucket] == 0 || (reach[slot] < 0 && awakeNear[bucket] == 0)) {
+            return;
+        }
+        long middle = cellKey(x[slot], y[slot], z[slot], level);
         for (int dz = -1; dz <= 1; dz++) {
             for (int dy = -1; dy <= 1; dy++) {
                 long firstKey = middle + dz * Z_FACTOR + dy * Y_FACTOR - 1;

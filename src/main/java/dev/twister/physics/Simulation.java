@@ -162,6 +162,7 @@ public final class Simulation implements AutoCloseable {
         team.close();
     }
 
+
     BodyStore store() {
         return bodies;
     }
