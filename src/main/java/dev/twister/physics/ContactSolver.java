@@ -13,8 +13,11 @@ final class ContactSolver {
     /** Share of an overlap that is pushed apart in a sub-step. */
     private static final double PUSH_SHARE = 0.2;
 
-    /** The most that a pair is pushed apart in a sub-step, in its radii: what starts overlapping must not jump. */
+    /** The most that a pair is pushed apart in a sub-step, in the smaller diameter: what starts overlapping must not jump. */
     private static final double MOST_PUSH = 0.02;
+
+    /** The same for ground and walls, in radii: more, because they have to hold against any number of bodies. */
+    private static final double MOST_SURFACE_PUSH = 0.2;
 
     /** Overlap that is left alone, in radii, so that what rests keeps touching. */
     private static final double SLOP = 0.005;
@@ -146,9 +149,9 @@ final class ContactSolver {
             ty = oy - (dy - along * ny) * mass;
             tz = oz - (dz - along * nz) * mass;
             double wanted = tx * tx + ty * ty + tz * tz;
-            double most = friction * built;
-            if (wanted > most * most) {
-                double scale = most / Math.sqrt(wanted);
+            double hold = friction * built;
+            if (wanted > hold * hold) {
+                double scale = hold / Math.sqrt(wanted);
                 tx *= scale;
                 ty *= scale;
                 tz *= scale;
@@ -160,7 +163,8 @@ final class ContactSolver {
             impulses[at + 2] = ty;
             impulses[at + 3] = tz;
         }
-        double push = Math.max(0, Math.min(PUSH_SHARE * (-gap - SLOP * radii), MOST_PUSH * radii)) * mass;
+        double most = 2 * MOST_PUSH * Math.min(n[a + BodyStore.RADIUS], n[b + BodyStore.RADIUS]);
+        double push = Math.max(0, Math.min(PUSH_SHARE * (-gap - SLOP * radii), most)) * mass;
         double cx = built * nx + tx;
         double cy = built * ny + ty;
         double cz = built * nz + tz;
@@ -327,7 +331,7 @@ final class ContactSolver {
             impulses[at + 2] = fy;
             impulses[at + 3] = fz;
         }
-        double push = Math.max(0, Math.min(PUSH_SHARE * (-gap - SLOP * radius), MOST_PUSH * radius)) / weight;
+        double push = Math.max(0, Math.min(PUSH_SHARE * (-gap - SLOP * radius), MOST_SURFACE_PUSH * radius)) / weight;
         apply(
                 a,
                 weight,

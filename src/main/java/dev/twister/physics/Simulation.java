@@ -26,7 +26,7 @@ public final class Simulation implements AutoCloseable {
     /** Contacts are looked for once in each part of a step; fast scenes have more parts. */
     static final int MAX_PARTS = 8;
 
-    private static final int SUBSTEPS = 4;
+    static final int SUBSTEPS = 4;
     private static final double DEPTH = 1000;
     /** Below it threads cost more than they give. */
     private static final int MIN_BODIES_FOR_THREADS = 1000;
@@ -161,7 +161,6 @@ public final class Simulation implements AutoCloseable {
     public void close() {
         team.close();
     }
-
 
     BodyStore store() {
         return bodies;

@@ -11,12 +11,10 @@ final class Team implements AutoCloseable {
         void work(int from, int to);
     }
 
-    private static final IntConsumer NOTHING = _ -> {};
-
     private final int threads;
     private final Crew crew;
     private final AtomicInteger next = new AtomicInteger();
-    private volatile IntConsumer task = NOTHING;
+    private volatile IntConsumer task = Team::rest;
     private volatile int tasks;
 
     Team(int threads) {
@@ -36,7 +34,7 @@ final class Team implements AutoCloseable {
         tasks = count;
         next.set(0);
         crew.work();
-        task = NOTHING;
+        task = Team::rest;
     }
 
     /** Cuts the numbers from one to another, the last one excluded, into chunks of a size. */
@@ -46,6 +44,8 @@ final class Team implements AutoCloseable {
             work.work(start, Math.min(to, start + size));
         });
     }
+
+    private static void rest(@SuppressWarnings("unused") int index) {}
 
     private void takeTasks() {
         int count = tasks;

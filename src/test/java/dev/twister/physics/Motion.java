@@ -1,0 +1,121 @@
+package dev.twister.physics;
+
+import dev.twister.scene.Camera;
+import dev.twister.scene.Light;
+import dev.twister.scene.Physics;
+import dev.twister.scene.Plane;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/** Scenes to move, and what a test asks of them; bodies are numbered from 1 as the scene has them. */
+final class Motion {
+    static final double GRAVITY = 9.81;
+    static final Physics WEIGHTLESS = Physics.DEFAULT
+            .withGravity(new Vector3(0, 0, 0))
+            .withElasticity(1)
+            .withFriction(0)
+            .withWalls(false);
+
+    private Motion() {}
+
+    static Scene scene(Physics physics, double planeSize, List<Sphere> spheres) {
+        Rgb white = new Rgb(1, 1, 1);
+        return new Scene(
+                "",
+                "",
+                new Camera(new Vector3(0, 5, -15), 0, 7, 50),
+                new Light(new Vector3(0, 50, 0), 1, white),
+                new Plane(planeSize, 0, white, white, 32),
+                spheres,
+                Path.of("none.hdr"),
+                0.2,
+                RenderSettings.DEFAULT,
+                physics,
+                Optional.empty());
+    }
+
+    static Scene scene(Physics physics, Sphere... spheres) {
+        return scene(physics, 20, Arrays.asList(spheres));
+    }
+
+    static Sphere sphere(double x, double y, double z, double radius) {
+        return new Sphere(new Vector3(x, y, z), radius, new Rgb(1, 1, 1), 8);
+    }
+
+    static void setVelocity(Simulation simulation, int body, double x, double y, double z) {
+        double substep = Simulation.STEP_SECONDS / Simulation.SUBSTEPS;
+        simulation.store().setMove(body, x * substep, y * substep, z * substep);
+    }
+
+    static void run(Simulation simulation, double seconds) {
+        for (long step = Math.round(seconds / Simulation.STEP_SECONDS); step > 0; step--) {
+            simulation.step();
+        }
+    }
+
+    static double place(Simulation simulation, int body, int axis) {
+        return simulation.store().numbers[BodyStore.STRIDE * body + BodyStore.POSITION + axis];
+    }
+
+    static double radius(Simulation simulation, int body) {
+        return simulation.store().numbers[BodyStore.STRIDE * body + BodyStore.RADIUS];
+    }
+
+    static double mass(Simulation simulation, int body) {
+        return 1 / simulation.store().numbers[BodyStore.STRIDE * body + BodyStore.INVERSE_MASS];
+    }
+
+    static double speed(Simulation simulation, int body) {
+        if (simulation.store().state[body] == BodyStore.ASLEEP) {
+            return 0;
+        }
+        double x = simulation.velocity(body, 0);
+        double y = simulation.velocity(body, 1);
+        double z = simulation.velocity(body, 2);
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+
+    /** Of motion and of height over the plane, in masses of the largest sphere times m^2/s^2. */
+    static double energy(Simulation simulation) {
+        double energy = 0;
+        for (int body = 1; body < simulation.store().count; body++) {
+            double speed = speed(simulation, body);
+            energy += mass(simulation, body) * (speed * speed / 2 + GRAVITY * place(simulation, body, 1));
+        }
+        return energy;
+    }
+
+    /** How far one sphere is in another, as a share of their radii together; below 0 apart. */
+    static double overlap(Simulation simulation, int one, int other) {
+        double x = place(simulation, one, 0) - place(simulation, other, 0);
+        double y = place(simulation, one, 1) - place(simulation, other, 1);
+        double z = place(simulation, one, 2) - place(simulation, other, 2);
+        double radii = radius(simulation, one) + radius(simulation, other);
+        return 1 - Math.sqrt(x * x + y * y + z * z) / radii;
+    }
+
+    static double deepestOverlap(Simulation simulation) {
+        double deepest = Double.NEGATIVE_INFINITY;
+        for (int one = 1; one < simulation.store().count; one++) {
+            for (int other = one + 1; other < simulation.store().count; other++) {
+                deepest = Math.max(deepest, overlap(simulation, one, other));
+            }
+        }
+        return deepest;
+    }
+
+    static int sleepers(Simulation simulation) {
+        int sleepers = 0;
+        for (int body = 1; body < simulation.store().count; body++) {
+            sleepers += simulation.store().state[body] == BodyStore.ASLEEP ? 1 : 0;
+        }
+        return sleepers;
+    }
+}
