@@ -17,7 +17,7 @@ final class ContactSolver {
     private static final double MOST_PUSH = 0.02;
 
     /** The same for ground and walls, in radii: more, because they have to hold against any number of bodies. */
-    private static final double MOST_SURFACE_PUSH = 0.2;
+    private static final double MOST_SURFACE_PUSH = 0.05;
 
     /** Overlap that is left alone, in radii, so that what rests keeps touching. */
     private static final double SLOP = 0.005;

@@ -89,8 +89,8 @@ class RestTest {
             for (int step = 0; step < 600; step++) {
                 simulation.step();
                 double energy = Motion.energy(simulation);
-                // Pushing overlaps apart lifts a little of the heap.
-                assertThat(energy).isLessThan(before + 1e-4 * start);
+                // What a sub-step starts with is the last one's impulses: where a shock runs through, once too much.
+                assertThat(energy).isLessThan(before + 1e-3 * start).isLessThanOrEqualTo(start * (1 + 1e-12));
                 before = energy;
             }
             assertThat(before).isLessThan(0.4 * start);
