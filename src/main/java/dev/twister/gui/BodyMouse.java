@@ -42,8 +42,8 @@ final class BodyMouse {
                 && bodyAt(event).filter(body -> body == selected).isPresent()) {
             DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
             Point2D place = place(event);
-            drag = Optional.of(SphereDrag.start(
-                    picture.input(), BodyEdits.position(studio.scene(), selected), place.getX(), place.getY()));
+            drag = Optional.of(
+                    SphereDrag.start(picture.input(), studio.positionNow(selected), place.getX(), place.getY()));
             view.requestFocus();
             event.consume();
         }

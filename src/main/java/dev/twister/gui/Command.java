@@ -23,6 +23,10 @@ enum Command {
     RESET(Group.EDIT, "Reset everything", "Shortcut+Shift+Home", "Scene, engine and resolution as they were at first."),
     PANEL(Group.VIEW, "Panel", "F9", "Shows or hides the panel; so does Tab, in the picture."),
     FULL_SCREEN(Group.VIEW, "Full screen", "F11", "The window fills the screen, or no longer."),
+    MOVE(Group.PHYSICS, "Physics on or off", "F5", "Lets bodies fall and collide, or puts them back."),
+    PAUSE(Group.PHYSICS, "Pause", "F6", "Stops the time of moving bodies, or lets it go on."),
+    STEP(Group.PHYSICS, "Step", "F7", "Lets 1/120 of a second pass, and stops."),
+    RANDOMISE(Group.PHYSICS, "Randomise", "F8", "Throws the spheres into the air, anywhere over the plane."),
     CONTROLS(Group.HELP, "Controls", "F1", "Shows this list."),
     ABOUT(Group.HELP, "About Twister", "Shift+F1", "Says which version this is.");
 
@@ -31,6 +35,7 @@ enum Command {
         FILE("File"),
         EDIT("Edit"),
         VIEW("View"),
+        PHYSICS("Physics"),
         HELP("Help");
 
         private final String label;

@@ -18,7 +18,7 @@ import javafx.scene.input.MouseEvent;
 final class NumberRow extends PanelRow {
     private static final PseudoClass WRONG = PseudoClass.getPseudoClass("wrong");
     private static final int PAGE = 10;
-    private static final int FIELD_COLUMNS = 5;
+    private static final int FIELD_COLUMNS = 6;
 
     private final NumberSetting setting;
     private final SceneEdit edit;

@@ -17,25 +17,30 @@ final class Panel extends ScrollPane {
     private final PictureSection picture;
     private final LightSection light;
     private final SkySection sky;
+    private final PhysicsSection physics;
     private final SelectionSection selection;
 
-    Panel(Studio studio, EngineList engines, FileActions files, Runnable resetAll) {
+    Panel(Studio studio, EngineList engines, FileActions files, CommandActions actions) {
         engine = new EngineSection(
                 studio, engines, studio.engineProperty().get().offer().id());
         picture = new PictureSection(studio);
         light = new LightSection(studio);
         sky = new SkySection(studio, files);
+        physics = new PhysicsSection(studio, actions);
         selection = new SelectionSection(studio);
         Button reset = new Button("Reset everything");
         reset.setId("reset-everything");
         reset.setTooltip(PanelRow.tooltip(
                 Command.RESET.hint() + "\nKey: " + Command.RESET.keys().getDisplayText()));
-        reset.setOnAction(_ -> resetAll.run());
+        reset.setOnAction(_ -> actions.run(Command.RESET));
+        PanelSection physicsSection = section("Physics", physics.rows());
+        physicsSection.getChildren().add(physics.buttons());
         VBox sections = new VBox(
                 section("Drawing", engine.rows()),
                 section("Picture", picture.rows()),
                 section("Light", light.rows()),
                 section("Sky", sky.rows()),
+                physicsSection,
                 new PanelSection("Selection", selection),
                 reset);
         sections.getStyleClass().add("sections");
@@ -48,7 +53,7 @@ final class Panel extends ScrollPane {
 
     /** All rows, in the order in which they are shown. */
     List<PanelRow> rows() {
-        return Stream.of(engine.rows(), picture.rows(), light.rows(), sky.rows(), selection.rows())
+        return Stream.of(engine.rows(), picture.rows(), light.rows(), sky.rows(), physics.rows(), selection.rows())
                 .flatMap(List::stream)
                 .toList();
     }
@@ -82,6 +87,7 @@ final class Panel extends ScrollPane {
         studio.edit("everything", scene -> studio.original().withCamera(scene.camera()));
         studio.endGesture();
         studio.goHome();
+        studio.setMoving(false);
         studio.setResolution(ResolutionMode.WINDOW);
         if (!studio.engineProperty().get().offer().id().equals(usualEngine)) {
             engines.find(usualEngine).ifPresent(studio::chooseEngine);

@@ -8,6 +8,7 @@ import dev.twister.gui.drawing.DrawingRequest;
 import dev.twister.gui.drawing.DrawingStatus;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.EngineChoice;
+import dev.twister.gui.drawing.Motion;
 import dev.twister.gui.drawing.SkyShelf;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.EditState;
@@ -18,6 +19,7 @@ import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import dev.twister.scene.SceneWriter;
+import dev.twister.scene.Vector3;
 import dev.twister.world.CameraMotion;
 import dev.twister.world.Walk;
 import java.nio.file.Path;
@@ -61,6 +63,8 @@ public final class Studio implements AutoCloseable {
     private final BooleanProperty refining = new SimpleBooleanProperty(true);
     private final ObservableMap<Integer, Camera> views = FXCollections.observableHashMap();
     private final FrameHistory frames = new FrameHistory();
+    private final ReadOnlyObjectWrapper<Motion> motion = new ReadOnlyObjectWrapper<>(Motion.NONE);
+    private long starts;
     private final ReadOnlyStringWrapper notice = new ReadOnlyStringWrapper("");
     private SceneHistory document;
     private Scene original;
@@ -162,8 +166,57 @@ public final class Studio implements AutoCloseable {
      * @param what names the edit to a person, such as "light's size"
      */
     public void edit(String what, UnaryOperator<Scene> change) {
-        document.edit(what, change.apply(scene.get()));
+        Scene standing = scene.get();
+        Scene edited = change.apply(standing);
+        Scene moved = MovedScene.of(standing, motion.get(), picture.get());
+        if (!MovedScene.movesAlike(standing, edited) && !moved.equals(standing)) {
+            // Bodies that are edited go on from where they are, not from where they once were.
+            document.carryOn(moved);
+            edited = change.apply(moved);
+        }
+        document.edit(what, edited);
         show();
+    }
+
+    /** Whether and how bodies move. */
+    public ReadOnlyObjectProperty<Motion> motionProperty() {
+        return motion.getReadOnlyProperty();
+    }
+
+    /** Lets bodies move from where the scene has them, or puts them back there. */
+    public void setMoving(boolean moving) {
+        starts++;
+        setMotion(moving ? new Motion(starts, true, 0) : Motion.NONE);
+    }
+
+    /** Lets time stand still, or go on; starts the motion where there is none. */
+    public void togglePause() {
+        Motion now = motion.get();
+        if (now.isOn()) {
+            setMotion(new Motion(now.start(), !now.running(), now.steps()));
+        } else {
+            setMoving(true);
+        }
+    }
+
+    /** Lets time stand still but for one step of the physics. */
+    public void stepOnce() {
+        if (!motion.get().isOn()) {
+            setMoving(true);
+        }
+        Motion now = motion.get();
+        setMotion(new Motion(now.start(), false, now.steps() + 1));
+    }
+
+    private void setMotion(Motion next) {
+        motion.set(next);
+        request();
+    }
+
+    /** Where a movable body is in the picture that is shown. */
+    public Vector3 positionNow(int body) {
+        Scene standing = scene.get();
+        return BodyEdits.position(MovedScene.of(standing, motion.get(), picture.get()), body);
     }
 
     /** The next edit is one of its own: the mouse button was let go, say. */
@@ -257,7 +310,9 @@ public final class Studio implements AutoCloseable {
         original = opened.scene();
         file.set(Optional.of(opened.file()));
         selection.set(Layout.NOTHING);
+        motion.set(Motion.NONE);
         show();
+        request();
     }
 
     /**
@@ -353,8 +408,8 @@ public final class Studio implements AutoCloseable {
             PictureSize size = resolution.get().size(viewWidth, viewHeight);
             int refineTo =
                     refining.get() ? Math.max(REFINE_TO, scene.get().settings().samplesPerPixel()) : 0;
-            loop.request(
-                    new DrawingRequest(requests, scene.get(), size.width(), size.height(), engine.get(), refineTo));
+            loop.request(new DrawingRequest(
+                    requests, scene.get(), size.width(), size.height(), engine.get(), refineTo, motion.get()));
         }
     }
 }

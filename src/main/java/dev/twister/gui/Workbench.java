@@ -2,9 +2,10 @@ package dev.twister.gui;
 
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.NewSphere;
+import dev.twister.gui.model.ThrownSpheres;
 import dev.twister.gui.model.WindowSettings;
 import dev.twister.kernel.Layout;
-import javafx.scene.Scene;
+import dev.twister.scene.Scene;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.BorderPane;
 import javafx.stage.Stage;
@@ -38,17 +39,16 @@ final class Workbench implements AutoCloseable {
         help = new HelpWindows(stage);
         String usualEngine = studio.engineProperty().get().offer().id();
         EngineList engines = EngineList.load(studio, errands);
-        panel = new Panel(studio, engines, files, () -> Panel.resetAll(studio, engines, usualEngine));
         CommandActions actions = actions(() -> Panel.resetAll(studio, engines, usualEngine));
+        panel = new Panel(studio, engines, files, actions);
         MenuView menu = new MenuView(studio, settings, files, actions);
         pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
         root.setTop(menu);
         root.setRight(panel);
         picture.addOverlay(new SelectionView(picture, studio));
         BodyMouse.install(picture, studio);
-        Scene scene = root.getScene();
-        PanelKeys.install(scene, panel, picture, this::showPanel);
-        DropTarget.install(scene, files);
+        PanelKeys.install(root.getScene(), panel, picture, this::showPanel);
+        DropTarget.install(root.getScene(), files);
         errands.run(
                 () -> SkyList.in(options.skyboxes()),
                 panel::offerSkies,
@@ -109,9 +109,15 @@ final class Workbench implements AutoCloseable {
                 .on(Command.DELETE, this::delete)
                 .on(Command.DESELECT, this::backToThePicture)
                 .on(Command.RESET, resetAll)
-                .on(Command.PANEL, () -> showPanel(!panel.isVisible()))
+                .on(Command.PANEL, () -> showPanel(!isPanelShown()))
+                .on(
+                        Command.MOVE,
+                        () -> studio.setMoving(!studio.motionProperty().get().isOn()))
+                .on(Command.PAUSE, studio::togglePause)
+                .on(Command.STEP, studio::stepOnce)
+                .on(Command.RANDOMISE, this::randomise)
                 .on(Command.FULL_SCREEN, () -> stage.setFullScreen(!stage.isFullScreen()))
-                .on(Command.CONTROLS, () -> help.showControls(panel.rows()))
+                .on(Command.CONTROLS, this::showControls)
                 .on(Command.ABOUT, help::showAbout);
     }
 
@@ -133,6 +139,28 @@ final class Workbench implements AutoCloseable {
             picture.requestFocus();
         }
         settings.change(kept -> kept.withPanelShown(shown));
+    }
+
+    private boolean isPanelShown() {
+        return panel.isVisible();
+    }
+
+    private void showControls() {
+        help.showControls(panel.rows());
+    }
+
+    /** Half a million spheres take a while to place. */
+    private void randomise() {
+        Scene before = studio.scene();
+        errands.run(
+                () -> ThrownSpheres.of(before, System.nanoTime()),
+                thrown -> {
+                    if (studio.scene().spheres().size() == thrown.spheres().size()) {
+                        studio.edit("randomise", scene -> scene.withSpheres(thrown.spheres()));
+                        studio.endGesture();
+                    }
+                },
+                problem -> studio.notice(FileActions.explain(problem)));
     }
 
     private void insert() {

@@ -344,6 +344,8 @@ class PanelTest {
         driver.type(row("Light x").keys());
         driver.type(KeyCode.RIGHT);
         Scene edited = scene();
+        driver.run(() -> driver.window.workbench().panel().setVvalue(1));
+        driver.pulse();
         driver.click(driver.find("#reset-everything", Button.class));
         assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);

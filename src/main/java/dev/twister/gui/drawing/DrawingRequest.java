@@ -12,10 +12,17 @@ import dev.twister.scene.Scene;
  * @param engine what is to draw it
  * @param refineTo samples a pixel that the picture gathers while no other request comes, and then rests; 0 to draw the same
  *     picture again and again
+ * @param motion whether and how bodies move
  */
-public record DrawingRequest(long number, Scene scene, int width, int height, EngineChoice engine, int refineTo) {
-    /** Whether the same picture is drawn again and again. */
+public record DrawingRequest(
+        long number, Scene scene, int width, int height, EngineChoice engine, int refineTo, Motion motion) {
+    /** A request for a picture of bodies that stand where the scene has them. */
+    public DrawingRequest(long number, Scene scene, int width, int height, EngineChoice engine, int refineTo) {
+        this(number, scene, width, height, engine, refineTo, Motion.NONE);
+    }
+
+    /** Whether one picture follows the other, though nothing is asked for. */
     public boolean isContinuous() {
-        return refineTo == 0;
+        return refineTo == 0 || motion.running();
     }
 }

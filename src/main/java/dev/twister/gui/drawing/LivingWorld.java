@@ -12,10 +12,12 @@ import java.util.Optional;
  * The world of the scene that is being drawn. What does not change from one snapshot to the next stays the same array, so that
  * an engine need not send it to its device again. Used by the drawing thread alone.
  */
-final class LivingWorld {
+final class LivingWorld implements AutoCloseable {
     private static final float GREY = 0.5f;
 
     private final SkyShelf skies;
+    private final MovingBodies moving = new MovingBodies();
+    private Motion motion = Motion.NONE;
     private Optional<Scene> scene = Optional.empty();
     private Optional<World> world = Optional.empty();
     private Optional<FrameInput> last = Optional.empty();
@@ -27,14 +29,22 @@ final class LivingWorld {
         this.skies = skies;
     }
 
-    /** A snapshot of the scene at that size. */
-    FrameInput snapshot(Scene wanted, int width, int height) {
+    /**
+     * A snapshot of the scene at that size.
+     *
+     * @param nanos now, by {@link System#nanoTime}
+     */
+    FrameInput snapshot(Scene wanted, Motion wantedMotion, int width, int height, long nanos) {
         chooseSky(wanted.skybox());
-        World now = world.filter(
-                        _ -> scene.filter(old -> hasSameBodies(old, wanted)).isPresent())
+        // A world whose bodies have moved is not one in which they stand.
+        boolean sameKind = motion.isOn() == wantedMotion.isOn();
+        motion = wantedMotion;
+        World now = world.filter(_ -> sameKind
+                        && scene.filter(old -> hasSameBodies(old, wanted)).isPresent())
                 .orElseGet(() -> World.of(wanted, sky));
         now.setCamera(wanted.camera());
         now.setSettings(wanted.settings().withSize(width, height));
+        moving.place(wanted, wantedMotion, now, nanos);
         scene = Optional.of(wanted);
         world = Optional.of(now);
         FrameInput fresh = now.snapshot();
@@ -48,11 +58,18 @@ final class LivingWorld {
         return complaint;
     }
 
+    /** Lets go of what moves the bodies. */
+    @Override
+    public void close() {
+        moving.close();
+    }
+
     private static boolean hasSameBodies(Scene one, Scene other) {
         return one.spheres().equals(other.spheres())
                 && one.light().equals(other.light())
                 && one.plane().equals(other.plane())
                 && one.skybox().equals(other.skybox())
+                && one.pour().equals(other.pour())
                 && one.ambient() == other.ambient();
     }
 

@@ -40,7 +40,7 @@ final class PictureWork implements AutoCloseable {
 
     /** Looks at a request: the world is as it says, and its engine is being opened. */
     void prepare(DrawingRequest wanted) {
-        input = world.snapshot(wanted.scene(), wanted.width(), wanted.height());
+        input = world.snapshot(wanted.scene(), wanted.motion(), wanted.width(), wanted.height(), System.nanoTime());
         seat.choose(wanted.engine(), new WarmUp(input, coarse(COARSEST)));
     }
 
@@ -72,6 +72,7 @@ final class PictureWork implements AutoCloseable {
     @Override
     public void close() {
         seat.close();
+        world.close();
     }
 
     private boolean draw(DrawingRequest wanted, Engine engine) {

@@ -121,6 +121,21 @@ public final class SceneNumbers {
                             light.radius(),
                             new Radiance(Radiance.of(light.color()).hue(), strength).color())));
 
+    public static final NumberSetting GRAVITY = new NumberSetting(
+            "Gravity",
+            "The upward acceleration while bodies move; below 0 they fall, -9.81 is the Earth's.",
+            SceneLimits.GRAVITY,
+            new Range(-30, 30),
+            Scale.LINEAR,
+            2,
+            "m/s²",
+            scene -> scene.physics().gravity().y(),
+            (scene, up) -> scene.withPhysics(scene.physics()
+                    .withGravity(new Vector3(
+                            scene.physics().gravity().x(),
+                            up,
+                            scene.physics().gravity().z()))));
+
     private SceneNumbers() {}
 
     static NumberSetting place(

@@ -1,0 +1,149 @@
+package dev.twister.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.drawing.Motion;
+import dev.twister.kernel.Layout;
+import dev.twister.physics.Simulation;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import java.util.List;
+import javafx.scene.control.Button;
+import javafx.scene.input.KeyCode;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** Bodies let go by hand. */
+class PhysicsTest {
+    private static final double HEIGHT = 6;
+    private static WindowDriver driver;
+
+    @BeforeAll
+    static void open() {
+        driver = WindowDriver.openWithPanel();
+    }
+
+    @AfterAll
+    static void close() {
+        driver.close();
+    }
+
+    @BeforeEach
+    void startAnew() {
+        driver.type(Command.RESET.keys());
+        driver.run(() -> {
+            driver.studio.edit(
+                    "one",
+                    scene -> scene.withSpheres(List.of(high(scene.spheres().getFirst()))));
+            driver.studio.endGesture();
+        });
+        driver.awaitPicture(picture -> height(picture) == HEIGHT);
+    }
+
+    private static Sphere high(Sphere sphere) {
+        return new Sphere(new Vector3(0, HEIGHT, 3), sphere.radius(), sphere.color(), sphere.reflectivity());
+    }
+
+    private static double height(DrawnPicture picture) {
+        return picture.input().bodyPositions()[3 * Layout.FIRST_SPHERE + 1];
+    }
+
+    private static Scene scene() {
+        return WindowDriver.call(driver.studio::scene);
+    }
+
+    private static Motion motion() {
+        return WindowDriver.call(driver.studio.motionProperty()::get);
+    }
+
+    private static PanelRow row(String name) {
+        return WindowDriver.call(() -> driver.window.workbench().panel().rows().stream()
+                .filter(row -> row.name().equals(name))
+                .findFirst()
+                .orElseThrow());
+    }
+
+    @Test
+    void bodiesFallAndComeBackWhereTheSceneHasThem() {
+        driver.type(row("Physics").keys());
+        driver.type(KeyCode.SPACE);
+        driver.awaitPicture(picture -> height(picture) < HEIGHT - 0.5);
+        assertThat(scene().spheres().getFirst().position().y()).isEqualTo(HEIGHT);
+        driver.type(KeyCode.SPACE);
+        assertThat(motion()).isEqualTo(Motion.NONE);
+        driver.awaitPicture(picture -> height(picture) == HEIGHT);
+    }
+
+    @Test
+    void aStepIsAStepAndAPausedPictureRests() {
+        driver.click(driver.find("#step", Button.class));
+        driver.type(KeyCode.F7);
+        assertThat(motion().running()).isFalse();
+        assertThat(motion().steps()).isEqualTo(2);
+        double fallen = 9.81 / 2 * Math.pow(2 * Simulation.STEP_SECONDS, 2);
+        DrawnPicture picture =
+                driver.awaitPicture(shown -> shown.request().motion().steps() == 2);
+        assertThat(height(picture)).isCloseTo(HEIGHT - fallen, within(fallen));
+        assertThat(height(picture)).isLessThan(HEIGHT);
+        double rest = height(picture);
+        driver.awaitPicture(shown -> shown.samples() > 4);
+        assertThat(height(WindowDriver.call(
+                        () -> driver.studio.pictureProperty().get().orElseThrow())))
+                .isEqualTo(rest);
+    }
+
+    @Test
+    void pauseStopsTimeAndLetsItGoOn() {
+        driver.type(KeyCode.F5);
+        driver.awaitPicture(picture -> height(picture) < HEIGHT - 0.1);
+        driver.click(driver.find("#pause", Button.class));
+        assertThat(motion().running()).isFalse();
+        double paused = height(driver.awaitPicture(shown -> shown.samples() > 4));
+        assertThat(paused).isLessThan(HEIGHT - 0.1);
+        driver.type(KeyCode.F6);
+        driver.awaitPicture(picture -> height(picture) < paused - 0.1);
+        driver.type(KeyCode.F5);
+    }
+
+    @Test
+    void gravityPullsTheOtherWay() {
+        driver.type(KeyCode.F5);
+        driver.type(row("Gravity").keys());
+        driver.type(KeyCode.END);
+        assertThat(scene().physics().gravity().y()).isEqualTo(30);
+        driver.awaitPicture(picture -> height(picture) > HEIGHT + 0.5);
+        driver.type(KeyCode.F5);
+    }
+
+    @Test
+    void anEditGoesOnFromWhereBodiesAre() {
+        driver.type(KeyCode.F5);
+        driver.awaitPicture(picture -> height(picture) < HEIGHT - 0.3);
+        driver.type(KeyCode.F6);
+        double paused = height(driver.awaitPicture(shown -> shown.samples() > 4));
+        driver.run(() -> driver.studio.select(Layout.FIRST_SPHERE));
+        driver.type(row("Sphere x").keys());
+        driver.type(KeyCode.RIGHT);
+        Vector3 edited = scene().spheres().getFirst().position();
+        assertThat(edited.y()).isCloseTo(paused, within(1e-6));
+        assertThat(edited.x()).isGreaterThan(0);
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene().spheres().getFirst().position().x()).isZero();
+        driver.type(KeyCode.F5);
+    }
+
+    @Test
+    void spheresAreThrownAndThatCanBeUndone() {
+        Scene before = scene();
+        driver.click(driver.find("#randomise", Button.class));
+        driver.await(() -> !driver.studio.scene().spheres().equals(before.spheres()));
+        driver.awaitCurrentPicture();
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene()).isEqualTo(before);
+    }
+}
