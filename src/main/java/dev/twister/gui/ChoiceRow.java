@@ -4,12 +4,16 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.regex.Pattern;
 import javafx.scene.Node;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.ListCell;
 
 /** One of several things; those that cannot be had are grey and say why. */
 final class ChoiceRow<T> extends PanelRow {
+    private static final int LETTERS_IN_A_LINE = 60;
+    private static final Pattern WHITE_SPACE = Pattern.compile("\\s+");
+
     private final ComboBox<T> box = new ComboBox<>();
     private final Consumer<T> choose;
     private final Consumer<String> complain;
@@ -88,15 +92,20 @@ final class ChoiceRow<T> extends PanelRow {
         }
     }
 
+    /** A list is as wide as its longest line, so a sentence is broken between words. */
+    static String inLines(String sentence) {
+        StringBuilder lines = new StringBuilder();
+        int length = 0;
+        for (String word : WHITE_SPACE.splitAsStream(sentence).toList()) {
+            boolean fits = length + word.length() < LETTERS_IN_A_LINE;
+            lines.append(length == 0 ? "" : fits ? " " : "\n").append(word);
+            length = fits ? length + word.length() + 1 : word.length();
+        }
+        return lines.toString();
+    }
+
     /** A line of the list. */
     private final class LookCell extends ListCell<T> {
-        private static final double WIDTH_OF_A_REASON = 420;
-
-        LookCell() {
-            setWrapText(true);
-            setMaxWidth(WIDTH_OF_A_REASON);
-        }
-
         @Override
         protected void updateItem(T item, boolean empty) {
             super.updateItem(item, empty);
@@ -108,7 +117,7 @@ final class ChoiceRow<T> extends PanelRow {
                 Look shownAs = look.apply(item);
                 // A grey line takes no pointer, so it would show no tooltip.
                 setText(shownAs.obstacle()
-                        .map(why -> shownAs.label() + "\n" + why)
+                        .map(why -> shownAs.label() + "\n" + inLines(why))
                         .orElse(shownAs.label()));
                 setTooltip(shownAs.hint().isEmpty() ? null : tooltip(shownAs.hint()));
                 setDisable(shownAs.obstacle().isPresent());

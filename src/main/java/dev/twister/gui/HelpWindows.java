@@ -17,7 +17,7 @@ import javafx.stage.Stage;
 
 /** The windows that explain: which key does what, and what this program is. One of each at a time. */
 final class HelpWindows {
-    private static final double CONTROLS_WIDTH_IN_LETTERS = 52;
+    private static final double CONTROLS_WIDTH_IN_LETTERS = 58;
     private static final double CONTROLS_HEIGHT_IN_LETTERS = 50;
     private static final double ABOUT_WIDTH_IN_LETTERS = 36;
 
@@ -51,7 +51,7 @@ final class HelpWindows {
      * @param rows the panel's
      */
     void showControls(List<PanelRow> rows) {
-        Stage stage = controls.orElseGet(() -> window("Controls", controlsPage(rows)));
+        Stage stage = controls.orElseGet(() -> window("Controls", scrolling(controlsPage(rows))));
         controls = Optional.of(stage);
         stage.show();
         stage.toFront();
@@ -70,10 +70,7 @@ final class HelpWindows {
     }
 
     private Stage window(String title, Region page) {
-        ScrollPane scroll = new ScrollPane(page);
-        scroll.setFitToWidth(true);
-        scroll.getStyleClass().add("help");
-        Scene scene = new Scene(scroll);
+        Scene scene = new Scene(page);
         scene.getStylesheets().setAll(owner.getScene().getStylesheets());
         Stage stage = new Stage();
         stage.initOwner(owner);
@@ -87,9 +84,17 @@ final class HelpWindows {
         return stage;
     }
 
+    private static Region scrolling(Region page) {
+        ScrollPane scroll = new ScrollPane(page);
+        scroll.setFitToWidth(true);
+        scroll.getStyleClass().add("help");
+        scroll.setPrefViewportHeight(
+                CONTROLS_HEIGHT_IN_LETTERS * Font.getDefault().getSize());
+        return scroll;
+    }
+
     private static Region controlsPage(List<PanelRow> rows) {
         VBox page = page("controls-page", CONTROLS_WIDTH_IN_LETTERS);
-        page.setPrefHeight(CONTROLS_HEIGHT_IN_LETTERS * Font.getDefault().getSize());
         page.getChildren().add(table("Camera", CAMERA));
         page.getChildren().add(table("Bodies", BODIES));
         for (Command.Group group : Command.Group.values()) {

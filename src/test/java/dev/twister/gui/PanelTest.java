@@ -209,6 +209,8 @@ class PanelTest {
             assertThat(choice.getValue()).isEqualTo("good");
         });
         assertThat(driver.text("notice")).isEqualTo("broken: no driver");
+        assertThat(ChoiceRow.inLines("no TornadoVM SDK was found. Install one (sdk install tornadovm) and start again"))
+                .isEqualTo("no TornadoVM SDK was found. Install one (sdk install\ntornadovm) and start again");
     }
 
     @Test
