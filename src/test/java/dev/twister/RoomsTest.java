@@ -42,7 +42,7 @@ class RoomsTest {
                 room("engine.vector", "kernel", "world", "image", "engine", "threads"),
                 room("bench", "engine", "image", "world", "scene"),
                 room("gui.model", "scene", "sky", "kernel", "world", "physics", "engine", "image", "bench"),
-                room("gui.drawing", "scene", "sky", "world", "physics", "engine", "image", "gui.model"),
+                room("gui.drawing", "scene", "sky", "world", "physics", "engine", "image", "bench", "gui.model"),
                 room(
                         "gui",
                         "scene",

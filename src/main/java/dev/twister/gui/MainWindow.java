@@ -18,10 +18,18 @@ final class MainWindow implements AutoCloseable {
     private final Studio studio;
     private final PictureView picture;
     private final FrameTimesView frameTimes;
+    private final StatusLine status;
     private final Workbench workbench;
     private final AnimationTimer timer;
     private final Runnable afterLayout;
     private long pulseNanos;
+    private PulseListener listener = (_, _) -> {};
+
+    /** Told of each pulse when it began and when the interface's thread was done with it, by {@link System#nanoTime}. */
+    @FunctionalInterface
+    interface PulseListener {
+        void pulsed(long startNanos, long endNanos);
+    }
 
     MainWindow(Stage stage, Studio studio, WindowOptions options) {
         this.stage = stage;
@@ -31,7 +39,8 @@ final class MainWindow implements AutoCloseable {
         StackPane middle = new StackPane(picture, frameTimes);
         StackPane.setAlignment(frameTimes, Pos.TOP_LEFT);
         BorderPane root = new BorderPane(middle);
-        root.setBottom(new StatusLine(studio));
+        status = new StatusLine(studio);
+        root.setBottom(status);
         Scene scene = new Scene(root, WIDTH, HEIGHT);
         scene.getStylesheets().add(MainWindow.class.getResource("twister.css").toExternalForm());
         stage.setScene(scene);
@@ -44,7 +53,7 @@ final class MainWindow implements AutoCloseable {
                 pulse();
             }
         };
-        afterLayout = () -> studio.noteDisplayMillis((System.nanoTime() - pulseNanos) / NANOS_PER_MILLI);
+        afterLayout = this::endPulse;
         scene.addPostLayoutPulseListener(afterLayout);
     }
 
@@ -66,10 +75,22 @@ final class MainWindow implements AutoCloseable {
         workbench.pulse();
     }
 
+    /** Up to the end of the layout; what the graphics card's thread does comes after that. */
+    private void endPulse() {
+        long end = System.nanoTime();
+        studio.noteDisplayMillis((end - pulseNanos) / NANOS_PER_MILLI);
+        listener.pulsed(pulseNanos, end);
+    }
+
+    void onPulse(PulseListener newListener) {
+        listener = newListener;
+    }
+
     @Override
     public void close() {
         timer.stop();
         stage.getScene().removePostLayoutPulseListener(afterLayout);
+        status.close();
         workbench.close();
         studio.close();
     }

@@ -30,6 +30,12 @@ final class MenuView extends MenuBar {
                         items.get(Command.DELETE).setDisable(!BodyEdits.isSphere(studio.scene(), body.intValue())));
     }
 
+    /** Lets go of all it leads to: JavaFX keeps the items of a menu bar with accelerators for ever. */
+    void dismantle() {
+        getMenus().forEach(menu -> menu.getItems().clear());
+        getMenus().clear();
+    }
+
     /** Shows whether a recording is going on. */
     void showRecording(boolean recording) {
         items.get(Command.RECORD).setText(recording ? "Stop recording" : Command.RECORD.label());

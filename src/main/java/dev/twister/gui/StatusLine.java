@@ -9,8 +9,10 @@ import javafx.scene.layout.Region;
 import javafx.util.Duration;
 
 /** One line under the picture: what is drawn, and what is going on. */
-final class StatusLine extends HBox {
+final class StatusLine extends HBox implements AutoCloseable {
     private static final Duration NOTICE_TIME = Duration.seconds(10);
+
+    private final PauseTransition goodForAWhile = new PauseTransition(NOTICE_TIME);
 
     StatusLine(Studio studio) {
         getStyleClass().add("status");
@@ -24,7 +26,6 @@ final class StatusLine extends HBox {
         Label notice = new Label();
         notice.setId("notice");
         notice.setMinWidth(0);
-        PauseTransition goodForAWhile = new PauseTransition(NOTICE_TIME);
         goodForAWhile.setOnFinished(_ -> studio.notice(""));
         Region gap = new Region();
         setHgrow(gap, Priority.ALWAYS);
@@ -33,8 +34,16 @@ final class StatusLine extends HBox {
                 .subscribe(picture -> picture.map(StatusText::facts).ifPresent(facts::setText));
         studio.noticeProperty().subscribe(text -> {
             notice.setText(text);
-            goodForAWhile.playFromStart();
+            if (!text.isEmpty()) {
+                goodForAWhile.playFromStart();
+            }
         });
         studio.drawingProperty().subscribe(status -> message.setText(StatusText.message(status)));
+    }
+
+    /** Lets go of the notice's time, which would keep the window in memory. */
+    @Override
+    public void close() {
+        goodForAWhile.stop();
     }
 }

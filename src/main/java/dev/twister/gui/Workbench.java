@@ -22,6 +22,7 @@ final class Workbench implements AutoCloseable {
     private final PictureActions pictures;
     private final HelpWindows help;
     private final Panel panel;
+    private final MenuView menu;
 
     /**
      * Puts the menu at the root's top and the panel at its right.
@@ -41,7 +42,7 @@ final class Workbench implements AutoCloseable {
         EngineList engines = EngineList.load(studio, errands);
         CommandActions actions = actions(() -> Panel.resetAll(studio, engines, usualEngine));
         panel = new Panel(studio, engines, files, actions);
-        MenuView menu = new MenuView(studio, settings, files, actions);
+        menu = new MenuView(studio, settings, files, actions);
         pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
         root.setTop(menu);
         root.setRight(panel);
@@ -79,6 +80,7 @@ final class Workbench implements AutoCloseable {
         help.close();
         pictures.close();
         errands.close();
+        menu.dismantle();
     }
 
     Panel panel() {

@@ -14,7 +14,11 @@ public final class WindowScenes {
 
     /** Three spheres, quickly drawn. */
     public static Scene tiny() {
-        Scene scene = shipped("teaching");
+        return quick(shipped("teaching"));
+    }
+
+    /** The same with hard shadows, one reflection and one sample. */
+    public static Scene quick(Scene scene) {
         return scene.withSettings(scene.settings().withShadows(1).withBounces(1).withSamplesPerPixel(1));
     }
 }

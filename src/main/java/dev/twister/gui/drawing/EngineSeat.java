@@ -1,5 +1,6 @@
 package dev.twister.gui.drawing;
 
+import dev.twister.bench.FastestEngine;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.EngineOffer;
@@ -141,7 +142,10 @@ final class EngineSeat implements AutoCloseable {
         try {
             Engine engine = next.offer().opener().get();
             try {
-                warmUp.run(engine, next.engine()::isDone);
+                // It draws at once, and warms its successor up by itself.
+                if (!next.offer().id().equals(FastestEngine.AUTO)) {
+                    warmUp.run(engine, next.engine()::isDone);
+                }
             } catch (RuntimeException | Error problem) {
                 engine.close();
                 throw problem;

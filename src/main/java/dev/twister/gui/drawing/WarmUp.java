@@ -1,9 +1,12 @@
 package dev.twister.gui.drawing;
 
+import dev.twister.bench.BestTime;
+import dev.twister.bench.CompilerActivity;
 import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
 import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
+import java.time.Duration;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 
@@ -15,14 +18,11 @@ import java.util.function.BooleanSupplier;
  *     times slower
  */
 record WarmUp(FrameInput whole, FrameInput small) {
-    /** A JVM engine is warm when a whole picture may be expected in this time ... */
+    /** A JVM engine is warm when a whole picture may be expected in this time, or when its times have settled ... */
     private static final long SWIFT_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
 
-    /** ... or when it has had this much time, */
-    private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(3);
-
-    /** ... or when so many frames in a row were no faster than one before. */
-    private static final int STEADY_FRAMES = 8;
+    /** ... or when it has had this much time. */
+    private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(6);
 
     /**
      * Draws until the engine is about as fast as it will be.
@@ -41,17 +41,15 @@ record WarmUp(FrameInput whole, FrameInput small) {
     private void runOnJvm(Engine engine, BooleanSupplier unwanted) {
         Frame frame = Frame.ofPixels(small.width(), small.rows());
         double ratio = (double) whole.width() * whole.rows() / ((double) small.width() * small.rows());
+        CompilerActivity compiler = new CompilerActivity();
+        BestTime best = new BestTime();
         long start = System.nanoTime();
-        long best = Long.MAX_VALUE;
-        int steady = 0;
-        while (steady < STEADY_FRAMES
-                && best > SWIFT_NANOS / ratio
-                && System.nanoTime() - start < PATIENCE_NANOS
-                && !unwanted.getAsBoolean()) {
+        do {
             engine.render(small, frame);
-            long nanos = frame.times().totalNanos();
-            steady = nanos < best ? 0 : steady + 1;
-            best = Math.min(best, nanos);
-        }
+            best.add(frame.times().totalNanos(), compiler.sinceLastAsked());
+        } while (!best.isSettled()
+                && best.found().orElse(Duration.ZERO).toNanos() > SWIFT_NANOS / ratio
+                && System.nanoTime() - start < PATIENCE_NANOS
+                && !unwanted.getAsBoolean());
     }
 }
