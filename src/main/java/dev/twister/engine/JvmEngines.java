@@ -41,20 +41,25 @@ public final class JvmEngines implements EngineProvider {
     }
 
     private static void drawInTurn(FrameInput input, Frame frame) {
+        int shortcuts = shortcuts(input);
         for (int row = 0; row < frame.height(); row++) {
-            JvmKernel.drawRow(input, frame, row, PixelKernel.SHORTCUTS);
+            JvmKernel.drawRow(input, frame, row, shortcuts);
         }
     }
 
     private static void drawInParallel(FrameInput input, Frame frame) {
-        IntStream.range(0, frame.height())
-                .parallel()
-                .forEach(row -> JvmKernel.drawRow(input, frame, row, PixelKernel.SHORTCUTS));
+        int shortcuts = shortcuts(input);
+        IntStream.range(0, frame.height()).parallel().forEach(row -> JvmKernel.drawRow(input, frame, row, shortcuts));
     }
 
     private static void drawPlainly(FrameInput input, Frame frame) {
         for (int row = 0; row < frame.height(); row++) {
             JvmKernel.drawRow(input, frame, row, PixelKernel.PLAIN);
         }
+    }
+
+    // The loop is small enough for the JVM's compiler to become part of the kernel's code, the walk is not.
+    private static int shortcuts(FrameInput input) {
+        return input.hasFewSpheres() ? PixelKernel.FEW_SPHERES : PixelKernel.SHORTCUTS;
     }
 }

@@ -2,10 +2,13 @@ package dev.twister.kernel;
 
 /** One pixel, from the view ray to what is stored: the kernel that every engine calls. */
 public final class PixelKernel {
-    /** Values of the argument {@code shortcuts}: the equations as they stand, or the exact shortcuts. */
+    /** Values of the argument {@code shortcuts}: the equations as they stand, the exact shortcuts, and those for few spheres. */
     public static final int PLAIN = 0;
 
     public static final int SHORTCUTS = 1;
+
+    /** The shortcuts, but closest hits by the loop over all bodies: for few spheres, where the walk costs more. */
+    public static final int FEW_SPHERES = 2;
 
     /** Values of the argument {@code output}: 8-bit ARGB into {@code pixels}, or linear floats into {@code radiance}. */
     public static final int ARGB = 0;
@@ -96,7 +99,7 @@ public final class PixelKernel {
             int done = 0;
             for (int bounce = 0; bounce <= bounceLimit && done == 0; bounce++) {
                 int body;
-                if (shortcuts == PLAIN) {
+                if (shortcuts != SHORTCUTS) {
                     body = ClosestHit.body(
                             originX,
                             originY,

@@ -174,11 +174,12 @@ public final class SoftShadow {
                             y,
                             distance);
                 }
-                int forgotten = ((count > REMEMBERED ? 1 : 0) & (hit == 0 ? 1 : 0)) != 0 ? root : Layout.NO_NODE;
-                hit = hit
-                        + SampleRay.blocked(
-                                pointX, pointY, pointZ, own, axisX, axisY, axisZ, uY, uZ, wX, wY, wZ, x, y, distance,
-                                hierarchy, forgotten, scratch);
+                int forgotten = (count > REMEMBERED ? 1 : 0) & (hit == 0 ? 1 : 0);
+                if (forgotten != 0) {
+                    hit = SampleRay.blocked(
+                            pointX, pointY, pointZ, own, axisX, axisY, axisZ, uY, uZ, wX, wY, wZ, x, y, distance,
+                            hierarchy, root, scratch);
+                }
                 blocked = blocked + hit;
             }
             visible = 1f - (float) blocked / samples;

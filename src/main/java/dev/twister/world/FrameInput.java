@@ -213,6 +213,11 @@ public record FrameInput(
                 hierarchy);
     }
 
+    /** Whether the hierarchy is a single leaf, as it is for few spheres. */
+    public boolean hasFewSpheres() {
+        return hierarchy[Layout.root(bodies()) + Layout.NODE_SPHERES] >= 0;
+    }
+
     public int samplesPerPixel() {
         return (int) rayTracingProperties[Layout.PIXEL_SAMPLES];
     }
