@@ -20,10 +20,10 @@ public final class SoftShadow {
     private static final int STRIDE = 4;
 
     /** What {@link #judge} says of a sphere. */
-    private static final int HARMLESS = 0;
+    public static final int HARMLESS = 0;
 
-    private static final int CANDIDATE = 1;
-    private static final int HIDES_ALL = 2;
+    public static final int CANDIDATE = 1;
+    public static final int HIDES_ALL = 2;
 
     /** Culling must err on one side only: this much is added to a reach, so that rounding never drops a blocker. */
     public static final float RELATIVE_MARGIN = 1.0005f;
@@ -191,7 +191,7 @@ public final class SoftShadow {
      * Whether a sphere may come between the point and the disc, with its centre at (a, u, w), and whether it surely hides
      * the whole disc.
      */
-    private static int judge(float a, float u, float w, float radius, float distance, float slope, float slant) {
+    public static int judge(float a, float u, float w, float radius, float distance, float slope, float slant) {
         float across = u * u + w * w;
         float reach =
                 (a * slope + radius * slant) * RELATIVE_MARGIN + ABSOLUTE_MARGIN * (Math.abs(a) + distance + radius);

@@ -7,7 +7,11 @@ import dev.twister.world.FrameInput;
 /** What all threads read while a frame is drawn: the input, prepared for lanes. */
 final class Drawing {
     final BodyColumns bodies = new BodyColumns();
+    final WideHierarchy hierarchy = new WideHierarchy();
     final PaddedSky sky = new PaddedSky();
+
+    /** Whether there are so many bodies that the hierarchy is walked. */
+    boolean crowded;
 
     FrameInput input;
     Frame frame;
@@ -27,13 +31,27 @@ final class Drawing {
     /** The shadow samples' disc: twice the light's radius. */
     float discRadius;
 
+    /** The unit disc's samples, x and y apart, with as many blanks behind as a load may reach too far. */
+    float[] discX = {};
+
+    float[] discY = {};
+
     /** How far the outermost sample lies from the disc's centre, as a part of its radius. */
     float rim;
 
-    void take(FrameInput newInput, Frame newFrame) {
+    /**
+     * Prepares a frame.
+     *
+     * @param crowd from how many bodies on the hierarchy is walked
+     */
+    void take(FrameInput newInput, Frame newFrame, int crowd) {
         input = newInput;
         frame = newFrame;
         bodies.take(newInput);
+        crowded = newInput.bodies() >= crowd;
+        if (crowded) {
+            hierarchy.take(newInput);
+        }
         sky.take(newInput);
         float[] properties = newInput.rayTracingProperties();
         width = newInput.width();
@@ -46,9 +64,21 @@ final class Drawing {
         planeHeight = newInput.bodyPositions()[3 * Layout.PLANE + 1];
         planeHalfSide = 0.5f * newInput.bodySizes()[Layout.PLANE];
         discRadius = 2f * newInput.bodySizes()[Layout.LIGHT];
+        takeDisc(newInput.shadowDisc());
         float rimX = newInput.shadowDisc()[2 * shadowSamples - 2];
         float rimY = newInput.shadowDisc()[2 * shadowSamples - 1];
         rim = (float) Math.sqrt(rimX * rimX + rimY * rimY);
+    }
+
+    private void takeDisc(float[] disc) {
+        if (discX.length < shadowSamples + Lanes.COUNT) {
+            discX = new float[shadowSamples + Lanes.COUNT];
+            discY = new float[shadowSamples + Lanes.COUNT];
+        }
+        for (int sample = 0; sample < shadowSamples; sample++) {
+            discX[sample] = disc[2 * sample];
+            discY[sample] = disc[2 * sample + 1];
+        }
     }
 
     int tilesAcross() {

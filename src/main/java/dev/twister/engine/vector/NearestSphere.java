@@ -20,7 +20,7 @@ final class NearestSphere {
             FloatVector hit = Lanes.all(Layout.NOTHING);
             for (int c = 0; c < candidates.count; c++) {
                 int body = candidates.bodies[c];
-                FloatVector near = near(t, at, bodies, body);
+                FloatVector near = near(t, at, bodies.x[body], bodies.y[body], bodies.z[body], bodies.radius[body]);
                 VectorMask<Float> closer = near.compare(VectorOperators.GT, 0f)
                         .and(near.compare(VectorOperators.LT, closest))
                         .and(leaving.compare(VectorOperators.NE, body));
@@ -33,19 +33,18 @@ final class NearestSphere {
     }
 
     /** Distance to the near root, of either sign; not a number where the ray's line passes the sphere. */
-    private static FloatVector near(float[] t, int at, BodyColumns bodies, int body) {
+    static FloatVector near(float[] t, int at, float centerX, float centerY, float centerZ, float radius) {
         FloatVector directionX = Lanes.load(t, at + Tile.DIRECTION_X);
         FloatVector directionY = Lanes.load(t, at + Tile.DIRECTION_Y);
         FloatVector directionZ = Lanes.load(t, at + Tile.DIRECTION_Z);
-        FloatVector x = Lanes.all(bodies.x[body]).sub(Lanes.load(t, at + Tile.ORIGIN_X));
-        FloatVector y = Lanes.all(bodies.y[body]).sub(Lanes.load(t, at + Tile.ORIGIN_Y));
-        FloatVector z = Lanes.all(bodies.z[body]).sub(Lanes.load(t, at + Tile.ORIGIN_Z));
+        FloatVector x = Lanes.all(centerX).sub(Lanes.load(t, at + Tile.ORIGIN_X));
+        FloatVector y = Lanes.all(centerY).sub(Lanes.load(t, at + Tile.ORIGIN_Y));
+        FloatVector z = Lanes.all(centerZ).sub(Lanes.load(t, at + Tile.ORIGIN_Z));
         FloatVector along = x.fma(directionX, y.fma(directionY, z.mul(directionZ)));
         FloatVector acrossX = x.sub(along.mul(directionX));
         FloatVector acrossY = y.sub(along.mul(directionY));
         FloatVector acrossZ = z.sub(along.mul(directionZ));
         FloatVector acrossSquared = acrossX.fma(acrossX, acrossY.fma(acrossY, acrossZ.mul(acrossZ)));
-        float radius = bodies.radius[body];
         return along.sub(Lanes.all(radius * radius).sub(acrossSquared).sqrt());
     }
 }

@@ -7,6 +7,8 @@ import jdk.incubator.vector.VectorOperators;
 
 /** Which spheres may come between a packet's points and the light's disc: {@link SoftShadow}'s culling. */
 final class ShadowCandidates {
+    /** Where more spheres are near a packet's lines, its points are better off one by one. */
+    private static final int MOST_TOGETHER = 32;
 
     private ShadowCandidates() {}
 
@@ -33,11 +35,8 @@ final class ShadowCandidates {
      */
     static boolean find(Tile tile, int at, BodyColumns bodies, ShadowScratch scratch) {
         BodyList candidates = scratch.tileCandidates;
-        BodyList found = scratch.candidates;
         float[] t = tile.values;
-        found.clear();
-        long touched = 0;
-        long dark = 0;
+        scratch.startPacket();
         for (int c = 0; c < candidates.count; c++) {
             int body = candidates.bodies[c];
             long between = between(t, at, bodies, body);
@@ -45,14 +44,68 @@ final class ShadowCandidates {
                 between &= isOutside(t, at, bodies, body);
             }
             if (between != 0) {
-                found.add(body);
-                touched |= between;
-                dark |= between & hidesDisc(t, at, bodies, body);
+                scratch.add(body, between, hidesDisc(t, at, bodies, body));
             }
         }
-        long undecided = touched & ~dark;
-        close(t, at, dark, undecided);
-        return undecided != 0;
+        return finish(t, at, scratch) != 0;
+    }
+
+    /**
+     * Lists one packet's candidates out of the whole hierarchy, until all lanes are in the dark.
+     *
+     * @return whether all were found: the packet's points are so near each other that few spheres were looked at
+     */
+    static boolean findInHierarchy(Tile tile, int at, Drawing drawing) {
+        WideHierarchy hierarchy = drawing.hierarchy;
+        ShadowScratch scratch = tile.shadow;
+        Hull hull = scratch.hull;
+        Descent descent = tile.descent;
+        scratch.startPacket();
+        long open = LaneSteps.run(LaneSteps.OPEN_LANES, tile, drawing, hull, at, 0);
+        descent.start(tile, drawing, hull);
+        int judged = 0;
+        int leaf = descent.nextLeaf(tile, drawing, hull, hull.end);
+        while (leaf >= 0 && judged <= MOST_TOGETHER) {
+            int sphere = hierarchy.links[leaf];
+            int end = sphere + hierarchy.spheres[leaf];
+            while (sphere < end) {
+                long near = LaneSteps.run(LaneSteps.TOUCH_SPHERES, tile, drawing, hull, at, sphere)
+                        & (1L << Math.min(Lanes.COUNT, end - sphere)) - 1;
+                judged += Long.bitCount(near);
+                while (near != 0L) {
+                    judge(tile, drawing, at, hierarchy.bodies[sphere + Long.numberOfTrailingZeros(near)]);
+                    near &= near - 1;
+                }
+                sphere += Lanes.COUNT;
+            }
+            leaf = (open & ~scratch.dark) == 0L ? -1 : descent.nextLeaf(tile, drawing, hull, hull.end);
+        }
+        return judged <= MOST_TOGETHER;
+    }
+
+    private static void judge(Tile tile, Drawing drawing, int at, int body) {
+        Hull hull = tile.shadow.hull;
+        long between = LaneSteps.run(LaneSteps.BETWEEN, tile, drawing, hull, at, body);
+        if (between != 0) {
+            between &= LaneSteps.run(LaneSteps.OUTSIDE, tile, drawing, hull, at, body);
+        }
+        if (between != 0) {
+            tile.shadow.add(body, between, LaneSteps.run(LaneSteps.HIDES_DISC, tile, drawing, hull, at, body));
+        }
+    }
+
+    /** One bit an open lane. */
+    static long open(float[] t, int at) {
+        return Lanes.load(t, at + Tile.SHADOW_OPEN)
+                .compare(VectorOperators.GT, 0f)
+                .toLong();
+    }
+
+    /** Makes the lanes in the dark invisible; returns one bit a lane that is still open. */
+    static long finish(float[] t, int at, ShadowScratch scratch) {
+        long undecided = scratch.touched & ~scratch.dark;
+        close(t, at, scratch.dark, undecided);
+        return undecided;
     }
 
     private static void close(float[] t, int at, long dark, long undecided) {
@@ -63,7 +116,7 @@ final class ShadowCandidates {
     }
 
     /** One bit a lane where the sphere may meet the cone from the point to the disc. */
-    private static long between(float[] t, int at, BodyColumns bodies, int body) {
+    static long between(float[] t, int at, BodyColumns bodies, int body) {
         float radius = bodies.radius[body];
         FloatVector x = Lanes.all(bodies.x[body]).sub(Lanes.load(t, at + Tile.POINT_X));
         FloatVector y = Lanes.all(bodies.y[body]).sub(Lanes.load(t, at + Tile.POINT_Y));
@@ -89,7 +142,7 @@ final class ShadowCandidates {
     }
 
     /** One bit an open lane whose point neither lies on the sphere nor inside it. */
-    private static long isOutside(float[] t, int at, BodyColumns bodies, int body) {
+    static long isOutside(float[] t, int at, BodyColumns bodies, int body) {
         float radius = bodies.radius[body];
         FloatVector x = Lanes.all(bodies.x[body]).sub(Lanes.load(t, at + Tile.POINT_X));
         FloatVector y = Lanes.all(bodies.y[body]).sub(Lanes.load(t, at + Tile.POINT_Y));
@@ -105,7 +158,7 @@ final class ShadowCandidates {
      * One bit a lane where the sphere surely hides the whole disc: it lies wholly between, and its cone, as seen from the
      * point, holds the disc's.
      */
-    private static long hidesDisc(float[] t, int at, BodyColumns bodies, int body) {
+    static long hidesDisc(float[] t, int at, BodyColumns bodies, int body) {
         float radius = bodies.radius[body];
         FloatVector x = Lanes.all(bodies.x[body]).sub(Lanes.load(t, at + Tile.POINT_X));
         FloatVector y = Lanes.all(bodies.y[body]).sub(Lanes.load(t, at + Tile.POINT_Y));

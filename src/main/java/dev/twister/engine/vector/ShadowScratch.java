@@ -44,6 +44,14 @@ final class ShadowScratch {
 
     final BodyList candidates = new BodyList();
 
+    /** Those of one point at a time. */
+    final LoneCandidates lone = new LoneCandidates();
+
+    /** One bit a lane that some candidate may shade, and one that a candidate shades wholly. */
+    long touched;
+
+    long dark;
+
     final float[] frame = new float[FRAME_LENGTH];
 
     /** The facts of {@link #candidates}. */
@@ -51,6 +59,20 @@ final class ShadowScratch {
 
     /** Whether each candidate lies wholly between the points that it may shade and the disc. */
     boolean between;
+
+    /** Forgets the last packet. */
+    void startPacket() {
+        candidates.clear();
+        touched = 0;
+        dark = 0;
+    }
+
+    /** Adds a candidate that may shade some lanes, and some of them wholly. */
+    void add(int body, long between, long hidden) {
+        candidates.add(body);
+        touched |= between;
+        dark |= between & hidden;
+    }
 
     /** Makes room for a frame's bodies. */
     void reserveBodies(int most) {

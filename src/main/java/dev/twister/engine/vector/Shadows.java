@@ -21,14 +21,44 @@ final class Shadows {
 
     static void find(Tile tile, Drawing drawing) {
         if (tile.shadows.count > 0) {
-            BodyColumns bodies = drawing.bodies;
-            Hull hull = tile.shadow.hull;
-            hull.startAround(tile, tile.shadows, Tile.POINT_X, Tile.SHADOW_OPEN);
-            hull.endIn(bodies.x[Layout.LIGHT], bodies.y[Layout.LIGHT], bodies.z[Layout.LIGHT], drawing.discRadius);
-            hull.cull(bodies, Layout.FIRST_SPHERE, tile.shadow.tileCandidates);
-            if (tile.shadow.tileCandidates.count > 0) {
+            if (drawing.crowded) {
                 ShadowCandidates.findDiscs(tile, drawing);
-                sample(tile, drawing);
+                sampleInCrowd(tile, drawing);
+            } else {
+                Hull hull = tile.shadow.hull;
+                hull.startAround(tile, tile.shadows, Tile.POINT_X, Tile.SHADOW_OPEN);
+                endAtLight(hull, drawing);
+                hull.cull(drawing.bodies, Layout.FIRST_SPHERE, tile.shadow.tileCandidates);
+                if (tile.shadow.tileCandidates.count > 0) {
+                    ShadowCandidates.findDiscs(tile, drawing);
+                    sample(tile, drawing);
+                }
+            }
+        }
+    }
+
+    private static void endAtLight(Hull hull, Drawing drawing) {
+        BodyColumns bodies = drawing.bodies;
+        hull.endIn(
+                bodies.x[Layout.LIGHT],
+                bodies.y[Layout.LIGHT],
+                bodies.z[Layout.LIGHT],
+                drawing.discRadius * drawing.rim);
+    }
+
+    private static void sampleInCrowd(Tile tile, Drawing drawing) {
+        Hull hull = tile.shadow.hull;
+        for (int k = 0; k < tile.shadows.count; k++) {
+            int at = tile.shadows.places[k];
+            tile.packet.clear();
+            tile.packet.add(at);
+            LaneSteps.run(LaneSteps.HOLD_POINTS, tile, drawing, hull, at, 0);
+            endAtLight(hull, drawing);
+            hull.prepareForBoxes();
+            if (hull.everything || !ShadowCandidates.findInHierarchy(tile, at, drawing)) {
+                LoneShadows.find(tile, at, drawing);
+            } else if (LaneSteps.run(LaneSteps.FINISH_PACKET, tile, drawing, hull, at, 0) != 0) {
+                sample(tile, drawing, at);
             }
         }
     }
@@ -37,10 +67,14 @@ final class Shadows {
         for (int k = 0; k < tile.shadows.count; k++) {
             int at = tile.shadows.places[k];
             if (ShadowCandidates.find(tile, at, drawing.bodies, tile.shadow)) {
-                for (PacketStage stage : SAMPLING) {
-                    stage.run(tile, drawing, at);
-                }
+                sample(tile, drawing, at);
             }
+        }
+    }
+
+    private static void sample(Tile tile, Drawing drawing, int at) {
+        for (PacketStage stage : SAMPLING) {
+            stage.run(tile, drawing, at);
         }
     }
 

@@ -138,6 +138,12 @@ final class Tile {
 
     final BodyList candidates = new BodyList();
 
+    /** One packet, or one ray of it, on its way through the hierarchy. */
+    final PacketList packet = new PacketList();
+
+    final Hull packetHull = new Hull();
+    final Descent descent = new Descent();
+
     /** For one packet's shadows at a time. */
     final ShadowScratch shadow = new ShadowScratch();
 

@@ -9,10 +9,17 @@ final class TileRenderer {
         (tile, drawing) -> ViewRays.place(tile, drawing.input.camera()),
     };
 
-    private static final Stage[] HIT = {
-        (tile, drawing) -> tile.rays.holdRays(tile),
+    private static final Stage[] NEAREST_OF_FEW = {
+        (tile, drawing) -> tile.rays.holdRays(tile, tile.live),
         (tile, drawing) -> tile.rays.cull(drawing.bodies, Layout.LIGHT, tile.candidates),
         (tile, drawing) -> NearestSphere.find(tile, drawing.bodies, tile.candidates),
+    };
+
+    private static final Stage[] NEAREST_OF_MANY = {
+        (tile, drawing) -> PacketHits.find(tile, drawing),
+    };
+
+    private static final Stage[] HIT = {
         (tile, drawing) -> GroundHit.find(tile, drawing.planeHeight, drawing.planeHalfSide),
         (tile, drawing) -> HitSorting.sort(tile),
         (tile, drawing) -> LightHit.add(tile, drawing.bodies),
@@ -102,6 +109,7 @@ final class TileRenderer {
             if (bounce > 0) {
                 Stage.runAll(NEXT_ORIGINS, tile, drawing);
             }
+            Stage.runAll(drawing.crowded ? NEAREST_OF_MANY : NEAREST_OF_FEW, tile, drawing);
             Stage.runAll(HIT, tile, drawing);
             if (tile.skies.count > 0) {
                 Stage.runAll(SKY, tile, drawing);

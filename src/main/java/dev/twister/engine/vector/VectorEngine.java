@@ -12,14 +12,24 @@ import java.util.concurrent.atomic.AtomicInteger;
 
 /** Draws tiles in SIMD lanes on some threads; once warm, a frame allocates nothing but its times. */
 final class VectorEngine implements Engine {
+    /** With fewer bodies, a look at all of them a tile is faster; measured, see {@code benchmarks/NOTES.md}. */
+    static final int CROWD = 500;
+
     private final int threads;
+    private final int crowd;
     private final TileRenderer[] renderers;
     private final Drawing drawing = new Drawing();
     private final AtomicInteger nextTile = new AtomicInteger();
     private final Crew crew;
 
-    VectorEngine(int threads) {
+    /**
+     * Starts the threads.
+     *
+     * @param crowd from how many bodies on the hierarchy is walked
+     */
+    VectorEngine(int threads, int crowd) {
         this.threads = threads;
+        this.crowd = crowd;
         renderers = new TileRenderer[threads];
         Arrays.setAll(renderers, thread -> new TileRenderer());
         crew = new Crew("vector", threads, this::drawTiles);
@@ -44,7 +54,7 @@ final class VectorEngine implements Engine {
     public void render(FrameInput input, Frame frame) {
         FrameFit.check(input, frame);
         long start = System.nanoTime();
-        drawing.take(input, frame);
+        drawing.take(input, frame, crowd);
         for (TileRenderer renderer : renderers) {
             renderer.reserve(input.bodies());
         }

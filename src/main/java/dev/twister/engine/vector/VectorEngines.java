@@ -35,6 +35,11 @@ public final class VectorEngines implements EngineProvider {
 
     /** The engine on so many threads. */
     static Engine open(int threads) {
-        return new VectorEngine(threads);
+        return open(threads, VectorEngine.CROWD);
+    }
+
+    /** The same, which walks the hierarchy from that many bodies on. */
+    static Engine open(int threads, int crowd) {
+        return new VectorEngine(threads, crowd);
     }
 }

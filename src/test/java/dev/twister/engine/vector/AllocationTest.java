@@ -15,7 +15,7 @@ import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * Whether a warm frame allocates. Each width has a JVM of its own, as a user's has: one that has seen several widths
@@ -31,23 +31,24 @@ final class AllocationTest {
     private static final int FRAMES = 20;
 
     @ParameterizedTest
-    @ValueSource(ints = {128, 256, 512})
-    void allocatesNextToNothingInAWarmFrame(int bits) throws IOException, InterruptedException {
-        String first = warmUp(bits);
+    @CsvSource({"128, benchmark", "256, benchmark", "512, benchmark"})
+    void allocatesNextToNothingInAWarmFrame(int bits, String scene) throws IOException, InterruptedException {
+        String first = warmUp(bits, scene);
         // The order in which the compiler takes the stages is its own: once in many JVMs one of them stays boxed.
-        String last = first.contains(WarmFrames.WARM) ? first : warmUp(bits);
+        String last = first.contains(WarmFrames.WARM) ? first : warmUp(bits, scene);
         assertThat(last).contains(WarmFrames.WARM);
     }
 
     /** What a JVM of that width said in the end. */
-    private static String warmUp(int bits) throws IOException, InterruptedException {
+    private static String warmUp(int bits, String scene) throws IOException, InterruptedException {
         Process java = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                         "--add-modules=jdk.incubator.vector",
                         "-D" + Lanes.BITS_PROPERTY + "=" + bits,
                         "-cp",
                         System.getProperty("java.class.path"),
-                        WarmFrames.class.getName())
+                        WarmFrames.class.getName(),
+                        scene)
                 .redirectErrorStream(true)
                 .start();
         String output = new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
@@ -62,7 +63,7 @@ final class AllocationTest {
         private WarmFrames() {}
 
         public static void main(String[] arguments) {
-            Scene scene = SceneReader.read(Path.of("scenes", "benchmark.json"));
+            Scene scene = SceneReader.read(Path.of("scenes", arguments[0] + ".json"));
             World world = World.of(scene, SkyboxReader.read(scene.skybox()));
             world.setSettings(world.settings().withSize(640, 360));
             FrameInput input = world.snapshot();

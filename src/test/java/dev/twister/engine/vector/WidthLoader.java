@@ -4,6 +4,7 @@ import dev.twister.engine.Engine;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.util.Arrays;
 
 /**
  * Loads the engine's classes anew, with a width of its own: lanes are a constant of a class, so that each width is other
@@ -22,13 +23,24 @@ final class WidthLoader extends ClassLoader {
      * @param bits 128, 256 or 512
      */
     static Engine open(int bits, int threads) {
+        return open(bits, new Object[] {threads});
+    }
+
+    /** The same, which walks the hierarchy from that many bodies on. */
+    static Engine openForCrowds(int bits, int threads, int crowd) {
+        return open(bits, new Object[] {threads, crowd});
+    }
+
+    private static Engine open(int bits, Object[] arguments) {
         String before = System.getProperty(Lanes.BITS_PROPERTY);
         System.setProperty(Lanes.BITS_PROPERTY, Integer.toString(bits));
         try {
             Class<?> engines = new WidthLoader().loadClass(VectorEngines.class.getName());
-            var open = engines.getDeclaredMethod("open", int.class);
+            Class<?>[] types = new Class<?>[arguments.length];
+            Arrays.fill(types, int.class);
+            var open = engines.getDeclaredMethod("open", types);
             open.setAccessible(true);
-            return (Engine) open.invoke(null, threads);
+            return (Engine) open.invoke(null, arguments);
         } catch (ReflectiveOperationException e) {
             throw new LinkageError("cannot open the engine at " + bits + " bits", e);
         } finally {
