@@ -40,7 +40,7 @@ class RoomsTest {
                 room("engine", "kernel", "world", "image"),
                 room("engine.tornado", "kernel", "world", "image", "engine"),
                 room("engine.vector", "kernel", "world", "image", "engine", "threads"),
-                room("bench", "engine", "image", "world", "scene"),
+                room("bench", "engine", "image", "world", "scene", "physics"),
                 room("gui.model", "scene", "sky", "kernel", "world", "physics", "engine", "image", "bench"),
                 room("gui.drawing", "scene", "sky", "world", "physics", "engine", "image", "bench", "gui.model"),
                 room(

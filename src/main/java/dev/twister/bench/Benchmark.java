@@ -11,6 +11,7 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Function;
 
 /** Measures engines one after the other and holds each one's picture to sequential's. */
@@ -21,15 +22,22 @@ public final class Benchmark {
     private final Function<String, Engine> opener;
     private final BenchmarkPlan plan;
     private final World world;
+    private final Optional<MotionPlan> motion;
     private final BenchmarkProgress progress;
     private final Map<PictureSize, int[]> references = new HashMap<>();
     private final List<Measurement> measurements = new ArrayList<>();
     private final List<EngineFailure> failures = new ArrayList<>();
 
-    private Benchmark(Function<String, Engine> opener, BenchmarkPlan plan, World world, BenchmarkProgress progress) {
+    private Benchmark(
+            Function<String, Engine> opener,
+            BenchmarkPlan plan,
+            World world,
+            Optional<MotionPlan> motion,
+            BenchmarkProgress progress) {
         this.opener = opener;
         this.plan = plan;
         this.world = world;
+        this.motion = motion;
         this.progress = progress;
     }
 
@@ -39,6 +47,7 @@ public final class Benchmark {
      * @param opener opens the engine of an id
      * @param scene what the report calls the world's scene
      * @param world its settings' size, samples and bounces give way to the plan's
+     * @param motion how its bodies move, where they do: each engine starts anew at each size
      * @throws EngineException where the reference cannot be drawn
      */
     public static BenchmarkReport run(
@@ -46,9 +55,12 @@ public final class Benchmark {
             BenchmarkPlan plan,
             String scene,
             World world,
+            Optional<MotionPlan> motion,
             BenchmarkProgress progress) {
-        Benchmark benchmark = new Benchmark(opener, plan, world, progress);
-        benchmark.drawReferences();
+        Benchmark benchmark = new Benchmark(opener, plan, world, motion, progress);
+        if (motion.isEmpty()) {
+            benchmark.drawReferences();
+        }
         plan.engines().forEach(benchmark::measure);
         // Each engine is opened once, for all sizes; a reader compares engines at one size.
         benchmark.measurements.sort(
@@ -75,18 +87,38 @@ public final class Benchmark {
         try (Engine engine = opener.apply(id)) {
             for (PictureSize size : plan.sizes()) {
                 progress.begins(engine.id(), size, plan.warmupFrames() + plan.frames());
-                measurements.add(measuring.measure(engine, inputAt(size), references.get(size)));
+                measurements.add(
+                        motion.isPresent()
+                                ? measureMoving(engine, size, motion.get())
+                                : measuring.measure(engine, inputAt(size), references.get(size)));
             }
         } catch (EngineException failure) {
             failures.add(new EngineFailure(id, failure.getMessage()));
         }
     }
 
+    private Measurement measureMoving(Engine engine, PictureSize size, MotionPlan moving) {
+        applySettings(size);
+        return new MotionMeasuring(plan, moving, world, progress).measure(engine, this::drawReference);
+    }
+
+    private int[] drawReference(FrameInput input) {
+        try (Engine engine = opener.apply(REFERENCE)) {
+            Frame frame = Frame.ofPixels(input.width(), input.height());
+            engine.render(input, frame);
+            return frame.argb();
+        }
+    }
+
     private FrameInput inputAt(PictureSize size) {
+        applySettings(size);
+        return world.snapshot();
+    }
+
+    private void applySettings(PictureSize size) {
         world.setSettings(world.settings()
                 .withSize(size.width(), size.height())
                 .withShadows(plan.shadowSamples())
                 .withBounces(plan.bounces()));
-        return world.snapshot();
     }
 }

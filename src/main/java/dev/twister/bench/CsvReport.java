@@ -33,6 +33,8 @@ public final class CsvReport {
             "msKernel",
             "msCopyIn",
             "msCopyOut",
+            "msStep",
+            "msRebuild",
             "speedupOverSequential",
             "speedupOverParallel",
             "differingPixels",

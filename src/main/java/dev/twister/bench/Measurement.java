@@ -10,6 +10,7 @@ import java.util.Optional;
  * @param times of the measured frames, from the call to the pixels in the caller's array
  * @param deviceTimes where the engine draws on a device
  * @param comparison with sequential's picture
+ * @param motionTimes where bodies move
  */
 public record Measurement(
         String engine,
@@ -21,4 +22,31 @@ public record Measurement(
         int warmupFrames,
         Statistics times,
         Optional<DeviceTimes> deviceTimes,
-        PictureComparison comparison) {}
+        PictureComparison comparison,
+        Optional<MotionTimes> motionTimes) {
+    /** One engine at one size with bodies that stand still. */
+    public Measurement(
+            String engine,
+            String device,
+            PictureSize size,
+            int shadowSamples,
+            int bounces,
+            int bodies,
+            int warmupFrames,
+            Statistics times,
+            Optional<DeviceTimes> deviceTimes,
+            PictureComparison comparison) {
+        this(
+                engine,
+                device,
+                size,
+                shadowSamples,
+                bounces,
+                bodies,
+                warmupFrames,
+                times,
+                deviceTimes,
+                comparison,
+                Optional.empty());
+    }
+}

@@ -71,5 +71,9 @@ final class ReportFields {
             fields.put("msCopyIn", ReportNumbers.rounded(device.copyIn()));
             fields.put("msCopyOut", ReportNumbers.rounded(device.copyOut()));
         });
+        measurement.motionTimes().ifPresent(motion -> {
+            fields.put("msStep", ReportNumbers.rounded(motion.step()));
+            fields.put("msRebuild", ReportNumbers.rounded(motion.rebuild()));
+        });
     }
 }

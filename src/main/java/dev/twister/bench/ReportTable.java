@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /** A report for a person at a terminal of 120 columns. */
 public final class ReportTable {
@@ -24,6 +25,7 @@ public final class ReportTable {
             "p95",
             "x sequential",
             "x parallel");
+    private static final List<String> MOTION_TITLES = List.of("step ms", "rebuild ms");
 
     private ReportTable() {}
 
@@ -75,15 +77,33 @@ public final class ReportTable {
 
     private static List<String> table(BenchmarkReport report) {
         List<List<String>> rows = new ArrayList<>();
-        rows.add(TITLES);
-        report.measurements().forEach(measurement -> rows.add(row(report, measurement)));
-        int[] widths = IntStream.range(0, TITLES.size())
+        boolean moving = report.measurements().stream()
+                .anyMatch(measurement -> measurement.motionTimes().isPresent());
+        rows.add(moving ? joined(TITLES, MOTION_TITLES) : TITLES);
+        for (Measurement measurement : report.measurements()) {
+            List<String> row = row(report, measurement);
+            rows.add(moving ? joined(row, motion(measurement)) : row);
+        }
+        int[] widths = IntStream.range(0, rows.getFirst().size())
                 .map(column -> rows.stream()
                         .mapToInt(row -> row.get(column).length())
                         .max()
                         .orElse(0))
                 .toArray();
         return rows.stream().map(row -> aligned(row, widths)).toList();
+    }
+
+    private static List<String> joined(List<String> first, List<String> second) {
+        return Stream.concat(first.stream(), second.stream()).toList();
+    }
+
+    private static List<String> motion(Measurement measurement) {
+        return measurement
+                .motionTimes()
+                .map(times -> List.of(
+                        String.format(Locale.ROOT, "%.2f", times.step()),
+                        String.format(Locale.ROOT, "%.2f", times.rebuild())))
+                .orElse(List.of("-", "-"));
     }
 
     private static List<String> row(BenchmarkReport report, Measurement measurement) {

@@ -7,6 +7,7 @@ import dev.twister.bench.BenchmarkReport;
 import dev.twister.bench.CsvReport;
 import dev.twister.bench.FastestEngine;
 import dev.twister.bench.JsonReport;
+import dev.twister.bench.MotionPlan;
 import dev.twister.bench.PaperPlan;
 import dev.twister.bench.PictureSize;
 import dev.twister.bench.ReportTable;
@@ -42,6 +43,7 @@ import picocli.CommandLine.Spec;
             "  twister benchmark",
             "  twister benchmark --quick --json results.json --csv results.csv",
             "  twister benchmark spheres-100 --engine parallel --engine tornado --size 1080p --size 4k",
+            "  twister benchmark pour-100000 --physics --start 30 --engine vector --size 720p",
             "  twister benchmark --paper --quick --output my-machine",
             "",
             "Exit code 1 says that an engine failed or drew another picture."
@@ -123,13 +125,17 @@ final class BenchmarkCommand implements Callable<Integer> {
             description = "The folder for --paper; " + PAPER_FOLDER + " where not said.")
     private Optional<Path> output = Optional.empty();
 
+    @Mixin
+    private MotionOptions motion;
+
     @Override
     public Integer call() throws IOException {
+        motion.check(Optional.empty());
         return paper ? evaluate() : compare();
     }
 
     private int evaluate() throws IOException {
-        if (!sizes.isEmpty() || shading.areGiven() || classic || json.isPresent() || csv.isPresent()) {
+        if (!sizes.isEmpty() || shading.areGiven() || classic || json.isPresent() || csv.isPresent() || motion.isOn()) {
             throw new BadInputException("--paper has its own sizes, shadow samples, bounces and files: it goes with"
                     + " --engine, --quick, --warmup, --frames, --max-seconds and --output only");
         }
@@ -158,7 +164,8 @@ final class BenchmarkCommand implements Callable<Integer> {
         BenchmarkPlan plan = plan();
         json.ifPresent(file -> OutputFile.check("--json", file));
         csv.ifPresent(file -> OutputFile.check("--csv", file));
-        BenchmarkReport report = run(plan, world());
+        Scene scene = SceneReader.read(SceneFiles.find(sceneName));
+        BenchmarkReport report = run(plan, scene);
         spec.commandLine().getOut().println(ReportTable.of(report));
         if (json.isPresent()) {
             JsonReport.write(report, json.get());
@@ -174,9 +181,13 @@ final class BenchmarkCommand implements Callable<Integer> {
         return World.of(scene, SkyboxReader.read(scene.skybox()));
     }
 
-    private BenchmarkReport run(BenchmarkPlan plan, World world) {
+    private BenchmarkReport run(BenchmarkPlan plan, Scene scene) {
+        World world = World.of(scene, SkyboxReader.read(scene.skybox()));
+        Optional<MotionPlan> moving = motion.isOn()
+                ? Optional.of(new MotionPlan(scene, motion.startSeconds(), motion.secondsPerFrame()))
+                : Optional.empty();
         try (BenchmarkLines lines = new BenchmarkLines(spec.commandLine().getErr())) {
-            return Benchmark.run(BenchmarkEngines::open, plan, sceneName, world, lines);
+            return Benchmark.run(BenchmarkEngines::open, plan, sceneName, world, moving, lines);
         }
     }
 

@@ -7,6 +7,7 @@ import dev.twister.engine.Engines;
 import dev.twister.image.Frame;
 import dev.twister.image.HdrWriter;
 import dev.twister.image.PngWriter;
+import dev.twister.physics.Simulation;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
@@ -14,6 +15,7 @@ import dev.twister.sky.SkyboxReader;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.io.Writer;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
@@ -35,7 +37,9 @@ import picocli.CommandLine.Spec;
             "  twister render benchmark -o benchmark.png",
             "  twister render my-scene.json -o large.png --size 4k --samples 16 --tone-map aces --srgb",
             "  twister render mirrors -o mirrors.hdr --engine tornado",
-            "  twister render benchmark -o left.png --camera -12,-6,-10 --yaw 40 --fov 60"
+            "  twister render benchmark -o left.png --camera -12,-6,-10 --yaw 40 --fov 60",
+            "  twister render pour-1000 -o pour.png --physics --frames 600 --fps 30",
+            "  twister render pour-1000 -o heap.png --physics --start 12"
         })
 final class RenderCommand implements Callable<Integer> {
     private static final String PNG = ".png";
@@ -87,9 +91,19 @@ final class RenderCommand implements Callable<Integer> {
     @Option(names = "--skybox", paramLabel = "FILE", description = "Another panorama: .hdr, .png or .jpg.")
     private Optional<Path> skybox = Optional.empty();
 
+    @Mixin
+    private MotionOptions motion;
+
+    @Option(
+            names = "--frames",
+            paramLabel = "N",
+            description = "With --physics: so many pictures, numbered: FILE-0000.png and so on.")
+    private Optional<Integer> frames = Optional.empty();
+
     @Override
     public Integer call() throws IOException {
         boolean linear = isLinear();
+        motion.check(frames);
         OutputFile.check("--output", output);
         Scene scene = SceneReader.read(SceneFiles.find(sceneName));
         RenderSettings settings = settings(scene.settings());
@@ -97,8 +111,64 @@ final class RenderCommand implements Callable<Integer> {
         World world = World.of(scene, SkyboxReader.read(skybox.orElse(scene.skybox())));
         world.setCamera(camera.over(scene.camera()));
         world.setSettings(settings);
-        draw(world, linear);
+        if (motion.isOn()) {
+            drawMoving(scene, world, linear);
+        } else {
+            draw(world, linear);
+        }
         return Main.OK;
+    }
+
+    private void drawMoving(Scene scene, World world, boolean linear) throws IOException {
+        try (Simulation simulation = Simulation.of(scene)) {
+            motion.begin(simulation);
+            simulation.place(world);
+            if (frames.isEmpty()) {
+                draw(world, linear);
+            } else {
+                drawFrames(simulation, world, linear, frames.get());
+            }
+        }
+    }
+
+    private void drawFrames(Simulation simulation, World world, boolean linear, int count) throws IOException {
+        NumberedFiles files = new NumberedFiles(output, count);
+        long start = System.nanoTime();
+        try (Engine engine = Engines.open(engineId);
+                ProgressLine progress = ProgressLine.start(spec.commandLine().getErr(), engine.id(), count)) {
+            for (int number = 0; number < count; number++) {
+                simulation.place(world);
+                // Its own line of progress would write over that of the frames.
+                Frame picture = BandedDrawing.draw(
+                        engine,
+                        world.snapshot(),
+                        world.settings().samplesPerPixel(),
+                        linear,
+                        new PrintWriter(Writer.nullWriter()));
+                write(files.file(number), picture, linear);
+                simulation.advance(motion.secondsPerFrame());
+                progress.step();
+            }
+        }
+        spec.commandLine()
+                .getOut()
+                .printf(
+                        Locale.ROOT,
+                        "%s to %s: %d frames of %d x %d, %.1f ms each%n",
+                        files.file(0),
+                        files.file(count - 1),
+                        count,
+                        world.settings().width(),
+                        world.settings().height(),
+                        (System.nanoTime() - start) / NANOS_PER_MILLI / count);
+    }
+
+    private static void write(Path file, Frame picture, boolean linear) throws IOException {
+        if (linear) {
+            HdrWriter.write(file, picture.width(), picture.height(), picture.radiance());
+        } else {
+            PngWriter.write(file, picture.width(), picture.height(), picture.argb());
+        }
     }
 
     private void draw(World world, boolean linear) throws IOException {
@@ -110,11 +180,7 @@ final class RenderCommand implements Callable<Integer> {
                     world.settings().samplesPerPixel(),
                     linear,
                     spec.commandLine().getErr());
-            if (linear) {
-                HdrWriter.write(output, picture.width(), picture.height(), picture.radiance());
-            } else {
-                PngWriter.write(output, picture.width(), picture.height(), picture.argb());
-            }
+            write(output, picture, linear);
             out.printf(
                     Locale.ROOT,
                     "%s: %d x %d, %s (%s), %.1f ms%n",

@@ -92,6 +92,7 @@ class BenchmarkTest {
                 plan(List.of("sequential"), 1, 1, 100),
                 "test",
                 TestWorld.create(),
+                Optional.empty(),
                 new BenchmarkProgress() {
                     @Override
                     public void begins(String engine, PictureSize size, int frames) {
@@ -125,6 +126,7 @@ class BenchmarkTest {
                 plan(List.of("sequential", "parallel", "plain"), 0, 1, 100),
                 "test",
                 TestWorld.create(),
+                Optional.empty(),
                 BenchmarkProgress.SILENT);
 
         assertThat(report.passed()).isTrue();
@@ -134,8 +136,32 @@ class BenchmarkTest {
         return new BenchmarkPlan(engines, List.of(SMALL, LARGE), 7, 2, warmup, frames, seconds);
     }
 
+    @Test
+    void movesTheBodiesForEachFrame() {
+        MotionPlan motion = new MotionPlan(TestWorld.scene(), 0.1, 1.0 / 60);
+        BenchmarkReport report = Benchmark.run(
+                BenchmarkTest::open,
+                plan(List.of("sequential", "parallel"), 2, 4, 100),
+                "test",
+                TestWorld.create(),
+                Optional.of(motion),
+                BenchmarkProgress.SILENT);
+
+        assertThat(report.passed()).isTrue();
+        assertThat(report.measurements()).hasSize(4).allSatisfy(measurement -> {
+            assertThat(measurement.times().frames()).isEqualTo(4);
+            MotionTimes times = measurement.motionTimes().orElseThrow();
+            assertThat(times.step()).isPositive();
+            assertThat(times.rebuild()).isPositive();
+        });
+        assertThat(ReportTable.of(report)).contains("step ms", "rebuild ms");
+        assertThat(ReportFields.ofMeasurement(report, report.measurements().getFirst()))
+                .containsKeys("msStep", "msRebuild");
+    }
+
     static BenchmarkReport run(BenchmarkPlan plan) {
-        return Benchmark.run(BenchmarkTest::open, plan, "test", TestWorld.create(), BenchmarkProgress.SILENT);
+        return Benchmark.run(
+                BenchmarkTest::open, plan, "test", TestWorld.create(), Optional.empty(), BenchmarkProgress.SILENT);
     }
 
     private static Engine open(String id) {

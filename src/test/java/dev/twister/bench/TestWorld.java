@@ -1,5 +1,6 @@
 package dev.twister.bench;
 
+import dev.twister.scene.Scene;
 import dev.twister.scene.SceneGenerator;
 import dev.twister.sky.Skybox;
 import dev.twister.world.World;
@@ -10,7 +11,10 @@ final class TestWorld {
     private TestWorld() {}
 
     static World create() {
-        return World.of(
-                SceneGenerator.spheres(3, 1, Path.of("sky.hdr")), new Skybox(1, 1, new float[] {0.2f, 0.4f, 0.8f}));
+        return World.of(scene(), new Skybox(1, 1, new float[] {0.2f, 0.4f, 0.8f}));
+    }
+
+    static Scene scene() {
+        return SceneGenerator.spheres(3, 1, Path.of("sky.hdr"));
     }
 }

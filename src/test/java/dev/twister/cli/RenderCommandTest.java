@@ -30,6 +30,60 @@ class RenderCommandTest {
     }
 
     @Test
+    void drawsNumberedFramesOfBodiesThatMove() throws IOException {
+        Path file = folder.resolve("fall.png");
+
+        Outcome outcome = render(
+                "pour-1000",
+                file,
+                "--size",
+                "48x27",
+                "--engine",
+                "sequential",
+                "--shadow-samples",
+                "1",
+                "--physics",
+                "--frames",
+                "3",
+                "--fps",
+                "10",
+                "--start",
+                "0.9");
+
+        assertThat(outcome.err()).isEmpty();
+        assertThat(outcome.exitCode()).isZero();
+        Path first = folder.resolve("fall-0000.png");
+        Path last = folder.resolve("fall-0002.png");
+        assertThat(outcome.out()).startsWith(first + " to " + last + ": 3 frames of 48 x 27, ");
+        assertThat(folder.toFile().list()).containsExactlyInAnyOrder("fall-0000.png", "fall-0001.png", "fall-0002.png");
+        assertThat(Files.readAllBytes(first)).isNotEqualTo(Files.readAllBytes(last));
+
+        Path alone = folder.resolve("alone.png");
+        Outcome one = render(
+                "pour-1000",
+                alone,
+                "--size",
+                "48x27",
+                "--engine",
+                "sequential",
+                "--shadow-samples",
+                "1",
+                "--physics",
+                "--start",
+                "1.1");
+        assertThat(one.exitCode()).isZero();
+        assertThat(alone).hasSameBinaryContentAs(last);
+    }
+
+    @Test
+    void refusesFramesOfBodiesThatStandStill() {
+        Outcome outcome = render("benchmark", folder.resolve("picture.png"), "--frames", "3");
+        assertThat(outcome.exitCode()).isEqualTo(2);
+        assertThat(outcome.err())
+                .startsWith("twister: --frames, --fps and --start go with --physics only: without it nothing moves");
+    }
+
+    @Test
     void takesAllOptions() {
         Outcome outcome = render(
                 "teaching",

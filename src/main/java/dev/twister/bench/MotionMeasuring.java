@@ -1,0 +1,94 @@
+package dev.twister.bench;
+
+import dev.twister.engine.Engine;
+import dev.twister.image.Frame;
+import dev.twister.image.FrameTimes;
+import dev.twister.physics.Simulation;
+import dev.twister.world.FrameInput;
+import dev.twister.world.World;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+
+/** Measures an engine while bodies move: each frame's step, rebuild and drawing apart. */
+final class MotionMeasuring {
+    private static final double NANOS_PER_MILLI = 1e6;
+    private static final double NANOS_PER_SECOND = 1e9;
+
+    private final BenchmarkPlan plan;
+    private final MotionPlan motion;
+    private final World world;
+    private final BenchmarkProgress progress;
+    private final List<FrameTimes> times = new ArrayList<>();
+    private long stepNanos;
+    private long rebuildNanos;
+    private FrameInput input;
+
+    /** The world's settings must be those to measure with. */
+    MotionMeasuring(BenchmarkPlan plan, MotionPlan motion, World world, BenchmarkProgress progress) {
+        this.plan = plan;
+        this.motion = motion;
+        this.world = world;
+        this.progress = progress;
+        input = world.snapshot();
+    }
+
+    /**
+     * Moves the scene from its start, with warm-up frames and measured ones.
+     *
+     * @param reference draws what the last frame should have been
+     */
+    Measurement measure(Engine engine, Function<FrameInput, int[]> reference) {
+        Frame frame = Frame.ofPixels(input.width(), input.height());
+        int warmups = 0;
+        try (Simulation simulation = Simulation.of(motion.scene())) {
+            simulation.advance(motion.startSeconds());
+            long start = System.nanoTime();
+            while (warmups < plan.warmupFrames() && (warmups == 0 || isWithin(start, plan.maxSeconds() / 2))) {
+                draw(engine, simulation, frame);
+                warmups++;
+            }
+            times.clear();
+            stepNanos = 0;
+            rebuildNanos = 0;
+            // An engine that left pixels unwritten would show the warm-up's: what is compared is drawn over nothing.
+            Arrays.fill(frame.argb(), 0);
+            while (times.size() < plan.frames() && (times.isEmpty() || isWithin(start, plan.maxSeconds()))) {
+                draw(engine, simulation, frame);
+            }
+        }
+        MeasuredFrames measured = new MeasuredFrames(times);
+        double frames = times.size() * NANOS_PER_MILLI;
+        return new Measurement(
+                engine.id(),
+                engine.device(),
+                new PictureSize(input.width(), input.height()),
+                input.shadowSamples(),
+                input.bounces(),
+                input.bodies(),
+                warmups,
+                measured.statistics(),
+                measured.deviceTimes(),
+                PictureComparison.of(reference.apply(input), frame.argb()),
+                Optional.of(new MotionTimes(stepNanos / frames, rebuildNanos / frames)));
+    }
+
+    private void draw(Engine engine, Simulation simulation, Frame frame) {
+        long start = System.nanoTime();
+        simulation.advance(motion.secondsPerFrame());
+        long stepped = System.nanoTime();
+        simulation.place(world);
+        input = world.snapshot();
+        rebuildNanos += System.nanoTime() - stepped;
+        stepNanos += stepped - start;
+        engine.render(input, frame);
+        times.add(frame.times());
+        progress.drewFrame();
+    }
+
+    private static boolean isWithin(long start, double seconds) {
+        return (System.nanoTime() - start) / NANOS_PER_SECOND < seconds;
+    }
+}

@@ -1,0 +1,53 @@
+package dev.twister.cli;
+
+import dev.twister.physics.Simulation;
+import java.util.Optional;
+import picocli.CommandLine.Option;
+
+/** Whether bodies move, and when they are looked at. */
+final class MotionOptions {
+    private static final int MAX_FRAMES = 1_000_000;
+    private static final double MAX_RATE = 1000;
+    private static final double MAX_START_SECONDS = 86_400;
+
+    @Option(
+            names = "--physics",
+            description = "Let the bodies move as the scene's physics has it, and come what the scene pours.")
+    private boolean physics;
+
+    @Option(names = "--fps", paramLabel = "R", description = "Frames for each simulated second; 60 where not said.")
+    private Optional<Double> rate = Optional.empty();
+
+    @Option(
+            names = "--start",
+            paramLabel = "S",
+            description = "Simulated seconds before the first frame; 0 where not said.")
+    private Optional<Double> start = Optional.empty();
+
+    boolean isOn() {
+        return physics;
+    }
+
+    /** Refuses what makes no sense without motion. */
+    void check(Optional<Integer> frames) {
+        if (!physics && (rate.isPresent() || start.isPresent() || frames.isPresent())) {
+            throw new BadInputException("--frames, --fps and --start go with --physics only: without it nothing moves");
+        }
+        frames.ifPresent(count -> Ranges.check("--frames", count, 1, MAX_FRAMES));
+        secondsPerFrame();
+        startSeconds();
+    }
+
+    double secondsPerFrame() {
+        return 1 / Ranges.check("--fps", rate.orElse(60.0), 1 / MAX_RATE, MAX_RATE);
+    }
+
+    double startSeconds() {
+        return Ranges.check("--start", start.orElse(0.0), 0, MAX_START_SECONDS);
+    }
+
+    /** Lets the time before the first frame pass. */
+    void begin(Simulation simulation) {
+        simulation.advance(startSeconds());
+    }
+}
