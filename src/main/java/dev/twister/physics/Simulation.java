@@ -29,7 +29,7 @@ public final class Simulation implements AutoCloseable {
     static final int SUBSTEPS = 4;
     private static final double DEPTH = 1000;
     /** Below it threads cost more than they give. */
-    private static final int MIN_BODIES_FOR_THREADS = 1000;
+    private static final int MIN_BODIES_FOR_THREADS = 2500;
 
     private static final int REORDER_STEPS = 16;
 
