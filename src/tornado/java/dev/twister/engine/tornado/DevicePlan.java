@@ -20,14 +20,19 @@ import uk.ac.manchester.tornado.api.enums.TornadoDeviceType;
 import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
 
 /**
- * The kernel compiled for one device and one size of picture, with its buffers there. The skybox and the bodies' looks
- * go to the device once; camera, properties, positions and the small sample tables each frame; only pixels come back.
+ * The kernel compiled for one device and one size of picture, with its buffers there. The skybox goes to the device once,
+ * and so do the looks of a crowd of bodies; camera, properties, positions, the looks of a few bodies and the small sample
+ * tables go each frame; only pixels come back.
  */
 final class DevicePlan implements AutoCloseable {
     private static final System.Logger LOGGER = System.getLogger(DevicePlan.class.getName());
     private static final String GRAPH = "twister";
     private static final String TASK = "draw";
     private static final int NOT_DRAWN = 0;
+
+    /** Up to so many bodies, sending their looks each frame costs less than it saves: no new plan for another colour. */
+    private static final int FEW_BODIES = 4096;
+
     private static final int[] NO_PIXELS = new int[1];
     private static final float[] NO_RADIANCE = new float[1];
 
@@ -39,6 +44,9 @@ final class DevicePlan implements AutoCloseable {
     private final float[] camera;
     private final float[] rayTracingProperties;
     private final float[] bodyPositions;
+    private final float[] bodySizes;
+    private final float[] bodyColors;
+    private final float[] bodyReflectivities;
     private final float[] hierarchy;
     private final float[] shadowDisc = new float[2 * RenderSettings.MAX_SHADOW_SAMPLES];
     private final float[] pixelOffsets = new float[2 * RenderSettings.MAX_SAMPLES_PER_PIXEL];
@@ -62,17 +70,18 @@ final class DevicePlan implements AutoCloseable {
         camera = input.camera().clone();
         rayTracingProperties = input.rayTracingProperties().clone();
         bodyPositions = input.bodyPositions().clone();
+        bodySizes = input.bodySizes().clone();
+        bodyColors = input.bodyColors().clone();
+        bodyReflectivities = input.bodyReflectivities().clone();
         hierarchy = input.hierarchy().clone();
         TaskGraph graph = new TaskGraph(GRAPH)
                 .transferToDevice(
-                        DataTransferMode.FIRST_EXECUTION,
-                        pixels,
-                        radiance,
-                        input.bodySizes(),
-                        input.bodyColors(),
-                        input.bodyReflectivities(),
-                        input.skybox(),
-                        input.skyboxDimensions())
+                        DataTransferMode.FIRST_EXECUTION, pixels, radiance, input.skybox(), input.skyboxDimensions())
+                .transferToDevice(
+                        sendsLooks() ? DataTransferMode.EVERY_EXECUTION : DataTransferMode.FIRST_EXECUTION,
+                        bodySizes,
+                        bodyColors,
+                        bodyReflectivities)
                 .transferToDevice(
                         DataTransferMode.EVERY_EXECUTION,
                         dimensions,
@@ -91,9 +100,9 @@ final class DevicePlan implements AutoCloseable {
                         camera,
                         rayTracingProperties,
                         bodyPositions,
-                        input.bodySizes(),
-                        input.bodyColors(),
-                        input.bodyReflectivities(),
+                        bodySizes,
+                        bodyColors,
+                        bodyReflectivities,
                         input.skybox(),
                         input.skyboxDimensions(),
                         shadowDisc,
@@ -121,9 +130,18 @@ final class DevicePlan implements AutoCloseable {
                 && input.bodyPositions().length == bodyPositions.length
                 && input.skybox() == fixed.skybox()
                 && input.skyboxDimensions() == fixed.skyboxDimensions()
-                && input.bodySizes() == fixed.bodySizes()
-                && input.bodyColors() == fixed.bodyColors()
-                && input.bodyReflectivities() == fixed.bodyReflectivities();
+                && (sendsLooks() || hasLooksOf(fixed, input));
+    }
+
+    @SuppressWarnings("ReferenceEquality") // as above
+    private static boolean hasLooksOf(FrameInput one, FrameInput other) {
+        return one.bodySizes() == other.bodySizes()
+                && one.bodyColors() == other.bodyColors()
+                && one.bodyReflectivities() == other.bodyReflectivities();
+    }
+
+    private boolean sendsLooks() {
+        return fixed.bodySizes().length <= FEW_BODIES;
     }
 
     /**
@@ -136,6 +154,11 @@ final class DevicePlan implements AutoCloseable {
         put(input.camera(), camera);
         put(input.rayTracingProperties(), rayTracingProperties);
         put(input.bodyPositions(), bodyPositions);
+        if (sendsLooks()) {
+            put(input.bodySizes(), bodySizes);
+            put(input.bodyColors(), bodyColors);
+            put(input.bodyReflectivities(), bodyReflectivities);
+        }
         put(input.hierarchy(), hierarchy);
         put(input.shadowDisc(), shadowDisc);
         put(input.pixelOffsets(), pixelOffsets);

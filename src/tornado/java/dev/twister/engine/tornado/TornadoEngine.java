@@ -5,6 +5,8 @@ import dev.twister.engine.EngineException;
 import dev.twister.engine.FrameFit;
 import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
 
@@ -14,7 +16,8 @@ final class TornadoEngine implements Engine {
     private final String name;
     private final TornadoDevice device;
     private final DrawTask kernel;
-    private Optional<DevicePlan> plan = Optional.empty();
+    private final Map<Boolean, DevicePlan> planByLinear = new HashMap<>();
+    private Optional<DevicePlan> last = Optional.empty();
 
     TornadoEngine(String id, String name, TornadoDevice device) {
         this(id, name, device, DeviceKernel.DRAW);
@@ -41,11 +44,9 @@ final class TornadoEngine implements Engine {
     public void render(FrameInput input, Frame frame) {
         FrameFit.check(input, frame);
         try {
-            if (plan.filter(current -> current.fits(input, frame)).isEmpty()) {
-                close();
-                plan = Optional.of(new DevicePlan(device, input, frame.isLinear(), kernel));
-            }
-            frame.setTimes(plan.orElseThrow().draw(input, frame));
+            DevicePlan plan = planFor(input, frame);
+            last = Optional.of(plan);
+            frame.setTimes(plan.draw(input, frame));
         } catch (EngineException e) {
             close();
             throw e;
@@ -58,14 +59,30 @@ final class TornadoEngine implements Engine {
         }
     }
 
-    /** What is compiled and on the device now; another frame that fits it is drawn by the same. */
+    /** A window draws 8-bit frames and linear ones by turns: each kind keeps its plan. */
+    private DevicePlan planFor(FrameInput input, Frame frame) {
+        boolean linear = frame.isLinear();
+        DevicePlan known = planByLinear.get(linear);
+        if (known != null && known.fits(input, frame)) {
+            return known;
+        }
+        if (known != null) {
+            planByLinear.remove(linear).close();
+        }
+        DevicePlan fresh = new DevicePlan(device, input, linear, kernel);
+        planByLinear.put(linear, fresh);
+        return fresh;
+    }
+
+    /** What drew the last frame; another frame that fits it is drawn by the same. */
     Optional<DevicePlan> plan() {
-        return plan;
+        return last;
     }
 
     @Override
     public void close() {
-        plan.ifPresent(DevicePlan::close);
-        plan = Optional.empty();
+        planByLinear.values().forEach(DevicePlan::close);
+        planByLinear.clear();
+        last = Optional.empty();
     }
 }

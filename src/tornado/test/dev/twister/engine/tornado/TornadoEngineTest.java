@@ -73,14 +73,57 @@ class TornadoEngineTest {
     }
 
     @Test
-    void anotherSizeOrOtherBodiesAreCompiledAnew() {
+    void otherLooksOfAFewBodiesNeedNoCompilation() {
+        try (TornadoEngine engine = Devices.openFirst()) {
+            FrameInput input = input(40, 30);
+            Pictures.requireSequentials(engine, input);
+            DevicePlan plan = engine.plan().orElseThrow();
+            World other = SceneSamples.world(4, 6);
+            other.setSettings(world.settings());
+            FrameInput looks = other.snapshot();
+            Pictures.requireSequentials(
+                    engine,
+                    new FrameInput(
+                            input.dimensions(),
+                            input.camera(),
+                            input.rayTracingProperties(),
+                            looks.bodyPositions(),
+                            looks.bodySizes(),
+                            looks.bodyColors(),
+                            looks.bodyReflectivities(),
+                            input.skybox(),
+                            input.skyboxDimensions(),
+                            input.shadowDisc(),
+                            input.pixelOffsets(),
+                            looks.hierarchy()));
+            assertThat(engine.plan()).containsSame(plan);
+        }
+    }
+
+    @Test
+    void linearAndOrdinaryFramesByTurnsNeedNoCompilation() {
+        try (TornadoEngine engine = Devices.openFirst()) {
+            FrameInput input = input(40, 30);
+            Pictures.requireSequentials(engine, input);
+            DevicePlan ordinary = engine.plan().orElseThrow();
+            Pictures.requireSequentialsRadiance(engine, input);
+            DevicePlan linear = engine.plan().orElseThrow();
+            Pictures.requireSequentials(engine, input);
+            assertThat(engine.plan()).containsSame(ordinary);
+            Pictures.requireSequentialsRadiance(engine, input);
+            assertThat(engine.plan()).containsSame(linear);
+        }
+    }
+
+    @Test
+    void anotherSizeOrAnotherSkyIsCompiledAnew() {
         try (TornadoEngine engine = Devices.openFirst()) {
             Pictures.requireSequentials(engine, input(40, 30));
             DevicePlan plan = engine.plan().orElseThrow();
             Pictures.requireSequentials(engine, input(30, 40));
             DevicePlan turned = engine.plan().orElseThrow();
             assertThat(turned).isNotSameAs(plan);
-            // Another world of as many bodies has other arrays, its skybox among them.
+            // Another world has a sky of its own.
             World other = SceneSamples.world(4, 6);
             other.setSettings(world.settings());
             Pictures.requireSequentials(engine, other.snapshot());
