@@ -7,8 +7,8 @@ import java.util.Arrays;
 final class Bins {
     private static final int MOST = 16;
 
-    /** So few spheres are spread over half as many bins. */
-    private static final int FEW_SPHERES = 32;
+    /** So few are spread over half as many bins. */
+    private static final int FEW_ITEMS = 32;
 
     private static final float NOWHERE = Float.MAX_VALUE;
 
@@ -24,7 +24,6 @@ final class Bins {
     private final float[] costsAbove = new float[MOST];
 
     private int count;
-    private int axis;
     private float start;
     private float scale;
 
@@ -32,15 +31,14 @@ final class Bins {
     int before;
 
     /**
-     * Sorts the spheres into bins.
+     * Empties the bins.
      *
-     * @param along 0 for x, 1 for y, 2 for z
+     * @param items how many are to be sorted
      * @param low the least coordinate of a centre
      * @param high the greatest, above it
      */
-    void fill(float[] hierarchy, int from, int to, int along, float low, float high) {
-        count = to - from < FEW_SPHERES * Layout.SPHERE_STRIDE ? MOST / 2 : MOST;
-        axis = along;
+    void start(int items, float low, float high) {
+        count = items < FEW_ITEMS ? MOST / 2 : MOST;
         start = low;
         scale = count * INSIDE / (high - low);
         Arrays.fill(counts, 0, count, 0);
@@ -53,24 +51,39 @@ final class Bins {
             boxes[box + 4] = -NOWHERE;
             boxes[box + 5] = -NOWHERE;
         }
+    }
+
+    /**
+     * Sorts spheres into the bins.
+     *
+     * @param along 0 for x, 1 for y, 2 for z
+     */
+    void fill(float[] hierarchy, int from, int to, int along) {
         for (int at = from; at < to; at += Layout.SPHERE_STRIDE) {
-            int bin = bin(hierarchy[at + axis]);
+            int bin = bin(hierarchy[at + along]);
             counts[bin]++;
             float radius = hierarchy[at + Layout.SPHERE_RADIUS];
-            widen(6 * bin, hierarchy[at], radius);
-            widen(6 * bin + 1, hierarchy[at + 1], radius);
-            widen(6 * bin + 2, hierarchy[at + 2], radius);
+            widen(6 * bin, hierarchy[at] - radius, hierarchy[at] + radius);
+            widen(6 * bin + 1, hierarchy[at + 1] - radius, hierarchy[at + 1] + radius);
+            widen(6 * bin + 2, hierarchy[at + 2] - radius, hierarchy[at + 2] + radius);
         }
     }
 
-    private void widen(int at, float center, float radius) {
-        float low = center - radius;
-        float high = center + radius;
-        boxes[at] = low < boxes[at] ? low : boxes[at];
-        boxes[at + 3] = high > boxes[at + 3] ? high : boxes[at + 3];
+    /** Adds some spheres to a bin, with the box about them: low x, y, z and high x, y, z. */
+    void add(int bin, int spheres, float[] sides, int at) {
+        counts[bin] += spheres;
+        widen(6 * bin, sides[at], sides[at + 3]);
+        widen(6 * bin + 1, sides[at + 1], sides[at + 4]);
+        widen(6 * bin + 2, sides[at + 2], sides[at + 5]);
     }
 
-    private int bin(float coordinate) {
+    private void widen(int at, float low, float high) {
+        boxes[at] = Math.min(boxes[at], low);
+        boxes[at + 3] = Math.max(boxes[at + 3], high);
+    }
+
+    /** The bin of a centre there. */
+    int bin(float coordinate) {
         return (int) ((coordinate - start) * scale);
     }
 
@@ -129,7 +142,7 @@ final class Bins {
     }
 
     /** Puts the spheres before the border before the others. */
-    void part(float[] hierarchy, int from, int to, int border) {
+    void part(float[] hierarchy, int from, int to, int axis, int border) {
         int head = from;
         int tail = to - Layout.SPHERE_STRIDE;
         while (head < tail) {

@@ -6,6 +6,11 @@ import dev.twister.kernel.Layout;
 final class Bounds {
     private static final float NOWHERE = Float.MAX_VALUE;
 
+    /** Of its extent and place, far above the rounding of centres and sides and of what the kernel does with them. */
+    private static final float PLACE_MARGIN = 3.0e-7f;
+
+    private static final float SIZE_MARGIN = 4.0e-6f;
+
     float lowX;
     float lowY;
     float lowZ;
@@ -41,18 +46,18 @@ final class Bounds {
             float y = hierarchy[at + 1];
             float z = hierarchy[at + 2];
             float radius = hierarchy[at + Layout.SPHERE_RADIUS];
-            x0 = x < x0 ? x : x0;
-            y0 = y < y0 ? y : y0;
-            z0 = z < z0 ? z : z0;
-            x1 = x > x1 ? x : x1;
-            y1 = y > y1 ? y : y1;
-            z1 = z > z1 ? z : z1;
-            minX = x - radius < minX ? x - radius : minX;
-            minY = y - radius < minY ? y - radius : minY;
-            minZ = z - radius < minZ ? z - radius : minZ;
-            maxX = x + radius > maxX ? x + radius : maxX;
-            maxY = y + radius > maxY ? y + radius : maxY;
-            maxZ = z + radius > maxZ ? z + radius : maxZ;
+            x0 = Math.min(x0, x);
+            y0 = Math.min(y0, y);
+            z0 = Math.min(z0, z);
+            x1 = Math.max(x1, x);
+            y1 = Math.max(y1, y);
+            z1 = Math.max(z1, z);
+            minX = Math.min(minX, x - radius);
+            minY = Math.min(minY, y - radius);
+            minZ = Math.min(minZ, z - radius);
+            maxX = Math.max(maxX, x + radius);
+            maxY = Math.max(maxY, y + radius);
+            maxZ = Math.max(maxZ, z + radius);
         }
         lowX = minX;
         lowY = minY;
@@ -66,5 +71,88 @@ final class Bounds {
         lastX = x1;
         lastY = y1;
         lastZ = z1;
+    }
+
+    /** Begins anew, with nothing. */
+    void clear() {
+        lowX = NOWHERE;
+        lowY = NOWHERE;
+        lowZ = NOWHERE;
+        highX = -NOWHERE;
+        highY = -NOWHERE;
+        highZ = -NOWHERE;
+        firstX = NOWHERE;
+        firstY = NOWHERE;
+        firstZ = NOWHERE;
+        lastX = -NOWHERE;
+        lastY = -NOWHERE;
+        lastZ = -NOWHERE;
+    }
+
+    /** Adds a box of low x, y, z and high x, y, z; its middle counts as the centre. */
+    void add(float[] sides, int at) {
+        lowX = Math.min(lowX, sides[at]);
+        lowY = Math.min(lowY, sides[at + 1]);
+        lowZ = Math.min(lowZ, sides[at + 2]);
+        highX = Math.max(highX, sides[at + 3]);
+        highY = Math.max(highY, sides[at + 4]);
+        highZ = Math.max(highZ, sides[at + 5]);
+        float x = middle(sides, at);
+        float y = middle(sides, at + 1);
+        float z = middle(sides, at + 2);
+        firstX = Math.min(firstX, x);
+        firstY = Math.min(firstY, y);
+        firstZ = Math.min(firstZ, z);
+        lastX = Math.max(lastX, x);
+        lastY = Math.max(lastY, y);
+        lastZ = Math.max(lastZ, z);
+    }
+
+    /** The middle between a low side and its high one. */
+    static float middle(float[] sides, int at) {
+        return 0.5f * (sides[at] + sides[at + 3]);
+    }
+
+    /** Along which the centres lie farthest apart: 0 for x, 1 for y, 2 for z. */
+    int longestAxis() {
+        float x = lastX - firstX;
+        float y = lastY - firstY;
+        float z = lastZ - firstZ;
+        return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+    }
+
+    /** The least coordinate of a centre along that axis. */
+    float first(int axis) {
+        return axis == 0 ? firstX : axis == 1 ? firstY : firstZ;
+    }
+
+    /** The greatest. */
+    float last(int axis) {
+        return axis == 0 ? lastX : axis == 1 ? lastY : lastZ;
+    }
+
+    /** Whether bins between these coordinates tell anything apart. */
+    static boolean areApart(float low, float high) {
+        return high - low > 1e-6f * Math.max(Math.abs(low), Math.abs(high)) && high - low > 1e-30f;
+    }
+
+    /** Writes the box about the spheres as a node's. */
+    void write(float[] hierarchy, int node) {
+        writeSides(hierarchy, node, lowX, highX);
+        writeSides(hierarchy, node + 1, lowY, highY);
+        writeSides(hierarchy, node + 2, lowZ, highZ);
+        float all = hierarchy[node + Layout.NODE_HALF]
+                + hierarchy[node + Layout.NODE_HALF + 1]
+                + hierarchy[node + Layout.NODE_HALF + 2];
+        hierarchy[node + Layout.NODE_HALF] += SIZE_MARGIN * all;
+        hierarchy[node + Layout.NODE_HALF + 1] += SIZE_MARGIN * all;
+        hierarchy[node + Layout.NODE_HALF + 2] += SIZE_MARGIN * all;
+    }
+
+    private static void writeSides(float[] hierarchy, int at, float low, float high) {
+        float center = 0.5f * (low + high);
+        float farther = Math.max(Math.abs(low), Math.abs(high));
+        hierarchy[at + Layout.NODE_CENTER] = center;
+        hierarchy[at + Layout.NODE_HALF] = Math.max(high - center, center - low) + PLACE_MARGIN * farther;
     }
 }

@@ -18,6 +18,9 @@ public final class SphereHierarchy {
     /** Eight spheres are tested about as fast as two boxes and what is left in them. */
     private static final int MOST_IN_LEAF = 8;
 
+    /** From so many spheres on the upper levels are split by cells, each of many spheres. */
+    private static final int FEWEST_FOR_CELLS = 4096;
+
     private SphereHierarchy() {}
 
     /** How many floats a hierarchy has where there is room for so many bodies. */
@@ -44,16 +47,26 @@ public final class SphereHierarchy {
      */
     public static float[] of(float[] bodyPositions, float[] bodySizes, int bodies, int mostInLeaf) {
         float[] hierarchy = new float[length(bodySizes.length)];
+        int spheres = bodies - Layout.FIRST_SPHERE;
         int root = Layout.root(bodies);
-        for (int body = Layout.FIRST_SPHERE; body < bodies; body++) {
-            int at = Layout.root(body);
-            hierarchy[at + Layout.SPHERE_CENTER] = bodyPositions[3 * body];
-            hierarchy[at + Layout.SPHERE_CENTER + 1] = bodyPositions[3 * body + 1];
-            hierarchy[at + Layout.SPHERE_CENTER + 2] = bodyPositions[3 * body + 2];
-            hierarchy[at + Layout.SPHERE_RADIUS] = bodySizes[body];
-            hierarchy[at + Layout.SPHERE_BODY] = body;
+        if (spheres >= FEWEST_FOR_CELLS) {
+            SphereCells cells = new SphereCells(bodyPositions, bodySizes, bodies);
+            new CellTree(cells, hierarchy, root, mostInLeaf).invoke();
+        } else {
+            for (int body = Layout.FIRST_SPHERE; body < bodies; body++) {
+                writeSphere(hierarchy, Layout.root(body), bodyPositions, bodySizes, body);
+            }
+            new Subtree(hierarchy, root, root + Layout.NODE_STRIDE, 0, root, 0, mostInLeaf).invoke();
         }
-        new Subtree(hierarchy, root, root + Layout.NODE_STRIDE, 0, root, 0, mostInLeaf).invoke();
         return hierarchy;
+    }
+
+    /** Writes a sphere as {@link Layout} has it. */
+    static void writeSphere(float[] to, int at, float[] bodyPositions, float[] bodySizes, int body) {
+        to[at + Layout.SPHERE_CENTER] = bodyPositions[3 * body];
+        to[at + Layout.SPHERE_CENTER + 1] = bodyPositions[3 * body + 1];
+        to[at + Layout.SPHERE_CENTER + 2] = bodyPositions[3 * body + 2];
+        to[at + Layout.SPHERE_RADIUS] = bodySizes[body];
+        to[at + Layout.SPHERE_BODY] = body;
     }
 }

@@ -8,15 +8,10 @@ final class Subtree extends RecursiveAction {
     private static final long serialVersionUID = 1;
 
     /** Halves of fewer spheres are not worth another thread. */
-    private static final int FEWEST_FOR_A_THREAD = 2048;
+    static final int FEWEST_FOR_A_THREAD = 2048;
 
     /** From so many ancestors on, a node is split in the middle, so that the depth of all trees is bounded. */
-    private static final int MOST_UNEVEN_ANCESTORS = 28;
-
-    /** Of its extent and place, far above the rounding of centres and sides and of what the kernel does with them. */
-    private static final float PLACE_MARGIN = 3.0e-7f;
-
-    private static final float SIZE_MARGIN = 4.0e-6f;
+    static final int MOST_UNEVEN_ANCESTORS = 28;
 
     @SuppressWarnings("serial") // never written
     private final Bins bins = new Bins();
@@ -54,7 +49,8 @@ final class Subtree extends RecursiveAction {
         grow(node, room, from, to, ancestors);
     }
 
-    private void grow(int at, int free, int start, int end, int above) {
+    /** The nodes over the spheres at {@code [start, end)}, from the topmost on; the parameters are the constructor's. */
+    void grow(int at, int free, int start, int end, int above) {
         bounds.hold(hierarchy, start, end);
         int spheres = (end - start) / Layout.SPHERE_STRIDE;
         writeBox(at, spheres);
@@ -83,41 +79,23 @@ final class Subtree extends RecursiveAction {
 
     /** Orders the spheres in two parts; returns how many are in the first. */
     private int split(int start, int end, int above) {
-        float x = bounds.lastX - bounds.firstX;
-        float y = bounds.lastY - bounds.firstY;
-        float z = bounds.lastZ - bounds.firstZ;
-        int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-        float low = axis == 0 ? bounds.firstX : axis == 1 ? bounds.firstY : bounds.firstZ;
-        float high = axis == 0 ? bounds.lastX : axis == 1 ? bounds.lastY : bounds.lastZ;
+        int axis = bounds.longestAxis();
+        float low = bounds.first(axis);
+        float high = bounds.last(axis);
         int before = (end - start) / Layout.SPHERE_STRIDE / 2;
-        boolean apart = high - low > 1e-6f * Math.max(Math.abs(low), Math.abs(high)) && high - low > 1e-30f;
-        if (apart && above < MOST_UNEVEN_ANCESTORS) {
-            bins.fill(hierarchy, start, end, axis, low, high);
+        if (Bounds.areApart(low, high) && above < MOST_UNEVEN_ANCESTORS) {
+            bins.start((end - start) / Layout.SPHERE_STRIDE, low, high);
+            bins.fill(hierarchy, start, end, axis);
             int border = bins.findBorder();
             before = bins.before;
-            bins.part(hierarchy, start, end, border);
+            bins.part(hierarchy, start, end, axis, border);
         }
         return before;
     }
 
     private void writeBox(int at, int spheres) {
         if (spheres > 0) {
-            writeSides(at, bounds.lowX, bounds.highX);
-            writeSides(at + 1, bounds.lowY, bounds.highY);
-            writeSides(at + 2, bounds.lowZ, bounds.highZ);
-            float all = hierarchy[at + Layout.NODE_HALF]
-                    + hierarchy[at + Layout.NODE_HALF + 1]
-                    + hierarchy[at + Layout.NODE_HALF + 2];
-            hierarchy[at + Layout.NODE_HALF] += SIZE_MARGIN * all;
-            hierarchy[at + Layout.NODE_HALF + 1] += SIZE_MARGIN * all;
-            hierarchy[at + Layout.NODE_HALF + 2] += SIZE_MARGIN * all;
+            bounds.write(hierarchy, at);
         }
-    }
-
-    private void writeSides(int at, float low, float high) {
-        float center = 0.5f * (low + high);
-        float farther = Math.max(Math.abs(low), Math.abs(high));
-        hierarchy[at + Layout.NODE_CENTER] = center;
-        hierarchy[at + Layout.NODE_HALF] = Math.max(high - center, center - low) + PLACE_MARGIN * farther;
     }
 }

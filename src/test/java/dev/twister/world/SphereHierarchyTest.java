@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.kernel.Layout;
 import java.util.Random;
+import java.util.concurrent.ForkJoinPool;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
@@ -28,15 +29,33 @@ class SphereHierarchyTest {
         assertThat(walk.visits).containsOnly(1).hasSize(crowd.sizes().length - Layout.FIRST_SPHERE);
     }
 
-    /** Whichever thread comes first. */
+    /** However many threads build it, and whichever comes first. */
     @Test
     void sameSpheresMakeTheSameHierarchy() {
         RandomCrowds crowd = RandomCrowds.of(new Random(5), 20_000);
         float[] first = SphereHierarchy.of(crowd.positions(), crowd.sizes(), crowd.sizes().length);
-        for (int again = 0; again < 5; again++) {
-            assertThat(SphereHierarchy.of(crowd.positions(), crowd.sizes(), crowd.sizes().length))
-                    .isEqualTo(first);
+        for (int threads = 1; threads <= 5; threads++) {
+            try (ForkJoinPool pool = new ForkJoinPool(threads)) {
+                assertThat(pool.submit(() -> SphereHierarchy.of(crowd.positions(), crowd.sizes(), crowd.sizes().length))
+                                .join())
+                        .isEqualTo(first);
+            }
         }
+    }
+
+    /** Most in one place, the others each twice as far out as the last, over and over: no grid tells them apart. */
+    @Test
+    void crowdsThatNoGridTellsApartMakeNoDeeperHierarchy() {
+        float[] positions = new float[3 * 12_000];
+        float[] sizes = new float[12_000];
+        for (int body = Layout.FIRST_SPHERE; body < sizes.length; body++) {
+            sizes[body] = 0.5f;
+            positions[3 * body + body % 3] = body % 4 == 0 ? (float) Math.scalb(1.0, body % 83) : 0;
+        }
+        RandomCrowds crowd = new RandomCrowds(positions, sizes);
+        Walk walk = new Walk(crowd, SphereHierarchy.of(positions, sizes, sizes.length, 1), 1);
+        walk.visit(Layout.root(sizes.length), 0);
+        assertThat(walk.visits).containsOnly(1);
     }
 
     @Test

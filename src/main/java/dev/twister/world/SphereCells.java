@@ -1,0 +1,148 @@
+package dev.twister.world;
+
+import dev.twister.kernel.Layout;
+import java.util.stream.IntStream;
+
+/**
+ * Spheres sorted into the cells of a grid over their centres, and the box about each cell's spheres: what is split in the
+ * upper levels of a hierarchy in place of single spheres (Ganestam and others 2015 do so with small trees). All cores
+ * work on it; the order is the same however many they are.
+ */
+final class SphereCells {
+    /** So few that their splitting costs less than a pass over all spheres, enough for more than ten levels. */
+    static final int MOST = 4096;
+
+    private static final int SPHERES_A_CELL = 16;
+
+    /** Runs of the spheres that threads take. */
+    private static final int RUNS = 8;
+
+    /** The last centre must not fall beyond the last cell. */
+    private static final float INSIDE = 0.99999f;
+
+    /** The spheres, cell by cell, as {@link Layout} has them. */
+    final float[] spheres;
+
+    /** Where each cell's spheres begin, and at last where they end, counted in spheres. */
+    final int[] firsts;
+
+    /** Low x, y, z and high x, y, z of the box about each cell's spheres; nothing of use where a cell has none. */
+    final float[] boxes;
+
+    final int count;
+
+    private final float[] positions;
+    private final float[] sizes;
+    private final int bodies;
+    private final int[] cells;
+    private final float[] start = new float[3];
+    private final float[] scale = new float[3];
+    private final int[] along = new int[3];
+
+    /** Sorts the spheres of these bodies, whose arrays are {@link FrameInput}'s. */
+    SphereCells(float[] bodyPositions, float[] bodySizes, int bodies) {
+        positions = bodyPositions;
+        sizes = bodySizes;
+        this.bodies = bodies;
+        int all = bodies - Layout.FIRST_SPHERE;
+        cells = new int[all];
+        spheres = new float[all * Layout.SPHERE_STRIDE];
+        shape(all);
+        count = along[0] * along[1] * along[2];
+        firsts = new int[count + 1];
+        boxes = new float[6 * count];
+        int[][] places = new int[RUNS][count];
+        IntStream.range(0, RUNS).parallel().forEach(run -> assign(run, places[run]));
+        int next = 0;
+        for (int cell = 0; cell < count; cell++) {
+            firsts[cell] = next;
+            for (int[] place : places) {
+                int here = place[cell];
+                place[cell] = next;
+                next += here;
+            }
+        }
+        firsts[count] = next;
+        IntStream.range(0, RUNS).parallel().forEach(run -> copy(run, places[run]));
+        IntStream.range(0, RUNS).parallel().forEach(run -> findBoxes(count * run / RUNS, count * (run + 1) / RUNS));
+    }
+
+    private int firstBody(int run) {
+        return Layout.FIRST_SPHERE + (int) ((long) (bodies - Layout.FIRST_SPHERE) * run / RUNS);
+    }
+
+    /** Cells as near to cubes as whole numbers of them allow. */
+    private void shape(int all) {
+        float[] low = new float[3];
+        float[] extent = new float[3];
+        IntStream.range(0, 3).parallel().forEach(axis -> {
+            float least = positions[3 * Layout.FIRST_SPHERE + axis];
+            float most = least;
+            for (int at = 3 * Layout.FIRST_SPHERE + axis; at < 3 * bodies; at += 3) {
+                float coordinate = positions[at];
+                least = coordinate < least ? coordinate : least;
+                most = coordinate > most ? coordinate : most;
+            }
+            low[axis] = least;
+            extent[axis] = most - least;
+        });
+        double wanted = Math.min(MOST, all / SPHERES_A_CELL);
+        double side = Math.max(extent[0], Math.max(extent[1], extent[2])) / wanted;
+        while (cellsOfSide(extent, side) > wanted) {
+            side *= 1.1;
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            along[axis] = cellsAlong(extent[axis], side);
+            start[axis] = low[axis];
+            scale[axis] = extent[axis] > 0 ? along[axis] * INSIDE / extent[axis] : 0;
+        }
+    }
+
+    private static double cellsOfSide(float[] extent, double side) {
+        return (double) cellsAlong(extent[0], side) * cellsAlong(extent[1], side) * cellsAlong(extent[2], side);
+    }
+
+    private static int cellsAlong(float extent, double side) {
+        return side > 0 ? Math.max(1, (int) (extent / side)) : 1;
+    }
+
+    private void assign(int run, int[] counts) {
+        int end = firstBody(run + 1);
+        for (int body = firstBody(run); body < end; body++) {
+            int x = (int) ((positions[3 * body] - start[0]) * scale[0]);
+            int y = (int) ((positions[3 * body + 1] - start[1]) * scale[1]);
+            int z = (int) ((positions[3 * body + 2] - start[2]) * scale[2]);
+            int cell = x + along[0] * (y + along[1] * z);
+            cells[body - Layout.FIRST_SPHERE] = cell;
+            counts[cell]++;
+        }
+    }
+
+    private void copy(int run, int[] places) {
+        int end = firstBody(run + 1);
+        for (int body = firstBody(run); body < end; body++) {
+            int cell = cells[body - Layout.FIRST_SPHERE];
+            int at = Layout.SPHERE_STRIDE * places[cell];
+            places[cell]++;
+            SphereHierarchy.writeSphere(spheres, at, positions, sizes, body);
+        }
+    }
+
+    private void findBoxes(int from, int to) {
+        Bounds bounds = new Bounds();
+        for (int cell = from; cell < to; cell++) {
+            bounds.hold(spheres, Layout.SPHERE_STRIDE * firsts[cell], Layout.SPHERE_STRIDE * firsts[cell + 1]);
+            int at = 6 * cell;
+            boxes[at] = bounds.lowX;
+            boxes[at + 1] = bounds.lowY;
+            boxes[at + 2] = bounds.lowZ;
+            boxes[at + 3] = bounds.highX;
+            boxes[at + 4] = bounds.highY;
+            boxes[at + 5] = bounds.highZ;
+        }
+    }
+
+    int spheresIn(int cell) {
+        return firsts[cell + 1] - firsts[cell];
+    }
+}
