@@ -160,7 +160,8 @@ public final class Studio implements AutoCloseable {
     }
 
     /**
-     * Changes the scene. Successive edits of the same name are one to {@link #undo}, until {@link #endGesture}; the camera
+     * Changes the scene. Where bodies move, the change is told where they are seen, and only those that it puts elsewhere
+     * are there from then on; all others go on as they were. Successive edits of the same name are one to {@link #undo}, until {@link #endGesture}; the camera
      * is no part of that.
      *
      * @param what names the edit to a person, such as "light's size"
@@ -168,11 +169,11 @@ public final class Studio implements AutoCloseable {
     public void edit(String what, UnaryOperator<Scene> change) {
         Scene standing = scene.get();
         Scene edited = change.apply(standing);
-        Scene moved = MovedScene.of(standing, motion.get(), picture.get());
-        if (!MovedScene.movesAlike(standing, edited) && !moved.equals(standing)) {
-            // Bodies that are edited go on from where they are, not from where they once were.
-            document.carryOn(moved);
-            edited = change.apply(moved);
+        if (motion.get().isOn() && !edited.spheres().equals(standing.spheres())) {
+            MovedScene.Edit edit =
+                    MovedScene.of(standing, motion.get(), picture.get()).edit(change);
+            document.carryOn(edit.before());
+            edited = edit.after();
         }
         document.edit(what, edited);
         show();
@@ -215,8 +216,9 @@ public final class Studio implements AutoCloseable {
 
     /** Where a movable body is in the picture that is shown. */
     public Vector3 positionNow(int body) {
-        Scene standing = scene.get();
-        return BodyEdits.position(MovedScene.of(standing, motion.get(), picture.get()), body);
+        return BodyEdits.isSphere(scene.get(), body)
+                ? MovedScene.of(scene.get(), motion.get(), picture.get()).position(body - Layout.FIRST_SPHERE)
+                : BodyEdits.position(scene.get(), body);
     }
 
     /** The next edit is one of its own: the mouse button was let go, say. */

@@ -91,9 +91,8 @@ final class BodyStore {
         walls = physics.walls();
         largestRadius = spheres.stream().mapToDouble(Sphere::radius).max().orElse(1);
         Light light = scene.light();
-        put(LIGHT, light.position(), light.radius());
+        putLight(light);
         sphere[LIGHT] = -1;
-        numbers[STRIDE * LIGHT + INVERSE_MASS] = 0;
         // Never woken, for nothing moves it; so it never looks for pairs itself.
         state[LIGHT] = ASLEEP;
     }
@@ -104,6 +103,29 @@ final class BodyStore {
         sphere[count] = count - FIRST_SPHERE;
         smallestRadius = Math.min(smallestRadius, radius);
         count++;
+    }
+
+    /** Puts the light somewhere, which nothing moves. */
+    void putLight(Light light) {
+        put(LIGHT, light.position(), light.radius());
+        numbers[STRIDE * LIGHT + INVERSE_MASS] = 0;
+    }
+
+    /** Puts a body where one of another store is, and was one step ago. */
+    void putWhere(int body, BodyStore other, int from) {
+        int at = STRIDE * from + POSITION;
+        Vector3 place = new Vector3(other.numbers[at], other.numbers[at + 1], other.numbers[at + 2]);
+        put(body, place, numbers[STRIDE * body + RADIUS]);
+        System.arraycopy(other.before, 3 * from, before, 3 * body, 3);
+    }
+
+    /** For each of the scene's spheres that is there, which body it is. */
+    int[] bodiesOfSpheres() {
+        int[] places = new int[count - FIRST_SPHERE];
+        for (int body = FIRST_SPHERE; body < count; body++) {
+            places[sphere[body]] = body;
+        }
+        return places;
     }
 
     /** Sets how far a body moves in a sub-step. */

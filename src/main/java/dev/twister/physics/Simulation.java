@@ -1,11 +1,13 @@
 package dev.twister.physics;
 
 import dev.twister.kernel.Layout;
+import dev.twister.scene.Light;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.world.World;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * A scene's spheres in motion, in steps of a fixed length whatever the frames' rate. The same scene gives the same bits
@@ -42,6 +44,7 @@ public final class Simulation implements AutoCloseable {
     private final BodyStore bodies;
     private final Surroundings surroundings;
     private final Team team;
+    private final int threads;
     private final int firstBody;
     private final ContactSearch search;
     private final ContactSolver solver;
@@ -49,11 +52,14 @@ public final class Simulation implements AutoCloseable {
     private final Spout spout;
     private final Survey survey;
     private final double limit;
+    private Scene scene;
     private double substep;
     private long steps;
     private double ahead;
 
     private Simulation(Scene scene, int threads) {
+        this.scene = scene;
+        this.threads = threads;
         List<Sphere> spheres = scene.allSpheres();
         int placed = scene.spheres().size();
         bodies = new BodyStore(scene, spheres);
@@ -91,6 +97,75 @@ public final class Simulation implements AutoCloseable {
      */
     public static Simulation of(Scene scene, int threads) {
         return new Simulation(scene, threads);
+    }
+
+    /**
+     * The simulation to go on with after an edit of the scene: this one where the edit changes nothing of the motion, and
+     * otherwise another one, and this one is closed. A sphere that is in both scenes ({@link SameSpheres}) and was not put
+     * elsewhere by the edit keeps its place and its speed, and so does what was poured, where the pour is the same one. A
+     * sphere that is new or was put elsewhere starts there at rest. Those that slept wake: what they rest on may be gone.
+     */
+    public Simulation goOnIn(Scene edited) {
+        if (movesAlike(scene, edited)) {
+            scene = edited;
+            // Where it is not solid it may be elsewhere, and nothing moves otherwise for that.
+            bodies.putLight(edited.light());
+            return this;
+        }
+        Simulation next = new Simulation(edited, threads);
+        next.takeOver(this);
+        close();
+        return next;
+    }
+
+    private static boolean movesAlike(Scene one, Scene other) {
+        Light light = one.light();
+        boolean sameLight = light.position().equals(other.light().position())
+                && light.radius() == other.light().radius();
+        return one.physics().equals(other.physics())
+                && (sameLight || !one.physics().solidLight())
+                && one.plane().size() == other.plane().size()
+                && one.plane().height() == other.plane().height()
+                && one.pour().equals(other.pour())
+                && moveAlike(one.spheres(), other.spheres());
+    }
+
+    private static boolean moveAlike(List<Sphere> some, List<Sphere> others) {
+        return some.size() == others.size()
+                && IntStream.range(0, some.size())
+                        .allMatch(index -> SameSpheres.isSamePlace(some.get(index), others.get(index))
+                                && some.get(index).radius() == others.get(index).radius());
+    }
+
+    private void takeOver(Simulation old) {
+        List<Sphere> before = old.scene.spheres();
+        List<Sphere> now = scene.spheres();
+        int[] bodyOfSphere = old.bodies.bodiesOfSpheres();
+        int[] same = SameSpheres.of(before, now);
+        for (int index = 0; index < same.length; index++) {
+            if (same[index] != SameSpheres.NONE && SameSpheres.isSamePlace(before.get(same[index]), now.get(index))) {
+                takeOver(old, bodyOfSphere[same[index]], BodyStore.FIRST_SPHERE + index);
+            }
+        }
+        ahead = old.ahead;
+        if (scene.pour().equals(old.scene.pour())) {
+            steps = old.steps;
+            int poured = old.bodies.count - BodyStore.FIRST_SPHERE - before.size();
+            spout.skip(poured, bodies);
+            for (int index = 0; index < poured; index++) {
+                takeOver(old, bodyOfSphere[before.size() + index], BodyStore.FIRST_SPHERE + now.size() + index);
+            }
+        }
+    }
+
+    private void takeOver(Simulation old, int from, int body) {
+        bodies.putWhere(body, old.bodies, from);
+        Vector3 gravity = surroundings.gravity();
+        bodies.setMove(
+                body,
+                integrator.moveBefore(old.velocity(from, 0), gravity.x()),
+                integrator.moveBefore(old.velocity(from, 1), gravity.y()),
+                integrator.moveBefore(old.velocity(from, 2), gravity.z()));
     }
 
     /** Lets time pass, 0 seconds or more: takes as many steps as fit, and keeps the rest for the next call. */

@@ -55,6 +55,14 @@ final class Spout {
         }
     }
 
+    /** Adds the first spheres at once, to be put elsewhere. */
+    void skip(int number, BodyStore bodies) {
+        for (Sphere sphere : spheres.subList(out, out + number)) {
+            bodies.add(sphere.position(), sphere.radius());
+        }
+        out += number;
+    }
+
     /** Whether more are to come. */
     boolean isOpen() {
         return out < spheres.size();

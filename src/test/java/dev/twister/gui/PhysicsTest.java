@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.Motion;
+import dev.twister.gui.model.BodyEdits;
 import dev.twister.kernel.Layout;
 import dev.twister.physics.Simulation;
+import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
@@ -135,6 +137,26 @@ class PhysicsTest {
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
         assertThat(scene().spheres().getFirst().position().x()).isZero();
         driver.type(KeyCode.F5);
+    }
+
+    @Test
+    void anEditOfColourLightOrGravityDoesNotStopAFall() {
+        driver.type(KeyCode.F5);
+        DrawnPicture start = driver.awaitPicture(picture -> height(picture) < HEIGHT - 1);
+        driver.run(() -> {
+            driver.studio.edit("light", scene -> BodyEdits.moved(scene, Layout.LIGHT, new Vector3(1, 7, 1)));
+            driver.studio.edit("colour", scene -> BodyEdits.colored(scene, Layout.FIRST_SPHERE, new Rgb(0, 1, 0)));
+            driver.studio.edit(
+                    "gravity", scene -> scene.withPhysics(scene.physics().withGravity(new Vector3(0, 0, 0))));
+        });
+        assertThat(scene().spheres().getFirst().position().y()).isEqualTo(HEIGHT);
+        double edited = height(driver.awaitCurrentPicture());
+        assertThat(edited).isLessThanOrEqualTo(height(start));
+        // Without gravity only the speed that it had takes it further.
+        DrawnPicture later = driver.awaitPicture(picture -> height(picture) < edited - 1);
+        assertThat(later.input().bodyPositions()).startsWith(1, 7, 1);
+        driver.type(KeyCode.F5);
+        driver.awaitPicture(picture -> height(picture) == HEIGHT);
     }
 
     @Test

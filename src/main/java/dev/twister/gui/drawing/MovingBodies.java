@@ -1,19 +1,13 @@
 package dev.twister.gui.drawing;
 
 import dev.twister.physics.Simulation;
-import dev.twister.scene.Light;
-import dev.twister.scene.Physics;
-import dev.twister.scene.Plane;
-import dev.twister.scene.Pour;
 import dev.twister.scene.Scene;
-import dev.twister.scene.Sphere;
 import dev.twister.world.World;
-import java.util.List;
 import java.util.Optional;
 
 /**
- * Lets a scene's bodies move as time passes between pictures. They start anew where a body, the physics or the pour was
- * edited. Used by the drawing thread alone.
+ * Lets a scene's bodies move as time passes between pictures. After an edit they go on
+ * as {@link Simulation#goOnIn} says. Used by the drawing thread alone.
  */
 final class MovingBodies implements AutoCloseable {
     private static final double NANOS_PER_SECOND = 1e9;
@@ -21,18 +15,10 @@ final class MovingBodies implements AutoCloseable {
     /** Where a picture takes longer, bodies move more slowly: else they would leave ever more steps to take. */
     private static final double LONGEST_SECONDS = 0.1;
 
-    /** What the physics sees of a scene. */
-    private record Cause(
-            long start, List<Sphere> spheres, Light light, Plane plane, Physics physics, Optional<Pour> pour) {
-        static Cause of(Scene scene, Motion motion) {
-            return new Cause(
-                    motion.start(), scene.spheres(), scene.light(), scene.plane(), scene.physics(), scene.pour());
-        }
-    }
-
     private Optional<Simulation> simulation = Optional.empty();
-    private Optional<Cause> cause = Optional.empty();
+    private Optional<Scene> seen = Optional.empty();
     private Optional<World> placed = Optional.empty();
+    private long start = Motion.NONE.start();
     private long steps;
     private long lastNanos;
     private boolean wasRunning;
@@ -43,18 +29,20 @@ final class MovingBodies implements AutoCloseable {
             close();
             return;
         }
-        Cause wanted = Cause.of(scene, motion);
-        boolean anew = cause.filter(wanted::equals).isEmpty();
-        if (anew) {
+        if (start != motion.start()) {
             simulation.ifPresent(Simulation::close);
             simulation = Optional.of(Simulation.of(scene));
-            // After an edit the steps that were asked for before it are taken.
-            steps = cause.filter(old -> old.start() == motion.start()).isPresent() ? motion.steps() : 0;
-            cause = Optional.of(wanted);
+            placed = Optional.empty();
+            start = motion.start();
+            steps = 0;
             wasRunning = false;
+        } else if (!seen.equals(Optional.of(scene))) {
+            simulation = simulation.map(old -> old.goOnIn(scene));
+            placed = Optional.empty();
         }
+        seen = Optional.of(scene);
         Simulation now = simulation.orElseThrow();
-        boolean moved = anew || placed.filter(old -> old.equals(world)).isEmpty();
+        boolean moved = placed.filter(old -> old.equals(world)).isEmpty();
         if (motion.running() && wasRunning) {
             now.advance(Math.clamp((nanos - lastNanos) / NANOS_PER_SECOND, 0, LONGEST_SECONDS));
             moved = true;
@@ -76,7 +64,8 @@ final class MovingBodies implements AutoCloseable {
     public void close() {
         simulation.ifPresent(Simulation::close);
         simulation = Optional.empty();
-        cause = Optional.empty();
+        seen = Optional.empty();
+        start = Motion.NONE.start();
         placed = Optional.empty();
     }
 }
