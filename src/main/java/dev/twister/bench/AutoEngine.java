@@ -48,6 +48,11 @@ final class AutoEngine implements Engine {
         }
     }
 
+    @Override
+    public void onFaster(Runnable listener) {
+        successor.onReady(listener);
+    }
+
     private void goOverTo(Engine faster) {
         current.close();
         current = faster;

@@ -21,6 +21,7 @@ final class Successor implements AutoCloseable {
     private volatile boolean closed;
     private boolean started;
     private Optional<Engine> ready = Optional.empty();
+    private Runnable listener = () -> {};
 
     /**
      * Starts nothing.
@@ -44,6 +45,14 @@ final class Successor implements AutoCloseable {
     /** How long the engine that draws takes for a pixel. */
     void mustBeat(double nanosPerPixel) {
         nanosPerPixelToBeat = nanosPerPixel;
+    }
+
+    /** Has someone told, on another thread, when there is an engine to take; at once where there is one. */
+    synchronized void onReady(Runnable newListener) {
+        listener = newListener;
+        if (ready.isPresent()) {
+            listener.run();
+        }
     }
 
     /** The engine, once it is warm; from then on it is the caller's. */
@@ -95,6 +104,7 @@ final class Successor implements AutoCloseable {
             engine.close();
         } else {
             ready = Optional.of(engine);
+            listener.run();
         }
     }
 

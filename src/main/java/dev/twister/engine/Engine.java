@@ -23,6 +23,14 @@ public interface Engine extends AutoCloseable {
      */
     void render(FrameInput input, Frame frame);
 
+    /**
+     * Has someone told when the next frame would be drawn by another, faster engine, so that a picture that rests can be
+     * drawn by that one; most engines never change.
+     *
+     * @param listener called on another thread, perhaps while a frame is drawn; must return at once
+     */
+    default void onFaster(Runnable listener) {}
+
     /** Gives back what the engine holds; never throws. */
     @Override
     void close();

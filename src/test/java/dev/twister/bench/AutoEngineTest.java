@@ -50,6 +50,24 @@ class AutoEngineTest {
     }
 
     @Test
+    void tellsWhenThereIsAFasterOneThoughNothingIsDrawn() throws InterruptedException {
+        CountDownLatch told = new CountDownLatch(2);
+        try (Engine auto = auto(_ -> Optional.of(new CountingEngine("vector", 99)))) {
+            auto.onFaster(told::countDown);
+            auto.render(input, frame);
+            assertThat(auto.id()).isEqualTo("parallel");
+            while (told.getCount() == 2) {
+                Thread.onSpinWait();
+            }
+            // Who asks late is told at once.
+            auto.onFaster(told::countDown);
+            told.await();
+            auto.render(input, frame);
+            assertThat(auto.id()).isEqualTo("vector");
+        }
+    }
+
+    @Test
     void theWarmUpDrawsTheSameViewSmaller() throws InterruptedException {
         CountingEngine slow = new CountingEngine("tornado:0:0", 1000);
         try (Engine auto = auto(_ -> Optional.of(slow))) {

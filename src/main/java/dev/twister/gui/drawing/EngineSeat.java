@@ -30,13 +30,14 @@ final class EngineSeat implements AutoCloseable {
     private long choice = Long.MIN_VALUE;
     private boolean substituted = true;
     private Optional<String> failure = Optional.empty();
+    private volatile boolean faster;
 
     /** An engine on its way to the seat; one that is not wanted any more is not opened, or closed once it is open. */
     private record Candidate(EngineOffer offer, CompletableFuture<Engine> engine) {}
 
     /**
      * @param substitute draws until the first engine is ready, and when the seated one fails; must open at once
-     * @param whenReady called on another thread when an opening has ended
+     * @param whenReady called on another thread when an opening has ended, or the engine has become a faster one
      */
     EngineSeat(EngineOffer substitute, Runnable whenReady) {
         this.substitute = substitute;
@@ -62,6 +63,15 @@ final class EngineSeat implements AutoCloseable {
             substituted = true;
             return engine;
         });
+    }
+
+    /** Whether the engine has become another, faster one since this was last asked. */
+    boolean hasBecomeFaster() {
+        boolean has = faster;
+        if (has) {
+            faster = false;
+        }
+        return has;
     }
 
     /** The id of the engine that is being opened. */
@@ -115,6 +125,10 @@ final class EngineSeat implements AutoCloseable {
             vacate();
             seated = Optional.of(engine);
             substituted = false;
+            engine.onFaster(() -> {
+                faster = true;
+                whenReady.run();
+            });
         } catch (CompletionException problem) {
             failure = Optional.of(explain(next.offer().id(), problem.getCause()));
         }

@@ -47,7 +47,7 @@ final class PictureWork implements AutoCloseable {
     /** Takes one step for the request that was prepared; whether there is another to take. */
     boolean step(DrawingRequest wanted) {
         Engine engine = seat.engine();
-        if (wanted.number() != request || !drawer.equals(Optional.of(engine))) {
+        if (wanted.number() != request || !drawer.equals(Optional.of(engine)) || seat.hasBecomeFaster()) {
             request = wanted.number();
             drawer = Optional.of(engine);
             drawn = false;

@@ -117,6 +117,21 @@ class DrawingLoopTest {
     }
 
     @Test
+    void aPictureAtRestIsDrawnOnceMoreWhereTheEngineHasBecomeFaster() {
+        request(scene, 6);
+        DrawnPicture rest = awaitPicture(drawnBy(green).and(done -> done.samples() == 6));
+        awaitQuiet();
+        int frames = green.frames.get();
+
+        green.onFaster.run();
+
+        awaitPicture(picture -> picture.number() > rest.number() && picture.samples() == 6);
+        awaitQuiet();
+        // As it is, and then sample by sample.
+        assertThat(green.frames).hasValue(frames + 1 + 6);
+    }
+
+    @Test
     void aMoveStartsRefiningAnew() {
         request(scene, 6);
         awaitPicture(drawnBy(green).and(done -> done.samples() == 6));

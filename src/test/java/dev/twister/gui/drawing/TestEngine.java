@@ -30,6 +30,7 @@ final class TestEngine implements Engine {
         final AtomicInteger opened = new AtomicInteger();
         final AtomicInteger frames = new AtomicInteger();
         volatile boolean breaks;
+        volatile Runnable onFaster = () -> {};
         private final Semaphore gate = new Semaphore(ANY_NUMBER);
 
         Kind(String id, int color) {
@@ -85,6 +86,11 @@ final class TestEngine implements Engine {
         Arrays.fill(frame.argb(), kind.color);
         Arrays.fill(frame.radiance(), 1);
         frame.setTimes(FrameTimes.onJvm(1));
+    }
+
+    @Override
+    public void onFaster(Runnable listener) {
+        kind.onFaster = listener;
     }
 
     @Override
