@@ -18,6 +18,7 @@ enum Command {
     DESELECT(Group.EDIT, "Back to the picture", "Esc", "Leaves the panel; in the picture, selects nothing."),
     RESET(Group.EDIT, "Reset everything", "Shortcut+Shift+Home", "Scene, engine and resolution as they were at first."),
     PANEL(Group.VIEW, "Panel", "F9", "Shows or hides the panel; so does Tab, in the picture."),
+    FRAME_TIMES(Group.VIEW, "Frame times", "F3", "Shows or hides frames a second and their graph."),
     FULL_SCREEN(Group.VIEW, "Full screen", "F11", "The window fills the screen, or no longer."),
     MOVE(Group.PHYSICS, "Physics on or off", "F5", "Lets bodies fall and collide, or puts them back."),
     PAUSE(Group.PHYSICS, "Pause", "F6", "Stops the time of moving bodies, or lets it go on."),

@@ -2,12 +2,14 @@ package dev.twister.gui;
 
 import java.util.List;
 import java.util.Locale;
+import javafx.geometry.VPos;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.control.Label;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import javafx.scene.paint.Color;
+import javafx.scene.text.TextAlignment;
 
 /** Frames a second, milliseconds, and a graph of the last ten seconds, over the picture's corner. */
 final class FrameTimesView extends VBox {
@@ -15,8 +17,13 @@ final class FrameTimesView extends VBox {
     private static final long REDRAW_NANOS = 100_000_000;
 
     private static final double NANOS_PER_SECOND = 1e9;
-    private static final double WIDTH_EM = 22;
-    private static final double HEIGHT_EM = 5;
+    private static final double WIDTH_EM = 28;
+    private static final double HEIGHT_EM = 6;
+
+    /** For the scale's labels, which end there. */
+    private static final double MARGIN_EM = 4.2;
+
+    private static final double GAP_EM = 0.5;
     private static final Color LINE = Color.web("#5b93ff");
     private static final Color GRID = Color.web("#ffffff40");
     private static final Color TEXT = Color.web("#d5d7da");
@@ -63,15 +70,25 @@ final class FrameTimesView extends VBox {
                 .mapToDouble(entry -> entry.renderMillis() + entry.transferMillis())
                 .max()
                 .orElse(0));
-        double width = graph.getWidth();
+        double margin = MARGIN_EM * em;
+        double left = margin + GAP_EM * em;
+        double width = graph.getWidth() - left;
         double height = graph.getHeight();
         GraphicsContext pen = graph.getGraphicsContext2D();
-        pen.clearRect(0, 0, width, height);
+        pen.clearRect(0, 0, graph.getWidth(), height);
+        pen.setFont(numbers.getFont());
+        pen.setFill(TEXT);
+        pen.setTextAlign(TextAlignment.RIGHT);
         pen.setStroke(GRID);
         pen.setLineWidth(1);
+        // Half a line's height above and below the graph, so that its labels stand beside their lines.
+        double upper = em / 2;
+        double lower = height - em / 2;
         for (double share : new double[] {0, 0.5, 1}) {
-            double y = Math.floor(share * (height - 1)) + 0.5;
-            pen.strokeLine(0, y, width, y);
+            double y = Math.floor(lower + share * (upper - lower)) + 0.5;
+            pen.strokeLine(left, y, left + width, y);
+            pen.setTextBaseline(VPos.CENTER);
+            pen.fillText(GraphScale.label(share * top), margin, y);
         }
         pen.setStroke(LINE);
         pen.setLineWidth(Math.max(1, em / 8));
@@ -80,12 +97,9 @@ final class FrameTimesView extends VBox {
         for (int i = 0; i < x.length; i++) {
             FrameHistory.Entry entry = entries.get(i);
             double age = (nanos - entry.nanos()) / NANOS_PER_SECOND;
-            x[i] = width * (1 - age / FrameHistory.SECONDS);
-            y[i] = height * (1 - (entry.renderMillis() + entry.transferMillis()) / top);
+            x[i] = left + width * Math.max(0, 1 - age / FrameHistory.SECONDS);
+            y[i] = lower + (entry.renderMillis() + entry.transferMillis()) / top * (upper - lower);
         }
         pen.strokePolyline(x, y, x.length);
-        pen.setFill(TEXT);
-        pen.setFont(numbers.getFont());
-        pen.fillText(GraphScale.label(top), em / 4, em);
     }
 }

@@ -20,6 +20,6 @@ final class GraphScale {
     }
 
     static String label(double millis) {
-        return String.format(Locale.ROOT, "%.0f ms", millis);
+        return String.format(Locale.ROOT, millis == Math.rint(millis) ? "%.0f ms" : "%.1f ms", millis);
     }
 }

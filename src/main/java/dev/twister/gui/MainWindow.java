@@ -46,7 +46,7 @@ final class MainWindow implements AutoCloseable {
         stage.setScene(scene);
         CameraKeys.install(scene, stage.focusedProperty(), studio);
         CameraMouse.install(picture, studio);
-        workbench = new Workbench(stage, root, picture, studio, options);
+        workbench = new Workbench(stage, root, picture, frameTimes, studio, options);
         timer = new AnimationTimer() {
             @Override
             public void handle(long now) {
@@ -72,7 +72,7 @@ final class MainWindow implements AutoCloseable {
         picture.tellSize();
         studio.pulse(pulseNanos);
         frameTimes.refresh(pulseNanos);
-        workbench.pulse();
+        workbench.pulse(pulseNanos);
     }
 
     /** Up to the end of the layout; what the graphics card's thread does comes after that. */

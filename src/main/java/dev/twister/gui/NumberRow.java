@@ -77,6 +77,11 @@ final class NumberRow extends PanelRow {
         }
     }
 
+    /** Whether a person is at it: what they type, or hold, is not to be changed under their hands. */
+    boolean isInHand() {
+        return slider.isPressed() || (field.isFocused() && !field.getText().equals(setting.text(shown)));
+    }
+
     @Override
     Node firstControl() {
         return slider;

@@ -58,6 +58,13 @@ final class Panel extends ScrollPane {
                 .toList();
     }
 
+    /** Called in every pulse: shows what changes by itself. */
+    void pulse(long nanos) {
+        if (isVisible()) {
+            selection.pulse(nanos);
+        }
+    }
+
     /** Offers these panoramas in the list of skies. */
     void offerSkies(List<Path> panoramas) {
         sky.offer(panoramas);

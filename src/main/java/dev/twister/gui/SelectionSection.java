@@ -9,13 +9,16 @@ import java.util.stream.Stream;
 import javafx.scene.control.Label;
 import javafx.scene.layout.VBox;
 
-/** The selected sphere. A reset leads back to how it was when it was selected. */
+/** The selected sphere, where it is now if it moves. A reset leads back to how it was when it was selected. */
 final class SelectionSection extends VBox {
+    private static final long FOLLOW_NANOS = 100_000_000;
+
     private final Studio studio;
     private final Label hint = new Label();
     private List<NumberRow> numbers = List.of();
     private List<ColorRow> colors = List.of();
     private Scene atSelection;
+    private long followedNanos;
 
     SelectionSection(Studio studio) {
         this.studio = studio;
@@ -26,6 +29,15 @@ final class SelectionSection extends VBox {
         hint.setId("selection-hint");
         studio.selectionProperty().subscribe(_ -> rebuild());
         studio.sceneProperty().subscribe(_ -> refresh());
+        studio.motionProperty().subscribe(_ -> refresh());
+    }
+
+    /** Called in every pulse: follows a sphere that moves, as fast as one reads, and where the panel is seen at all. */
+    void pulse(long nanos) {
+        if (studio.motionProperty().get().isOn() && nanos - followedNanos >= FOLLOW_NANOS) {
+            followedNanos = nanos;
+            refresh();
+        }
     }
 
     /** The rows of the sphere that is selected; none where there is none. */
@@ -78,9 +90,13 @@ final class SelectionSection extends VBox {
 
     private void refresh() {
         Scene scene = studio.scene();
+        int body = studio.selectionProperty().get();
         // The selection follows a scene that has lost the sphere; until then there is nothing to show.
-        if (BodyEdits.isSphere(scene, studio.selectionProperty().get())) {
-            numbers.forEach(row -> row.show(scene, atSelection));
+        if (BodyEdits.isSphere(scene, body)) {
+            Scene seen = studio.motionProperty().get().isOn()
+                    ? BodyEdits.moved(scene, body, studio.positionNow(body))
+                    : scene;
+            numbers.stream().filter(row -> !row.isInHand()).forEach(row -> row.show(seen, atSelection));
             colors.forEach(row -> row.show(scene, atSelection));
         }
     }

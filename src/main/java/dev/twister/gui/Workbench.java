@@ -16,6 +16,7 @@ final class Workbench implements AutoCloseable {
     private final Stage stage;
     private final Studio studio;
     private final PictureView picture;
+    private final FrameTimesView frameTimes;
     private final SettingsKeeper settings;
     private final Errands errands = new Errands();
     private final FileActions files;
@@ -29,10 +30,17 @@ final class Workbench implements AutoCloseable {
      *
      * @param root of the stage's scene, the picture somewhere in it
      */
-    Workbench(Stage stage, BorderPane root, PictureView picture, Studio studio, WindowOptions options) {
+    Workbench(
+            Stage stage,
+            BorderPane root,
+            PictureView picture,
+            FrameTimesView frameTimes,
+            Studio studio,
+            WindowOptions options) {
         this.stage = stage;
         this.studio = studio;
         this.picture = picture;
+        this.frameTimes = frameTimes;
         settings = new SettingsKeeper(options.settings(), options.found(), studio::notice);
         Dialogs dialogs = new Dialogs(stage);
         files = new FileActions(studio, options.files(), dialogs, settings, errands);
@@ -66,8 +74,9 @@ final class Workbench implements AutoCloseable {
     }
 
     /** Called in every pulse. */
-    void pulse() {
+    void pulse(long nanos) {
         pictures.pulse();
+        panel.pulse(nanos);
     }
 
     /** Keeps the settings, and waits for a recording's last frames. */
@@ -112,6 +121,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.DESELECT, this::backToThePicture)
                 .on(Command.RESET, resetAll)
                 .on(Command.PANEL, () -> showPanel(!isPanelShown()))
+                .on(Command.FRAME_TIMES, () -> showFrameTimes(!frameTimes.isVisible()))
                 .on(
                         Command.MOVE,
                         () -> studio.setMoving(!studio.motionProperty().get().isOn()))
@@ -128,6 +138,7 @@ final class Workbench implements AutoCloseable {
         stage.setHeight(settings.settings().height());
         stage.setMaximized(settings.settings().maximized());
         showPanel(settings.settings().panelShown());
+        showFrameTimes(settings.settings().frameTimesShown());
         studio.views().putAll(settings.settings().views());
         studio.views()
                 .subscribe(() ->
@@ -141,6 +152,11 @@ final class Workbench implements AutoCloseable {
             picture.requestFocus();
         }
         settings.change(kept -> kept.withPanelShown(shown));
+    }
+
+    private void showFrameTimes(boolean shown) {
+        frameTimes.setVisible(shown);
+        settings.change(kept -> kept.withFrameTimesShown(shown));
     }
 
     private boolean isPanelShown() {

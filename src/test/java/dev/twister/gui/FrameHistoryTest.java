@@ -63,6 +63,7 @@ class FrameHistoryTest {
         assertThat(GraphScale.above(100)).isEqualTo(100);
         assertThat(GraphScale.above(5001)).isEqualTo(10_000);
         assertThat(GraphScale.label(20)).isEqualTo("20 ms");
+        assertThat(GraphScale.label(2.5)).isEqualTo("2.5 ms");
     }
 
     private static DrawnPicture picture(long number, long nanos) {

@@ -37,12 +37,16 @@ class SettingsTest {
                 driver.find(".picture", Node.class).requestFocus();
             });
             driver.type(KeyCode.TAB);
+            assertThat(driver.find(".frame-times", Node.class).isVisible()).isTrue();
+            driver.type(KeyCode.F3);
+            assertThat(driver.find(".frame-times", Node.class).isVisible()).isFalse();
             driver.run(() -> driver.studio.chooseEngine(sequential()));
             driver.typeWith(KeyCode.DIGIT4, KeyCode.CONTROL);
             view = WindowDriver.call(driver.studio::scene).camera();
         }
         WindowSettings kept = store.read().settings();
         assertThat(kept.panelShown()).isFalse();
+        assertThat(kept.frameTimesShown()).isFalse();
         assertThat(kept.width()).isEqualTo(700);
         assertThat(kept.height()).isEqualTo(500);
         assertThat(kept.engine()).isEqualTo(JvmEngines.SEQUENTIAL);
@@ -50,6 +54,9 @@ class SettingsTest {
         try (WindowDriver driver = WindowDriver.open(store)) {
             assertThat(driver.stage.getWidth()).isEqualTo(700);
             assertThat(driver.window.workbench().panel().isVisible()).isFalse();
+            assertThat(driver.find(".frame-times", Node.class).isVisible()).isFalse();
+            driver.type(KeyCode.F3);
+            assertThat(driver.find(".frame-times", Node.class).isVisible()).isTrue();
             driver.type(KeyCode.HOME);
             driver.run(() -> driver.studio.moveCamera(
                     camera -> new Camera(camera.position(), 90, 0, camera.fieldOfViewDegrees())));

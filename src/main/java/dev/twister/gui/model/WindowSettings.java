@@ -17,6 +17,7 @@ import java.util.stream.Stream;
  * @param height as the width
  * @param maximized whether the window fills the screen
  * @param panelShown whether the panel is shown
+ * @param frameTimesShown whether frames a second are shown over the picture
  * @param engine an engine's id
  * @param recentScenes scene files as absolute paths, the newest first, at most {@value #MAX_RECENT}
  * @param views the cameras kept under the keys 0 to 9
@@ -26,6 +27,7 @@ public record WindowSettings(
         int height,
         boolean maximized,
         boolean panelShown,
+        boolean frameTimesShown,
         String engine,
         List<String> recentScenes,
         Map<Integer, Camera> views) {
@@ -36,7 +38,7 @@ public record WindowSettings(
     private static final int MAX_TEXT_LENGTH = 4096;
 
     public static final WindowSettings DEFAULT =
-            new WindowSettings(1280, 800, false, true, FastestEngine.AUTO, List.of(), Map.of());
+            new WindowSettings(1280, 800, false, true, true, FastestEngine.AUTO, List.of(), Map.of());
 
     /**
      * Checks what may come from a file.
@@ -68,17 +70,22 @@ public record WindowSettings(
                 Math.clamp(newHeight, MIN_SIDE, MAX_SIDE),
                 newMaximized,
                 panelShown,
+                frameTimesShown,
                 engine,
                 recentScenes,
                 views);
     }
 
     public WindowSettings withPanelShown(boolean shown) {
-        return new WindowSettings(width, height, maximized, shown, engine, recentScenes, views);
+        return new WindowSettings(width, height, maximized, shown, frameTimesShown, engine, recentScenes, views);
+    }
+
+    public WindowSettings withFrameTimesShown(boolean shown) {
+        return new WindowSettings(width, height, maximized, panelShown, shown, engine, recentScenes, views);
     }
 
     public WindowSettings withEngine(String id) {
-        return new WindowSettings(width, height, maximized, panelShown, id, recentScenes, views);
+        return new WindowSettings(width, height, maximized, panelShown, frameTimesShown, id, recentScenes, views);
     }
 
     /** The file comes first; where there are too many, the oldest is forgotten. */
@@ -87,21 +94,21 @@ public record WindowSettings(
                 .distinct()
                 .limit(MAX_RECENT)
                 .toList();
-        return new WindowSettings(width, height, maximized, panelShown, engine, newest, views);
+        return new WindowSettings(width, height, maximized, panelShown, frameTimesShown, engine, newest, views);
     }
 
     /** Without a file that is no longer there. */
     public WindowSettings withoutRecentScene(String file) {
         List<String> rest =
                 recentScenes.stream().filter(recent -> !recent.equals(file)).toList();
-        return new WindowSettings(width, height, maximized, panelShown, engine, rest, views);
+        return new WindowSettings(width, height, maximized, panelShown, frameTimesShown, engine, rest, views);
     }
 
     /** Keeps a camera under a key from 0 to 9. */
     public WindowSettings withView(int key, Camera camera) {
         Map<Integer, Camera> kept = new LinkedHashMap<>(new TreeMap<>(views));
         kept.put(key, camera);
-        return new WindowSettings(width, height, maximized, panelShown, engine, recentScenes, kept);
+        return new WindowSettings(width, height, maximized, panelShown, frameTimesShown, engine, recentScenes, kept);
     }
 
     private static boolean isUsable(Camera camera) {
