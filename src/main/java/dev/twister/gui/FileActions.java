@@ -1,7 +1,9 @@
 package dev.twister.gui;
 
 import dev.twister.gui.model.DroppedFile;
+import dev.twister.gui.model.SceneHistory;
 import dev.twister.scene.SceneException;
+import dev.twister.scene.SceneWriter;
 import dev.twister.sky.SkyException;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -16,6 +18,7 @@ final class FileActions {
     private final Dialogs dialogs;
     private final SettingsKeeper settings;
     private final Errands errands;
+    private int saving;
 
     FileActions(Studio studio, FileChoice choice, Dialogs dialogs, SettingsKeeper settings, Errands errands) {
         this.studio = studio;
@@ -87,11 +90,19 @@ final class FileActions {
 
     /** Does that once changes are saved or given up; not at all where the person would rather stay. */
     void afterSaving(Runnable action) {
-        if (studio.editsProperty().get().changed()) {
+        if (saving > 0) {
+            // One errand follows the other: then it is known whether there is something to lose.
+            errands.run(() -> "", _ -> afterSaving(action), problem -> complain("This cannot be done", problem));
+        } else if (studio.editsProperty().get().changed()) {
             dialogs.askToSave(name(), () -> save(action), action);
         } else {
             action.run();
         }
+    }
+
+    /** Whether a scene is being written. */
+    boolean isSaving() {
+        return saving > 0;
     }
 
     private void openScene(Path file) {
@@ -122,14 +133,24 @@ final class FileActions {
     }
 
     private void saveTo(Path file, Runnable then) {
-        try {
-            studio.save(file);
-            studio.notice("Saved " + file);
-            remember(file);
-            then.run();
-        } catch (SceneException problem) {
-            complain("The scene was not saved", problem);
-        }
+        SceneHistory.Version version = studio.toSave();
+        saving++;
+        errands.run(
+                () -> {
+                    SceneWriter.write(version.scene(), file);
+                    return file;
+                },
+                written -> {
+                    saving--;
+                    studio.saved(version, written);
+                    studio.notice("Saved " + written);
+                    remember(written);
+                    then.run();
+                },
+                problem -> {
+                    saving--;
+                    complain("The scene was not saved", problem);
+                });
     }
 
     private void remember(Path file) {

@@ -13,6 +13,7 @@ import java.io.IOException;
 import java.nio.IntBuffer;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 
@@ -51,14 +52,16 @@ final class PictureActions implements AutoCloseable {
         }
         Frame frame = shown.get().frame();
         int[] argb = frame.argb().clone();
-        FrameInput input = shown.get().input();
+        // What is seen as one samples it: the frame's own samples, or those gathered since.
+        FrameInput input = shown.get().input().withSamples(0, shown.get().samples());
+        CompletableFuture<Optional<float[]>> gathered = studio.radiance(shown.get());
         choice.toSavePicture(lastFolder.resolve(PictureFile.freeName(lastFolder)))
                 .ifPresent(file -> {
                     lastFolder = Optional.ofNullable(file.toAbsolutePath().getParent())
                             .orElse(lastFolder);
                     errands.run(
                             () -> {
-                                write(file, frame.width(), frame.height(), argb, input);
+                                write(file, frame.width(), frame.height(), argb, input, gathered);
                                 return file;
                             },
                             written -> studio.notice("Saved " + written),
@@ -131,16 +134,27 @@ final class PictureActions implements AutoCloseable {
         return what + " " + progress.written() + " frames" + waiting + leftOut;
     }
 
-    private static void write(Path file, int width, int height, int[] argb, FrameInput input) throws IOException {
+    private static void write(
+            Path file,
+            int width,
+            int height,
+            int[] argb,
+            FrameInput input,
+            CompletableFuture<Optional<float[]>> gathered)
+            throws IOException {
         if (!PictureFile.isLinear(file)) {
             PngWriter.write(file, width, height, argb);
             return;
         }
-        // The window's engine is busy with the window; this one draws the same picture.
+        HdrWriter.write(file, width, height, gathered.join().orElseGet(() -> draw(input, width, height)));
+    }
+
+    /** The window's engine is busy with the window; this one draws the same picture. */
+    private static float[] draw(FrameInput input, int width, int height) {
         Frame linear = Frame.ofRadiance(width, height);
         try (Engine engine = JvmEngines.parallel().opener().get()) {
             engine.render(input, linear);
         }
-        HdrWriter.write(file, width, height, linear.radiance());
+        return linear.radiance();
     }
 }

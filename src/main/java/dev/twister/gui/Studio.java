@@ -18,13 +18,13 @@ import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
-import dev.twister.scene.SceneWriter;
 import dev.twister.scene.Vector3;
 import dev.twister.world.CameraMotion;
 import dev.twister.world.Walk;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.UnaryOperator;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyIntegerProperty;
@@ -117,6 +117,11 @@ public final class Studio implements AutoCloseable {
     /** What the drawing thread has to say. */
     public ReadOnlyObjectProperty<DrawingStatus> drawingProperty() {
         return drawing.getReadOnlyProperty();
+    }
+
+    /** See {@link DrawingLoop#radiance}. */
+    CompletableFuture<Optional<float[]>> radiance(DrawnPicture shown) {
+        return loop.radiance(shown);
     }
 
     /** Whether a picture at rest gathers samples and then rests; otherwise it is drawn again and again. */
@@ -327,16 +332,18 @@ public final class Studio implements AutoCloseable {
         show(read(scenesFile));
     }
 
-    /**
-     * Saves the scene, the camera where it is now.
-     *
-     * @throws dev.twister.scene.SceneException where it cannot be written
-     */
-    public void save(Path target) {
-        SceneWriter.write(scene.get(), target);
-        document.markSaved();
-        file.set(Optional.of(target));
-        edits.set(EditState.of(document));
+    /** The scene as it is to be written, the camera where it is now; to be told of by {@link #saved}. */
+    public SceneHistory.Version toSave() {
+        document.endGesture();
+        return document.version();
+    }
+
+    /** A scene was written to that file: the edits up to it are safe, those after it are not. */
+    public void saved(SceneHistory.Version version, Path target) {
+        if (document.markSaved(version)) {
+            file.set(Optional.of(target));
+            edits.set(EditState.of(document));
+        }
     }
 
     /**

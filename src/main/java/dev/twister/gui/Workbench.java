@@ -206,7 +206,7 @@ final class Workbench implements AutoCloseable {
     }
 
     private void closeOnceSaved(WindowEvent event) {
-        if (studio.editsProperty().get().changed()) {
+        if (studio.editsProperty().get().changed() || files.isSaving()) {
             event.consume();
             files.afterSaving(stage::hide);
         }

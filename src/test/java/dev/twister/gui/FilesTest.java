@@ -1,11 +1,16 @@
 package dev.twister.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.SceneHistory;
+import dev.twister.kernel.Layout;
+import dev.twister.kernel.ToneMapping;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.SceneReader;
+import dev.twister.scene.SceneWriter;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.SkyboxReader;
 import java.awt.image.BufferedImage;
@@ -15,6 +20,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import javafx.scene.control.Button;
 import javafx.scene.control.DialogPane;
 import javafx.scene.input.KeyCode;
@@ -54,7 +60,9 @@ class FilesTest {
             driver.studio.open(scene);
             driver.files.chooseNothing();
             driver.studio.edit("shadows", now -> now.withSettings(now.settings().withShadows(1)));
-            driver.studio.save(scene);
+            SceneHistory.Version saved = driver.studio.toSave();
+            SceneWriter.write(saved.scene(), scene);
+            driver.studio.saved(saved, scene);
         });
         driver.awaitCurrentPicture();
     }
@@ -195,11 +203,13 @@ class FilesTest {
         change();
         assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("• other.json – Twister");
         driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+        driver.await(() -> !driver.studio.editsProperty().get().changed());
         assertThat(SceneReader.read(other)).isEqualTo(scene());
         assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("other.json – Twister");
         Path third = folder.resolve("scenes").resolve("third.json");
         driver.files.choose(third);
         driver.typeWith(KeyCode.S, KeyCode.CONTROL, KeyCode.SHIFT);
+        driver.await(() -> driver.studio.fileProperty().get().equals(Optional.of(third)));
         assertThat(SceneReader.read(third)).isEqualTo(scene());
         assertThat(driver.text("notice")).isEqualTo("Saved " + third);
         assertThat(driver.window.workbench().settings().recentScenes()).startsWith(third.toString(), other.toString());
@@ -226,6 +236,24 @@ class FilesTest {
         driver.await(() -> driver.studio.fileProperty().get().equals(Optional.of(start)));
         assertThat(SceneReader.read(other).settings().bounces())
                 .isEqualTo(changed.settings().bounces() - 1);
+    }
+
+    @Test
+    void whatWouldLoseChangesWaitsForASceneThatIsBeingWritten() {
+        Path start = folder.resolve("scenes").resolve("start.json");
+        change();
+        Scene changed = scene();
+        CompletableFuture<Scene> left = new CompletableFuture<>();
+        FileActions files = driver.window.workbench().files();
+        driver.run(() -> {
+            files.save();
+            files.afterSaving(() -> left.complete(SceneReader.read(start)));
+            assertThat(files.isSaving()).isTrue();
+            assertThat(left).isNotDone();
+        });
+        driver.await(left::isDone);
+        assertThat(left.join()).isEqualTo(changed);
+        assertThat(dialog("save-question")).isEmpty();
     }
 
     @Test
@@ -283,6 +311,27 @@ class FilesTest {
         driver.await(() -> Files.exists(hdr));
         assertThat(SkyboxReader.read(hdr).width()).isEqualTo(shown.frame().width());
         driver.run(() -> driver.studio.refiningProperty().set(true));
+    }
+
+    @Test
+    void anHdrScreenshotHasTheSamplesThatWereGathered() {
+        DrawnPicture shown = driver.awaitRest();
+        Path hdr = folder.resolve("rest.hdr");
+        driver.files.choose(hdr);
+        driver.type(KeyCode.F12);
+        driver.await(() -> Files.exists(hdr));
+        float[] radiance = SkyboxReader.read(hdr).radiance();
+        float[] properties = shown.input().rayTracingProperties();
+        int[] argb = shown.frame().argb();
+        for (int pixel = 0; pixel < argb.length; pixel++) {
+            int green = ToneMapping.quantized(
+                    radiance[3 * pixel + 1],
+                    properties[Layout.EXPOSURE_SCALE],
+                    (int) properties[Layout.TONE_MAP],
+                    properties[Layout.SRGB]);
+            // A Radiance file has 8 bits for the largest channel, and fewer for the others.
+            assertThat(green).isCloseTo(argb[pixel] >> 8 & 0xFF, within(3));
+        }
     }
 
     @Test

@@ -2,7 +2,10 @@ package dev.twister.gui.drawing;
 
 import dev.twister.engine.EngineOffer;
 import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
@@ -19,7 +22,10 @@ public final class DrawingLoop implements AutoCloseable {
     private Optional<DrawingRequest> newest = Optional.empty();
     private boolean due;
     private boolean closed;
+    private final Deque<RadianceQuestion> questions = new ArrayDeque<>();
     private volatile DrawingStatus status = DrawingStatus.QUIET;
+
+    private record RadianceQuestion(DrawnPicture picture, CompletableFuture<Optional<float[]>> answer) {}
 
     /**
      * A loop that is not started yet.
@@ -54,6 +60,26 @@ public final class DrawingLoop implements AutoCloseable {
         return exchange.takeNewest();
     }
 
+    /**
+     * The linear samples that a refined picture has gathered, as {@link dev.twister.image.Frame#radiance} has them: as many
+     * as were seen, or more by now. Empty where it was not refined, or another picture is drawn by now.
+     */
+    public CompletableFuture<Optional<float[]>> radiance(DrawnPicture picture) {
+        CompletableFuture<Optional<float[]>> answer = new CompletableFuture<>();
+        lock.lock();
+        try {
+            if (closed) {
+                answer.complete(Optional.empty());
+            } else {
+                questions.add(new RadianceQuestion(picture, answer));
+                changed.signalAll();
+            }
+        } finally {
+            lock.unlock();
+        }
+        return answer;
+    }
+
     public DrawingStatus status() {
         return status;
     }
@@ -80,12 +106,32 @@ public final class DrawingLoop implements AutoCloseable {
             boolean more = false;
             Optional<DrawingRequest> next = await(more);
             while (next.isPresent()) {
+                answerQuestions();
                 work.prepare(next.get());
                 status = work.status();
                 more = work.step(next.get());
                 status = work.status();
                 next = await(more);
             }
+        } finally {
+            answerQuestions();
+        }
+    }
+
+    private void answerQuestions() {
+        Optional<RadianceQuestion> question = nextQuestion();
+        while (question.isPresent()) {
+            question.get().answer().complete(work.radiance(question.get().picture()));
+            question = nextQuestion();
+        }
+    }
+
+    private Optional<RadianceQuestion> nextQuestion() {
+        lock.lock();
+        try {
+            return Optional.ofNullable(questions.poll());
+        } finally {
+            lock.unlock();
         }
     }
 
@@ -93,7 +139,7 @@ public final class DrawingLoop implements AutoCloseable {
     private Optional<DrawingRequest> await(boolean more) {
         lock.lock();
         try {
-            while (!closed && !due && !more) {
+            while (!closed && !due && !more && questions.isEmpty()) {
                 changed.awaitUninterruptibly();
             }
             due = false;

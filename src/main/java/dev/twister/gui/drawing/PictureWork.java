@@ -65,6 +65,15 @@ final class PictureWork implements AutoCloseable {
         }
     }
 
+    /** What was gathered for that picture; empty where it was not refined, or another request is at work by now. */
+    Optional<float[]> radiance(DrawnPicture picture) {
+        return refined.filter(held -> picture.request().number() == request
+                        && held.fits(picture.frame().width(), picture.frame().height())
+                        && held.samples() > picture.request().scene().settings().samplesPerPixel()
+                        && held.samples() >= picture.samples())
+                .map(RefinedPicture::radiance);
+    }
+
     DrawingStatus status() {
         return new DrawingStatus(seat.opening(), seat.failure(), world.complaint());
     }

@@ -29,6 +29,23 @@ public final class SceneHistory {
      */
     private record Step(String what, Scene scene, long version) {}
 
+    /** A scene as it was at some time. */
+    public static final class Version {
+        private final SceneHistory history;
+        private final Scene scene;
+        private final long number;
+
+        private Version(SceneHistory history, Scene scene, long number) {
+            this.history = history;
+            this.scene = scene;
+            this.number = number;
+        }
+
+        public Scene scene() {
+            return scene;
+        }
+    }
+
     private final Deque<Step> past = new ArrayDeque<>();
     private final Deque<Step> future = new ArrayDeque<>();
     private Optional<String> gesture = Optional.empty();
@@ -102,9 +119,18 @@ public final class SceneHistory {
         return version != savedVersion;
     }
 
-    public void markSaved() {
-        savedVersion = version;
-        endGesture();
+    /** The present, to be told apart from what it is edited to. */
+    public Version version() {
+        return new Version(this, present, version);
+    }
+
+    /** A version has been saved, however it was edited since; whether it was one of this history. */
+    public boolean markSaved(Version saved) {
+        boolean own = saved.history == this;
+        if (own) {
+            savedVersion = saved.number;
+        }
+        return own;
     }
 
     private void step(Deque<Step> from, Deque<Step> to) {

@@ -104,7 +104,7 @@ class SceneHistoryTest {
         assertThat(history.hasChanged()).isFalse();
         history.edit("shadows", shadows(start, 10));
         assertThat(history.hasChanged()).isTrue();
-        history.markSaved();
+        assertThat(history.markSaved(history.version())).isTrue();
         assertThat(history.hasChanged()).isFalse();
         history.undo();
         assertThat(history.hasChanged()).isTrue();
@@ -117,9 +117,20 @@ class SceneHistoryTest {
     }
 
     @Test
+    void whatIsEditedWhileItIsWrittenIsStillToBeSaved() {
+        history.edit("shadows", shadows(start, 10));
+        SceneHistory.Version written = history.version();
+        history.edit("shadows", shadows(start, 11));
+        assertThat(history.markSaved(written)).isTrue();
+        assertThat(history.hasChanged()).isTrue();
+        assertThat(written.scene()).isEqualTo(shadows(start, 10));
+        assertThat(new SceneHistory(start).markSaved(written)).isFalse();
+    }
+
+    @Test
     void anotherEditIsNotTakenForTheSavedOne() {
         history.edit("shadows", shadows(start, 10));
-        history.markSaved();
+        assertThat(history.markSaved(history.version())).isTrue();
         history.undo();
         history.edit("shadows", shadows(start, 12));
         assertThat(history.hasChanged()).isTrue();
