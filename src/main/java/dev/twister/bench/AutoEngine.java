@@ -10,7 +10,7 @@ import dev.twister.world.FrameInput;
  */
 final class AutoEngine implements Engine {
     private final Successor successor;
-    private Engine current;
+    private volatile Engine current;
     private boolean succeeded;
 
     /**
@@ -51,6 +51,7 @@ final class AutoEngine implements Engine {
     @Override
     public void onFaster(Runnable listener) {
         successor.onReady(listener);
+        current.onFaster(listener);
     }
 
     private void goOverTo(Engine faster) {

@@ -4,10 +4,12 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
+import java.time.Duration;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 
@@ -21,6 +23,14 @@ public final class FastestEngine {
 
     /** Itself; what parallel does with more threads; and what is slow on purpose. */
     private static final Set<String> NEVER_TAKEN = Set.of(AUTO, JvmEngines.SEQUENTIAL, JvmEngines.PLAIN);
+
+    /** Wherever it works, see benchmarks/NOTES.md; until it has been measured. */
+    private static final String MOSTLY_FASTEST = "vector";
+
+    /** What a cold JVM takes to compile that one, twice over. */
+    private static final Duration WARMING = Duration.ofSeconds(8);
+
+    private static final long LOOK_NANOS = 20_000_000;
 
     private final EngineTrial trial;
     private final ChoiceStore store;
@@ -37,19 +47,25 @@ public final class FastestEngine {
 
     /**
      * Opens an engine that draws at once, and that goes over to the one that was the fastest when it was measured as soon
-     * as that is warm. What was not measured yet is measured beside the frames.
+     * as that is warm. Where none was measured yet, the one that mostly is the fastest stands in for it, and all are measured
+     * beside its frames.
      *
      * @throws EngineException where no engine can be opened
      */
     public Engine openAtOnce(List<EngineOffer> offers) {
         List<EngineOffer> candidates = candidates(offers);
-        Optional<String> known = remembered(offers);
         Engine standIn = openFirst(candidates, List.of());
-        if (known.isPresent() && known.get().equals(standIn.id())) {
-            return standIn;
-        }
-        return new AutoEngine(
-                standIn, new Successor(cancelled -> successor(candidates, known, standIn.id(), cancelled)));
+        Optional<String> known = remembered(offers);
+        Engine warming = known.or(() -> Optional.of(MOSTLY_FASTEST))
+                .filter(id -> !id.equals(standIn.id()))
+                .flatMap(id -> find(candidates, id))
+                .<Engine>map(offer -> new AutoEngine(standIn, new Successor(_ -> opened(offer))))
+                .orElse(standIn);
+        return known.isPresent()
+                ? warming
+                : new AutoEngine(
+                        warming,
+                        new Successor(cancelled -> measuredBeside(warming, standIn.id(), candidates, cancelled)));
     }
 
     /**
@@ -70,17 +86,24 @@ public final class FastestEngine {
         return openFirst(candidates, measure(candidates, () -> false));
     }
 
-    private Optional<Engine> successor(
-            List<EngineOffer> candidates, Optional<String> known, String standIn, BooleanSupplier cancelled) {
-        Optional<String> fastest = known.isPresent()
-                ? known
-                : measure(candidates, cancelled).stream()
-                        .filter(time -> time.frame().isPresent())
-                        .map(EngineTime::engine)
-                        .findFirst();
-        return fastest.filter(id -> !id.equals(standIn) && !cancelled.getAsBoolean())
+    /** Trials would take from the compiler what the engine that is warming needs: it has some time first. */
+    private Optional<Engine> measuredBeside(
+            Engine drawing, String standIn, List<EngineOffer> candidates, BooleanSupplier cancelled) {
+        long end = System.nanoTime() + WARMING.toNanos();
+        while (drawing.id().equals(standIn) && System.nanoTime() < end && !cancelled.getAsBoolean()) {
+            LockSupport.parkNanos(LOOK_NANOS);
+        }
+        return measure(candidates, cancelled).stream()
+                .filter(time -> time.frame().isPresent())
+                .map(EngineTime::engine)
+                .findFirst()
+                .filter(id -> !id.equals(drawing.id()) && !cancelled.getAsBoolean())
                 .flatMap(id -> find(candidates, id))
-                .map(offer -> offer.opener().get());
+                .flatMap(FastestEngine::opened);
+    }
+
+    private static Optional<Engine> opened(EngineOffer offer) {
+        return Optional.of(offer.opener().get());
     }
 
     private static Optional<EngineOffer> find(List<EngineOffer> candidates, String id) {
