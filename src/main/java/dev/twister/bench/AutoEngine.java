@@ -37,6 +37,7 @@ final class AutoEngine implements Engine {
     @Override
     public void render(FrameInput input, Frame frame) {
         if (!succeeded) {
+            successor.await();
             successor.take().ifPresent(this::goOverTo);
         }
         if (!succeeded) {

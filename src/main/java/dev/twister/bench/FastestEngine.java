@@ -30,6 +30,9 @@ public final class FastestEngine {
     /** What a cold JVM takes to compile that one, twice over. */
     private static final Duration WARMING = Duration.ofSeconds(8);
 
+    /** How long frames wait for it, all together. */
+    private static final Duration PATIENCE = Duration.ofSeconds(3);
+
     private static final long LOOK_NANOS = 20_000_000;
 
     private final EngineTrial trial;
@@ -59,7 +62,7 @@ public final class FastestEngine {
         Engine warming = known.or(() -> Optional.of(MOSTLY_FASTEST))
                 .filter(id -> !id.equals(standIn.id()))
                 .flatMap(id -> find(candidates, id))
-                .<Engine>map(offer -> new AutoEngine(standIn, new Successor(_ -> opened(offer))))
+                .<Engine>map(offer -> new AutoEngine(standIn, new Successor(_ -> opened(offer), PATIENCE)))
                 .orElse(standIn);
         return known.isPresent()
                 ? warming

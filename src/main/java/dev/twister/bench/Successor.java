@@ -4,7 +4,9 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
+import java.time.Duration;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 
@@ -16,10 +18,15 @@ final class Successor implements AutoCloseable {
     /** Large enough that what a device takes for each frame, whatever its size, does not hide how fast it is. */
     private static final int WARM_UP_WIDTH = 320;
 
+    /** Some pictures a second are shown meanwhile. */
+    private static final long PAUSE_NANOS = 400_000_000;
+
     private final Function<BooleanSupplier, Optional<Engine>> opener;
+    private final Duration patience;
     private volatile double nanosPerPixelToBeat = Double.MAX_VALUE;
     private volatile boolean closed;
     private boolean started;
+    private long waitedNanos;
     private Optional<Engine> ready = Optional.empty();
     private Runnable listener = () -> {};
 
@@ -30,6 +37,17 @@ final class Successor implements AutoCloseable {
      *     already is to stay
      */
     Successor(Function<BooleanSupplier, Optional<Engine>> opener) {
+        this(opener, Duration.ZERO);
+    }
+
+    /**
+     * Starts nothing.
+     *
+     * @param patience how long a frame waits for this engine, all frames together: the compiler is done sooner where not
+     *     every core draws
+     */
+    Successor(Function<BooleanSupplier, Optional<Engine>> opener, Duration patience) {
+        this.patience = patience;
         this.opener = opener;
     }
 
@@ -53,6 +71,22 @@ final class Successor implements AutoCloseable {
         if (ready.isPresent()) {
             listener.run();
         }
+    }
+
+    /** Waits for the engine a little, where there is patience left. */
+    synchronized void await() {
+        long start = System.nanoTime();
+        long pauseNanos = started ? Math.min(PAUSE_NANOS, patience.toNanos() - waitedNanos) : 0;
+        try {
+            long leftNanos = pauseNanos;
+            while (ready.isEmpty() && !closed && leftNanos > 0) {
+                TimeUnit.NANOSECONDS.timedWait(this, leftNanos);
+                leftNanos = pauseNanos - (System.nanoTime() - start);
+            }
+        } catch (InterruptedException _) {
+            Thread.currentThread().interrupt();
+        }
+        waitedNanos += System.nanoTime() - start;
     }
 
     /** The engine, once it is warm; from then on it is the caller's. */
@@ -104,6 +138,7 @@ final class Successor implements AutoCloseable {
             engine.close();
         } else {
             ready = Optional.of(engine);
+            notifyAll();
             listener.run();
         }
     }
