@@ -48,6 +48,7 @@ final class Shadows {
 
     private static void sampleInCrowd(Tile tile, Drawing drawing) {
         Hull hull = tile.shadow.hull;
+        float tooWide = Float.POSITIVE_INFINITY;
         for (int k = 0; k < tile.shadows.count; k++) {
             int at = tile.shadows.places[k];
             tile.packet.clear();
@@ -55,7 +56,13 @@ final class Shadows {
             LaneSteps.run(LaneSteps.HOLD_POINTS, tile, drawing, hull, at, 0);
             endAtLight(hull, drawing);
             hull.prepareForBoxes();
-            if (hull.everything || !ShadowCandidates.findInHierarchy(tile, at, drawing)) {
+            float width = hull.radius;
+            boolean together = !hull.everything && width < tooWide;
+            if (together && !ShadowCandidates.findInHierarchy(tile, at, drawing)) {
+                together = false;
+                tooWide = width;
+            }
+            if (!together) {
                 LoneShadows.find(tile, at, drawing);
             } else if (LaneSteps.run(LaneSteps.FINISH_PACKET, tile, drawing, hull, at, 0) != 0) {
                 sample(tile, drawing, at);
