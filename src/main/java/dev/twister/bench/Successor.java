@@ -23,7 +23,9 @@ final class Successor implements AutoCloseable {
 
     private final Function<BooleanSupplier, Optional<Engine>> opener;
     private final Duration patience;
-    private volatile double nanosPerPixelToBeat = Double.MAX_VALUE;
+    /** Nothing beats a frame that is not there yet. */
+    private volatile double nanosPerPixelToBeat;
+
     private volatile boolean closed;
     private boolean started;
     private long waitedNanos;
