@@ -21,10 +21,32 @@ final class Hull {
     /** Of a box's distance; {@link NodeBox}'s is less, but the axis and the cone are rounded too. */
     private static final float BOX_MARGIN = 1e-5f;
 
+    /** Of a cosine. */
+    private static final float ROUNDING = 1e-6f;
+
     /** Below it a cone is as good as everything. */
     private static final float LEAST_COSINE = 0.02f;
 
     private static final float BIGGEST = 1e30f;
+
+    /** Along each axis; called in a loop, so that each keeps its own inlining budget: see {@link Stage}. */
+    private static final Extent[] EXTENTS = {
+        (hull, tile, packets, column, lanes) -> {
+            float half = hull.spread(tile, packets, column, lanes);
+            hull.baseX = hull.middle;
+            return half;
+        },
+        (hull, tile, packets, column, lanes) -> {
+            float half = hull.spread(tile, packets, column + Tile.SIZE, lanes);
+            hull.baseY = hull.middle;
+            return half;
+        },
+        (hull, tile, packets, column, lanes) -> {
+            float half = hull.spread(tile, packets, column + 2 * Tile.SIZE, lanes);
+            hull.baseZ = hull.middle;
+            return half;
+        },
+    };
 
     float baseX;
     float baseY;
@@ -41,6 +63,8 @@ final class Hull {
 
     /** Whether the region is everything. */
     boolean everything;
+
+    private final float[] lanes = new float[Lanes.COUNT];
 
     private float inverseX;
     private float inverseY;
@@ -67,11 +91,31 @@ final class Hull {
             sumY = sumY.blend(sumY.add(Lanes.load(t, at + Tile.DIRECTION_Y)), goesOn);
             sumZ = sumZ.blend(sumZ.add(Lanes.load(t, at + Tile.DIRECTION_Z)), goesOn);
         }
-        axisX = sumX.reduceLanes(VectorOperators.ADD);
-        axisY = sumY.reduceLanes(VectorOperators.ADD);
-        axisZ = sumZ.reduceLanes(VectorOperators.ADD);
-        float length = normalizeAxis();
-        cosine = length > 0f ? leastCosine(tile, packets) : 0f;
+        float length = setAxis(sum(sumX), sum(sumY), sum(sumZ));
+        holdCone(length > 0f ? leastCosine(tile, packets) : 0f);
+    }
+
+    /** In any order, unlike a vector's own sum. */
+    private float sum(FloatVector values) {
+        values.intoArray(lanes, 0);
+        float sum = 0f;
+        for (float lane : lanes) {
+            sum += lane;
+        }
+        return sum;
+    }
+
+    /** Points the axis there, and tells the vector's length. */
+    float setAxis(float x, float y, float z) {
+        axisX = x;
+        axisY = y;
+        axisZ = z;
+        return normalizeAxis();
+    }
+
+    /** Widens about the axis, without an end, to rays of which the widest has that cosine, rounding allowed for. */
+    void holdCone(float leastCosine) {
+        cosine = leastCosine - ROUNDING;
         everything = cosine < LEAST_COSINE;
         sine = (float) Math.sqrt(Math.max(0f, 1f - cosine * cosine));
         end = BIGGEST;
@@ -86,7 +130,7 @@ final class Hull {
         return length;
     }
 
-    /** Of the angles between the axis and the rays that go on, rounding allowed for. */
+    /** Of the angles between the axis and the rays that go on. */
     private float leastCosine(Tile tile, PacketList packets) {
         float[] t = tile.values;
         FloatVector least = Lanes.all(1f);
@@ -100,7 +144,7 @@ final class Hull {
                     .and(Lanes.load(t, at + Tile.THROUGHPUT).compare(VectorOperators.GT, 0f));
             least = least.blend(along, wider);
         }
-        return least.reduceLanes(VectorOperators.MIN) - 1e-6f;
+        return Lanes.least(least);
     }
 
     /** Starts at the camera: all view rays do. */
@@ -113,13 +157,12 @@ final class Hull {
 
     /** Starts in a ball about the origins of the live rays, or the points of the lanes whose {@code lanes} column is above 0. */
     void startAround(Tile tile, PacketList packets, int column, int lanes) {
-        float halfX = spread(tile, packets, column, lanes);
-        baseX = middle;
-        float halfY = spread(tile, packets, column + Tile.SIZE, lanes);
-        baseY = middle;
-        float halfZ = spread(tile, packets, column + 2 * Tile.SIZE, lanes);
-        baseZ = middle;
-        radius = (float) Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
+        float squared = 0f;
+        for (Extent extent : EXTENTS) {
+            float half = extent.find(this, tile, packets, column, lanes);
+            squared += half * half;
+        }
+        radius = (float) Math.sqrt(squared);
     }
 
     private float middle;
@@ -135,8 +178,8 @@ final class Hull {
             least = least.blend(value, value.compare(VectorOperators.LT, least).and(counts));
             most = most.blend(value, value.compare(VectorOperators.GT, most).and(counts));
         }
-        float low = least.reduceLanes(VectorOperators.MIN);
-        float high = most.reduceLanes(VectorOperators.MAX);
+        float low = Lanes.least(least);
+        float high = Lanes.greatest(most);
         middle = 0.5f * (low + high);
         return 0.5f * (high - low);
     }
@@ -271,5 +314,11 @@ final class Hull {
         FloatVector out = Lanes.smaller(Lanes.smaller(middleX.add(sideX), middleY.add(sideY)), middleZ.add(sideZ));
         Lanes.larger(in, Lanes.load(found, 0)).intoArray(found, 0);
         return in.compare(VectorOperators.LE, out).toLong();
+    }
+
+    /** Half of what the origins spread along one axis; sets the middle. */
+    @FunctionalInterface
+    private interface Extent {
+        float find(Hull hull, Tile tile, PacketList packets, int column, int lanes);
     }
 }

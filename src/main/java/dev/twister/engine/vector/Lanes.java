@@ -52,6 +52,25 @@ final class Lanes {
         return a.blend(b, b.compare(VectorOperators.LT, a));
     }
 
+    /** The least of all lanes; by ints in the same order, as a float's minimum minds NaN and -0 at every step. */
+    static float least(FloatVector values) {
+        return ordered(ordered(values.reinterpretAsInts()).reduceLanes(VectorOperators.MIN));
+    }
+
+    /** The greatest of all lanes. */
+    static float greatest(FloatVector values) {
+        return ordered(ordered(values.reinterpretAsInts()).reduceLanes(VectorOperators.MAX));
+    }
+
+    private static IntVector ordered(IntVector bits) {
+        return bits.lanewise(
+                VectorOperators.XOR, bits.lanewise(VectorOperators.ASHR, 31).lanewise(VectorOperators.LSHR, 1));
+    }
+
+    private static float ordered(int bits) {
+        return Float.intBitsToFloat(bits ^ bits >> 31 >>> 1);
+    }
+
     /** {@code 1 / sqrt(squared)}, and 0 for 0. */
     static FloatVector inverseRoot(FloatVector squared) {
         FloatVector inverse = all(1f).div(squared.sqrt());

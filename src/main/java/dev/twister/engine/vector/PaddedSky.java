@@ -9,7 +9,7 @@ import dev.twister.world.FrameInput;
  * sky is the same.
  */
 final class PaddedSky {
-    static final int FLOATS_A_TEXEL = 4;
+    static final int FLOATS_A_TEXEL = 3;
 
     float[] texels = {};
 
@@ -31,7 +31,7 @@ final class PaddedSky {
             source = input.skybox();
             width = input.skyboxDimensions()[Layout.SKYBOX_WIDTH];
             height = input.skyboxDimensions()[Layout.SKYBOX_HEIGHT];
-            texels = new float[Math.multiplyExact(FLOATS_A_TEXEL, Math.multiplyExact(stride(), height + 2))];
+            texels = new float[1 + Math.multiplyExact(FLOATS_A_TEXEL, Math.multiplyExact(stride(), height + 2))];
             for (int row = -1; row <= height; row++) {
                 copyRow(row);
             }

@@ -57,6 +57,9 @@ final class ShadowScratch {
     /** The facts of {@link #candidates}. */
     float[] facts = new float[16 * STRIDE];
 
+    /** The lowest conic at each sample, {@link Lanes#COUNT} floats a sample. */
+    float[] conics = {};
+
     /** Whether each candidate lies wholly between the points that it may shade and the disc. */
     boolean between;
 
@@ -78,6 +81,13 @@ final class ShadowScratch {
     void reserveBodies(int most) {
         tileCandidates.reserve(most);
         candidates.reserve(most);
+    }
+
+    /** Makes room for the conics at so many samples. */
+    void reserveConics(int samples) {
+        if (conics.length < samples * Lanes.COUNT) {
+            conics = new float[samples * Lanes.COUNT];
+        }
     }
 
     /** Makes room for the facts of so many candidates. */

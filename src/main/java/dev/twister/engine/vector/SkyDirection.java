@@ -1,7 +1,6 @@
 package dev.twister.engine.vector;
 
 import jdk.incubator.vector.FloatVector;
-import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
@@ -97,26 +96,23 @@ final class SkyDirection {
         }
     }
 
-    /** Turns the angles into the upper left texels and the fractions from them. */
-    static void findTexels(Tile tile, PaddedSky sky) {
+    /** Turns the angles into columns and rows of the padded sky, in texels, whole where a texel's centre is. */
+    static void findPlaces(Tile tile, PaddedSky sky) {
         float[] t = tile.values;
         for (int k = 0; k < tile.skies.count; k++) {
             int at = tile.skies.places[k];
             // The border counts 1 more, and the texels' centres lie half a texel in.
-            FloatVector column = Lanes.load(t, at + Tile.SKY_TO_RIGHT)
+            Lanes.load(t, at + Tile.SKY_TO_RIGHT)
                     .mul(TURNS_PER_RADIAN)
                     .add(0.5f)
                     .mul(sky.width)
-                    .add(0.5f);
-            FloatVector row = Lanes.all(0.5f)
+                    .add(0.5f)
+                    .intoArray(t, at + Tile.SKY_TO_RIGHT);
+            Lanes.all(0.5f)
                     .sub(Lanes.load(t, at + Tile.SKY_TO_BOTTOM).mul(HALF_TURNS_PER_RADIAN))
                     .mul(sky.height)
-                    .add(0.5f);
-            IntVector left = Lanes.truncated(column);
-            IntVector top = Lanes.truncated(row);
-            column.sub(Lanes.toFloats(left)).intoArray(t, at + Tile.SKY_TO_RIGHT);
-            row.sub(Lanes.toFloats(top)).intoArray(t, at + Tile.SKY_TO_BOTTOM);
-            top.mul(sky.stride()).add(left).intoArray(tile.texels, at);
+                    .add(0.5f)
+                    .intoArray(t, at + Tile.SKY_TO_BOTTOM);
         }
     }
 }

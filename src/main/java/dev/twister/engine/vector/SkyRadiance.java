@@ -2,33 +2,52 @@ package dev.twister.engine.vector;
 
 import dev.twister.kernel.Layout;
 import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
-/** The panorama's radiance, bilinear between four texels. */
+/** The panorama's radiance, bilinear between four texels, where the lanes of a packet look here and there. */
 final class SkyRadiance {
     /** A texel: red, green, blue and a blank. */
     private static final VectorSpecies<Float> TEXEL = FloatVector.SPECIES_128;
 
+    /** Floats a pixel of {@link Tile#skyColors}. */
+    private static final int COLOR = 4;
+
     /** From one pixel's colour to the next's. */
-    private static final int[] PIXELS = VectorSteps.of(PaddedSky.FLOATS_A_TEXEL);
+    private static final int[] PIXELS = VectorSteps.of(COLOR);
 
     private SkyRadiance() {}
+
+    /** Turns columns and rows into the upper left texels and the fractions from them. */
+    static void findTexels(Tile tile, PaddedSky sky) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.scatteredSkies.count; k++) {
+            int at = tile.scatteredSkies.places[k];
+            FloatVector column = Lanes.load(t, at + Tile.SKY_TO_RIGHT);
+            FloatVector row = Lanes.load(t, at + Tile.SKY_TO_BOTTOM);
+            IntVector left = Lanes.truncated(column);
+            IntVector top = Lanes.truncated(row);
+            column.sub(Lanes.toFloats(left)).intoArray(t, at + Tile.SKY_TO_RIGHT);
+            row.sub(Lanes.toFloats(top)).intoArray(t, at + Tile.SKY_TO_BOTTOM);
+            top.mul(sky.stride()).add(left).intoArray(tile.texels, at);
+        }
+    }
 
     /** Looks the sky up for every lane, one pixel a step: its four texels are four vectors, with no gather. */
     static void blend(Tile tile, PaddedSky sky) {
         float[] t = tile.values;
         float[] texels = sky.texels;
         int below = PaddedSky.FLOATS_A_TEXEL * sky.stride();
-        for (int k = 0; k < tile.skies.count; k++) {
-            int first = tile.skies.places[k];
+        for (int k = 0; k < tile.scatteredSkies.count; k++) {
+            int first = tile.scatteredSkies.places[k];
             for (int pixel = first; pixel < first + Lanes.COUNT; pixel++) {
                 int texel = PaddedSky.FLOATS_A_TEXEL * tile.texels[pixel];
                 FloatVector toRight = FloatVector.broadcast(TEXEL, t[pixel + Tile.SKY_TO_RIGHT]);
                 FloatVector upper = between(texels, texel, toRight);
                 FloatVector lower = between(texels, texel + below, toRight);
                 FloatVector toBottom = FloatVector.broadcast(TEXEL, t[pixel + Tile.SKY_TO_BOTTOM]);
-                lower.sub(upper).fma(toBottom, upper).intoArray(tile.skyColors, PaddedSky.FLOATS_A_TEXEL * pixel);
+                lower.sub(upper).fma(toBottom, upper).intoArray(tile.skyColors, COLOR * pixel);
             }
         }
     }
@@ -42,8 +61,8 @@ final class SkyRadiance {
     /** Adds what {@link #blend} found to the lanes that met nothing. */
     static void add(Tile tile) {
         float[] t = tile.values;
-        for (int k = 0; k < tile.skies.count; k++) {
-            int at = tile.skies.places[k];
+        for (int k = 0; k < tile.scatteredSkies.count; k++) {
+            int at = tile.scatteredSkies.places[k];
             FloatVector throughput = Lanes.all(0f)
                     .blend(
                             Lanes.load(t, at + Tile.THROUGHPUT),
@@ -55,8 +74,7 @@ final class SkyRadiance {
     }
 
     private static void addChannel(Tile tile, int at, FloatVector throughput, int column, int channel) {
-        FloatVector radiance =
-                FloatVector.fromArray(Lanes.FLOATS, tile.skyColors, PaddedSky.FLOATS_A_TEXEL * at + channel, PIXELS, 0);
+        FloatVector radiance = FloatVector.fromArray(Lanes.FLOATS, tile.skyColors, COLOR * at + channel, PIXELS, 0);
         throughput.fma(radiance, Lanes.load(tile.values, at + column)).intoArray(tile.values, at + column);
     }
 }

@@ -78,7 +78,7 @@ final class Tile {
 
     static final int SPECULAR = 30 * SIZE;
 
-    /** The sky's angles in radians, then fractions of a texel from the upper left texel's centre. */
+    /** The sky's angles in radians, then columns and rows in texels, then fractions of a texel. */
     static final int SKY_TO_RIGHT = 31 * SIZE;
 
     static final int SKY_TO_BOTTOM = 32 * SIZE;
@@ -127,6 +127,8 @@ final class Tile {
     final PacketList live = new PacketList();
 
     final PacketList skies = new PacketList();
+    final PatchList skyPatches = new PatchList();
+    final PacketList scatteredSkies = new PacketList();
     final PacketList lights = new PacketList();
     final PacketList grounds = new PacketList();
     final PacketList spheres = new PacketList();

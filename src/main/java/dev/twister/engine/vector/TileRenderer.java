@@ -7,10 +7,10 @@ final class TileRenderer {
     private static final Stage[] START = {
         (tile, drawing) -> ViewRays.start(tile, drawing),
         (tile, drawing) -> ViewRays.place(tile, drawing.input.camera()),
+        (tile, drawing) -> ViewRays.bound(tile, drawing),
     };
 
     private static final Stage[] NEAREST_OF_FEW = {
-        (tile, drawing) -> tile.rays.holdRays(tile, tile.live),
         (tile, drawing) -> tile.rays.cull(drawing.bodies, Layout.LIGHT, tile.candidates),
         (tile, drawing) -> NearestSphere.find(tile, drawing.bodies, tile.candidates),
     };
@@ -32,7 +32,10 @@ final class TileRenderer {
         (tile, drawing) -> SkyDirection.findArcTangents(tile, Tile.SKY_TO_BOTTOM),
         (tile, drawing) -> SkyDirection.findAzimuths(tile),
         (tile, drawing) -> SkyDirection.findElevations(tile),
-        (tile, drawing) -> SkyDirection.findTexels(tile, drawing.sky),
+        (tile, drawing) -> SkyDirection.findPlaces(tile, drawing.sky),
+        (tile, drawing) -> SkyPatches.sort(tile),
+        (tile, drawing) -> SkyPatches.add(tile, drawing.sky),
+        (tile, drawing) -> SkyRadiance.findTexels(tile, drawing.sky),
         (tile, drawing) -> SkyRadiance.blend(tile, drawing.sky),
         (tile, drawing) -> SkyRadiance.add(tile),
     };
@@ -55,6 +58,7 @@ final class TileRenderer {
 
     private static final Stage[] NEXT_ORIGINS = {
         (tile, drawing) -> tile.rays.startAround(tile, tile.live, Tile.ORIGIN_X, Tile.THROUGHPUT),
+        (tile, drawing) -> tile.rays.holdRays(tile, tile.live),
     };
 
     private static final Stage[] FINISH_PIXELS = {

@@ -35,6 +35,36 @@ final class ViewRays {
         }
     }
 
+    /** Narrows the tile's hull to a cone about its middle that its corners, and so all of it, lie in. */
+    static void bound(Tile tile, Drawing drawing) {
+        float[] camera = drawing.input.camera();
+        float half = 0.5f * Tile.SIDE;
+        float middleX = tile.left + half - drawing.width * 0.5f;
+        float middleY = drawing.input.height() * 0.5f - (drawing.input.firstRow() + tile.top + half);
+        float step = drawing.viewportStep;
+        Hull rays = tile.rays;
+        float u = middleX * step;
+        float v = middleY * step;
+        rays.setAxis(turned(u, v, camera, 0), turned(u, v, camera, 1), turned(u, v, camera, 2));
+        float least = 1f;
+        for (int corner = 0; corner < 4; corner++) {
+            u = (middleX + (corner % 2 == 0 ? half : -half)) * step;
+            v = (middleY + (corner / 2 == 0 ? half : -half)) * step;
+            float x = turned(u, v, camera, 0);
+            float y = turned(u, v, camera, 1);
+            float z = turned(u, v, camera, 2);
+            float along = x * rays.axisX + y * rays.axisY + z * rays.axisZ;
+            least = Math.min(least, along / (float) Math.sqrt(x * x + y * y + z * z));
+        }
+        rays.holdCone(least);
+    }
+
+    private static float turned(float u, float v, float[] camera, int axis) {
+        return u * camera[Layout.CAMERA_RIGHT + axis]
+                + v * camera[Layout.CAMERA_UP + axis]
+                + camera[Layout.CAMERA_EYE_DISTANCE] * camera[Layout.CAMERA_FORWARD + axis];
+    }
+
     /** One coordinate of {@code u * right + v * up + forward}. */
     private static FloatVector turned(FloatVector u, FloatVector v, float[] camera, int axis, float forward) {
         FloatVector right = Lanes.all(camera[Layout.CAMERA_RIGHT + axis]);
