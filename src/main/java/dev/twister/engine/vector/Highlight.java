@@ -33,8 +33,8 @@ final class Highlight {
         return Lanes.load(t, at + toLight).sub(Lanes.load(t, at + direction));
     }
 
-    /** Raises the cosines to the reflectivities' powers, and scales them. */
-    static void findStrengths(Tile tile) {
+    /** Writes what the cosines' powers are to be multiplied by: 0 where nothing shines. */
+    static void findWeights(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.surfaces.count; k++) {
             int at = tile.surfaces.places[k];
@@ -45,15 +45,33 @@ final class Highlight {
                     .mul(reflectivity)
                     .mul(1f / Layout.MAX_REFLECTIVITY)
                     .mul(Lanes.load(t, at + Tile.VISIBLE));
-            VectorMask<Float> shines = Lanes.load(t, at + Tile.NORMAL_DOT_LIGHT)
+            Lanes.all(0f)
+                    .blend(weight, Lanes.load(t, at + Tile.NORMAL_DOT_LIGHT).compare(VectorOperators.GT, 0f))
+                    .intoArray(t, at + Tile.SPECULAR_WEIGHT);
+        }
+    }
+
+    /** Raises the cosines to the reflectivities' powers where anything shines. */
+    static void raise(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.surfaces.count; k++) {
+            int at = tile.surfaces.places[k];
+            if (Lanes.load(t, at + Tile.SPECULAR_WEIGHT)
                     .compare(VectorOperators.GT, 0f)
-                    .and(weight.compare(VectorOperators.GT, 0f));
-            FloatVector specular = Lanes.all(0f);
-            if (shines.anyTrue()) {
+                    .anyTrue()) {
                 raise(t, at);
-                specular = specular.blend(weight.mul(Lanes.load(t, at + Tile.SPECULAR)), shines);
             }
-            specular.intoArray(t, at + Tile.SPECULAR);
+        }
+    }
+
+    /** Scales the powers. */
+    static void scale(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.surfaces.count; k++) {
+            int at = tile.surfaces.places[k];
+            Lanes.load(t, at + Tile.SPECULAR)
+                    .mul(Lanes.load(t, at + Tile.SPECULAR_WEIGHT))
+                    .intoArray(t, at + Tile.SPECULAR);
         }
     }
 

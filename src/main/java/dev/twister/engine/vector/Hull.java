@@ -1,6 +1,5 @@
 package dev.twister.engine.vector;
 
-import dev.twister.kernel.NodeBox;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
@@ -17,9 +16,6 @@ final class Hull {
     private static final float RELATIVE_MARGIN = 1.0005f;
 
     private static final float ABSOLUTE_MARGIN = 1e-4f;
-
-    /** Of a box's distance; {@link NodeBox}'s is less, but the axis and the cone are rounded too. */
-    private static final float BOX_MARGIN = 1e-5f;
 
     /** Of a cosine. */
     private static final float ROUNDING = 1e-6f;
@@ -65,18 +61,6 @@ final class Hull {
     boolean everything;
 
     private final float[] lanes = new float[Lanes.COUNT];
-
-    private float inverseX;
-    private float inverseY;
-    private float inverseZ;
-
-    /** How wide the region is at the base, and how much wider it gets with each metre. */
-    private float width;
-
-    private float tangent;
-
-    /** From a box's near side to where the region is widest in it: the far side where it widens. */
-    private float reachesToWidest;
 
     /** The rays of some packets that go on: a cone about their mean direction from a ball about their origins. */
     void holdRays(Tile tile, PacketList packets) {
@@ -233,87 +217,6 @@ final class Hull {
                 .and(along.neg().compare(VectorOperators.LE, generous))
                 .and(along.sub(generous).compare(VectorOperators.LE, end))
                 .toLong();
-    }
-
-    /** The one ray of that pixel. */
-    void holdRay(float[] t, int pixel) {
-        axisX = t[pixel + Tile.DIRECTION_X];
-        axisY = t[pixel + Tile.DIRECTION_Y];
-        axisZ = t[pixel + Tile.DIRECTION_Z];
-        startAt(t[pixel + Tile.ORIGIN_X], t[pixel + Tile.ORIGIN_Y], t[pixel + Tile.ORIGIN_Z]);
-        cosine = 1f;
-        sine = 0f;
-        end = BIGGEST;
-        everything = false;
-    }
-
-    /** The lines from one point to the light's disc, as far as its outermost sample. */
-    void holdLines(float[] t, int pixel) {
-        axisX = t[pixel + Tile.TO_LIGHT_X];
-        axisY = t[pixel + Tile.TO_LIGHT_Y];
-        axisZ = t[pixel + Tile.TO_LIGHT_Z];
-        startAt(t[pixel + Tile.POINT_X], t[pixel + Tile.POINT_Y], t[pixel + Tile.POINT_Z]);
-        cosine = 1f / t[pixel + Tile.DISC_SECANT];
-        sine = t[pixel + Tile.DISC_TANGENT] * cosine;
-        end = t[pixel + Tile.LIGHT_DISTANCE] * RELATIVE_MARGIN;
-        everything = false;
-    }
-
-    /** To be called before {@link #passing} whenever the region has changed. */
-    void prepareForBoxes() {
-        inverseX = NodeBox.inverse(axisX);
-        inverseY = NodeBox.inverse(axisY);
-        inverseZ = NodeBox.inverse(axisZ);
-        width = radius / cosine * RELATIVE_MARGIN;
-        reachesToWidest = sine > 0f ? 2f : 0f;
-        tangent = sine / cosine * (sine > 0f ? RELATIVE_MARGIN : 2f - RELATIVE_MARGIN);
-    }
-
-    /**
-     * One bit a box of a node that reaches over the region's length; what is between its near and its far side matters.
-     * About the axis the region is there at most as wide as {@code found} gets to know: {@link #crossing} needs it.
-     *
-     * @param boxes columns of centres and half sides, {@link WideHierarchy#BOX_STRIDE} a node
-     * @param found gets metres along the axis to each box's near side, then the widths
-     */
-    long passing(float[] boxes, int at, float[] found) {
-        FloatVector x = Lanes.load(boxes, at).sub(baseX);
-        FloatVector y = Lanes.load(boxes, at + Lanes.COUNT).sub(baseY);
-        FloatVector z = Lanes.load(boxes, at + 2 * Lanes.COUNT).sub(baseZ);
-        FloatVector margin = x.abs().add(y.abs()).add(z.abs()).add(radius).mul(BOX_MARGIN);
-        FloatVector along = x.mul(axisX).add(y.mul(axisY)).add(z.mul(axisZ));
-        FloatVector reach = Lanes.load(boxes, at + 3 * Lanes.COUNT)
-                .mul(Math.abs(axisX))
-                .add(Lanes.load(boxes, at + 4 * Lanes.COUNT).mul(Math.abs(axisY)))
-                .add(Lanes.load(boxes, at + 5 * Lanes.COUNT).mul(Math.abs(axisZ)))
-                .add(margin);
-        FloatVector nearSide = along.sub(reach);
-        FloatVector farSide = along.add(reach);
-        FloatVector widest = Lanes.larger(nearSide.add(reach.mul(reachesToWidest)), Lanes.all(-radius));
-        nearSide.intoArray(found, 0);
-        Lanes.larger(widest.mul(tangent).add(width), Lanes.all(0f)).add(margin).intoArray(found, Lanes.COUNT);
-        return farSide.compare(VectorOperators.GE, -radius)
-                .and(nearSide.compare(VectorOperators.LE, end))
-                .toLong();
-    }
-
-    /**
-     * One bit a box, grown by the region's width, that the axis meets: no other reaches into the region.
-     *
-     * @param found what {@link #passing} found; gets metres along the axis to where the region may enter each box
-     */
-    long crossing(float[] boxes, int at, float[] found) {
-        FloatVector growth = Lanes.load(found, Lanes.COUNT);
-        FloatVector middleX = Lanes.load(boxes, at).sub(baseX).mul(inverseX);
-        FloatVector middleY = Lanes.load(boxes, at + Lanes.COUNT).sub(baseY).mul(inverseY);
-        FloatVector middleZ = Lanes.load(boxes, at + 2 * Lanes.COUNT).sub(baseZ).mul(inverseZ);
-        FloatVector sideX = Lanes.load(boxes, at + 3 * Lanes.COUNT).add(growth).mul(Math.abs(inverseX));
-        FloatVector sideY = Lanes.load(boxes, at + 4 * Lanes.COUNT).add(growth).mul(Math.abs(inverseY));
-        FloatVector sideZ = Lanes.load(boxes, at + 5 * Lanes.COUNT).add(growth).mul(Math.abs(inverseZ));
-        FloatVector in = Lanes.larger(Lanes.larger(middleX.sub(sideX), middleY.sub(sideY)), middleZ.sub(sideZ));
-        FloatVector out = Lanes.smaller(Lanes.smaller(middleX.add(sideX), middleY.add(sideY)), middleZ.add(sideZ));
-        Lanes.larger(in, Lanes.load(found, 0)).intoArray(found, 0);
-        return in.compare(VectorOperators.LE, out).toLong();
     }
 
     /** Half of what the origins spread along one axis; sets the middle. */

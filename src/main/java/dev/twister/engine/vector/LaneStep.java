@@ -10,5 +10,5 @@ interface LaneStep {
      * @param item what is tested
      * @return bits, mostly one a lane; see the step
      */
-    long run(Tile tile, Drawing drawing, Hull hull, int at, int item);
+    long run(Tile tile, Drawing drawing, int at, int item);
 }

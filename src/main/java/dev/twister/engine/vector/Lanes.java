@@ -19,6 +19,9 @@ final class Lanes {
     /** Pixels a packet: 4, 8 or 16, which divides a tile's block. */
     static final int COUNT = FLOATS.length();
 
+    /** Whether lanes can be packed together by the CPU; where they cannot, {@code compress} makes objects. */
+    static final boolean PACK = FLOATS.vectorBitSize() == 512;
+
     private Lanes() {}
 
     private static VectorSpecies<Float> species(int bits) {
@@ -91,5 +94,36 @@ final class Lanes {
     static FloatVector floor(FloatVector values) {
         FloatVector whole = toFloats(truncated(values));
         return whole.blend(whole.sub(1f), whole.compare(VectorOperators.GT, values));
+    }
+
+    /** Writes {@code first + lane} for each lane of {@code lanes}, close together; {@link #COUNT} places are written. */
+    static void pack(int first, long lanes, int[] to, int at) {
+        if (PACK) {
+            IntVector.broadcast(INTS, first)
+                    .addIndex(1)
+                    .compress(VectorMask.fromLong(INTS, lanes))
+                    .intoArray(to, at);
+        } else {
+            int place = at;
+            for (long rest = lanes; rest != 0L; rest &= rest - 1) {
+                to[place] = first + Long.numberOfTrailingZeros(rest);
+                place++;
+            }
+        }
+    }
+
+    /** The same with values. */
+    static void pack(float[] from, int first, long lanes, float[] to, int at) {
+        if (PACK) {
+            FloatVector.fromArray(FLOATS, from, first)
+                    .compress(VectorMask.fromLong(FLOATS, lanes))
+                    .intoArray(to, at);
+        } else {
+            int place = at;
+            for (long rest = lanes; rest != 0L; rest &= rest - 1) {
+                to[place] = from[first + Long.numberOfTrailingZeros(rest)];
+                place++;
+            }
+        }
     }
 }

@@ -3,17 +3,47 @@ package dev.twister.engine.vector;
 import dev.twister.kernel.KernelMath;
 import dev.twister.kernel.SoftShadow;
 import java.util.Arrays;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
 
 /** The spheres that may come between one point and the light's disc, in the frame of {@link SoftShadow}; grows, never shrinks. */
 final class LoneCandidates {
-    /** Floats a candidate: a, u, w, radius squared. */
-    static final int STRIDE = 4;
+    /** Columns of facts: a, u, w and the squared radius. */
+    private static final int A = 0;
 
-    float[] facts = new float[64 * STRIDE];
-    int count;
+    private static final int U = 1;
+    private static final int W = 2;
+    private static final int RADIUS_SQUARED = 3;
+
+    /** The conic of {@link ShadowConics} over the unit disc. */
+    private static final int XX = 4;
+
+    private static final int XY = 5;
+    private static final int YY = 6;
+    private static final int X = 7;
+    private static final int Y = 8;
+    private static final int CONSTANT = 9;
+
+    /** 1 where the sphere lies wholly between the point and the disc, so that the conic decides; else 0. */
+    private static final int BETWEEN = 10;
+
+    private static final int COLUMNS = 11;
+
+    /** Of the candidates wholly between, {@link ShadowFrame}'s. */
+    private static final float WITHIN = 0.9995f;
+
+    private final float[][] facts = new float[COLUMNS][8 * Lanes.COUNT];
+    private int count;
 
     /** Metres to the disc. */
-    float distance;
+    private float distance;
+
+    /** From the unit disc to the plane at distance 1. */
+    private float scale;
+
+    /** a, u, w and the squared radii of the spheres judged last, {@link Lanes#COUNT} each. */
+    private final float[] judged = new float[4 * Lanes.COUNT];
 
     private float slope;
     private float slant;
@@ -31,9 +61,10 @@ final class LoneCandidates {
     private float wZ;
 
     /** Forgets the candidates of the point before; this one's axes are the kernel's. */
-    void start(float[] t, int pixel) {
+    void start(float[] t, int pixel, float discRadius) {
         count = 0;
         distance = t[pixel + Tile.LIGHT_DISTANCE];
+        scale = distance > 0f ? discRadius / distance : 0f;
         slope = t[pixel + Tile.DISC_TANGENT];
         slant = t[pixel + Tile.DISC_SECANT];
         own = t[pixel + Tile.HIT];
@@ -44,42 +75,180 @@ final class LoneCandidates {
         axisY = t[pixel + Tile.TO_LIGHT_Y];
         axisZ = t[pixel + Tile.TO_LIGHT_Z];
         float acrossSquared = axisY * axisY + axisZ * axisZ;
-        float scale = KernelMath.inverseRoot(acrossSquared > 0f ? acrossSquared : axisX * axisX);
-        uY = acrossSquared > 0f ? axisZ * scale : 0f;
-        uZ = acrossSquared > 0f ? -axisY * scale : axisX * scale;
+        float length = KernelMath.inverseRoot(acrossSquared > 0f ? acrossSquared : axisX * axisX);
+        uY = acrossSquared > 0f ? axisZ * length : 0f;
+        uZ = acrossSquared > 0f ? -axisY * length : axisX * length;
         wX = uY * axisZ - uZ * axisY;
         wY = uZ * axisX;
         wZ = -uY * axisX;
     }
 
-    /** Adds a sphere of the columns where it is a candidate; returns whether it hides the whole disc. */
-    boolean judge(WideHierarchy hierarchy, int sphere) {
-        int judgement = SoftShadow.HARMLESS;
-        if (hierarchy.bodies[sphere] != own) {
-            float x = hierarchy.x[sphere] - pointX;
-            float y = hierarchy.y[sphere] - pointY;
-            float z = hierarchy.z[sphere] - pointZ;
-            float radius = hierarchy.radius[sphere];
-            float a = x * axisX + y * axisY + z * axisZ;
-            float u = uY * y + uZ * z;
-            float w = wX * x + wY * y + wZ * z;
-            judgement = SoftShadow.judge(a, u, w, radius, distance, slope, slant);
-            if (judgement == SoftShadow.CANDIDATE) {
-                add(a, u, w, radius * radius);
-            }
+    /**
+     * Adds those of some spheres that are candidates; returns whether one of them hides the whole disc.
+     *
+     * @param first the first sphere's place in the columns
+     * @param end the place behind the last
+     */
+    boolean add(SphereColumns spheres, int first, int end) {
+        boolean dark = false;
+        for (int at = first; at < end && !dark; at += Lanes.COUNT) {
+            dark = judge(spheres, at, (1L << Math.min(Lanes.COUNT, end - at)) - 1);
         }
-        return judgement == SoftShadow.HIDES_ALL;
+        return dark;
     }
 
-    private void add(float a, float u, float w, float radiusSquared) {
-        int at = count * STRIDE;
-        if (at == facts.length) {
-            facts = Arrays.copyOf(facts, 2 * facts.length);
+    /** Makes room for as many candidates as there are lanes, twice. */
+    private void reserve() {
+        if (facts[A].length < count + 2 * Lanes.COUNT) {
+            for (int column = 0; column < COLUMNS; column++) {
+                facts[column] = Arrays.copyOf(facts[column], 2 * facts[column].length);
+            }
         }
-        facts[at] = a;
-        facts[at + 1] = u;
-        facts[at + 2] = w;
-        facts[at + 3] = radiusSquared;
-        count++;
+    }
+
+    /** {@link SoftShadow#judge}, a sphere in each lane: adds the candidates, and returns whether one hides the disc. */
+    private boolean judge(SphereColumns spheres, int at, long wanted) {
+        FloatVector x = FloatVector.fromArray(Lanes.FLOATS, spheres.x, at).sub(pointX);
+        FloatVector y = FloatVector.fromArray(Lanes.FLOATS, spheres.y, at).sub(pointY);
+        FloatVector z = FloatVector.fromArray(Lanes.FLOATS, spheres.z, at).sub(pointZ);
+        FloatVector radius = FloatVector.fromArray(Lanes.FLOATS, spheres.radius, at);
+        FloatVector a = x.mul(axisX).add(y.mul(axisY)).add(z.mul(axisZ));
+        FloatVector u = y.mul(uY).add(z.mul(uZ));
+        FloatVector w = x.mul(wX).add(y.mul(wY)).add(z.mul(wZ));
+        FloatVector radiusSquared = radius.mul(radius);
+        FloatVector across = u.mul(u).add(w.mul(w));
+        FloatVector reach = a.mul(slope)
+                .add(radius.mul(slant))
+                .mul(SoftShadow.RELATIVE_MARGIN)
+                .add(a.abs().add(radius).add(distance).mul(SoftShadow.ABSOLUTE_MARGIN));
+        VectorMask<Float> between = a.add(radius)
+                .compare(VectorOperators.GT, 0f)
+                .and(a.sub(radius).compare(VectorOperators.LT, distance * SoftShadow.RELATIVE_MARGIN))
+                .and(reach.compare(VectorOperators.GT, 0f))
+                .and(across.compare(VectorOperators.LE, reach.mul(reach)))
+                .and(a.mul(a).add(across).compare(VectorOperators.GT, radiusSquared))
+                .and(FloatVector.fromArray(Lanes.FLOATS, spheres.body, at).compare(VectorOperators.NE, own));
+        long found = between.toLong() & wanted;
+        boolean dark = false;
+        if (found != 0L) {
+            FloatVector perpendicular = across.sqrt();
+            VectorMask<Float> hides = a.sub(radius)
+                    .compare(VectorOperators.GT, 0f)
+                    .and(a.add(radius).compare(VectorOperators.LT, distance * SoftShadow.UMBRA_MARGIN))
+                    .and(a.compare(VectorOperators.GT, perpendicular.mul(slope)))
+                    .and(perpendicular
+                            .add(a.mul(slope))
+                            .compare(VectorOperators.LE, radius.mul(slant).mul(SoftShadow.UMBRA_MARGIN)));
+            dark = (hides.toLong() & found) != 0L;
+            reserve();
+            if (Lanes.PACK) {
+                VectorMask<Float> kept = VectorMask.fromLong(Lanes.FLOATS, found);
+                a.compress(kept).intoArray(facts[A], count);
+                u.compress(kept).intoArray(facts[U], count);
+                w.compress(kept).intoArray(facts[W], count);
+                radiusSquared.compress(kept).intoArray(facts[RADIUS_SQUARED], count);
+            } else {
+                a.intoArray(judged, A * Lanes.COUNT);
+                u.intoArray(judged, U * Lanes.COUNT);
+                w.intoArray(judged, W * Lanes.COUNT);
+                radiusSquared.intoArray(judged, RADIUS_SQUARED * Lanes.COUNT);
+                for (int column = A; column <= RADIUS_SQUARED; column++) {
+                    Lanes.pack(judged, column * Lanes.COUNT, found, facts[column], count);
+                }
+            }
+            count += Long.bitCount(found);
+        }
+        return dark;
+    }
+
+    /** Writes the candidates' conics, and whether they decide. */
+    private void findConics() {
+        float nearDisc = distance * WITHIN;
+        for (int at = 0; at < count; at += Lanes.COUNT) {
+            FloatVector a = FloatVector.fromArray(Lanes.FLOATS, facts[A], at);
+            FloatVector u = FloatVector.fromArray(Lanes.FLOATS, facts[U], at);
+            FloatVector w = FloatVector.fromArray(Lanes.FLOATS, facts[W], at);
+            FloatVector radiusSquared = FloatVector.fromArray(Lanes.FLOATS, facts[RADIUS_SQUARED], at);
+            FloatVector across = u.mul(u).add(w.mul(w));
+            FloatVector scaledA = a.mul(scale);
+            FloatVector scaledU = u.mul(scale);
+            FloatVector scaledW = w.mul(scale);
+            FloatVector rest = scaledA.mul(scaledA).sub(radiusSquared.mul(scale * scale));
+            scaledW.mul(scaledW).add(rest).intoArray(facts[XX], at);
+            scaledU.mul(scaledW).mul(-2f).intoArray(facts[XY], at);
+            scaledU.mul(scaledU).add(rest).intoArray(facts[YY], at);
+            scaledA.mul(u).mul(-2f).intoArray(facts[X], at);
+            scaledA.mul(w).mul(-2f).intoArray(facts[Y], at);
+            across.sub(radiusSquared).intoArray(facts[CONSTANT], at);
+            FloatVector toDisc = a.neg().add(nearDisc);
+            VectorMask<Float> between = a.compare(VectorOperators.GT, 0f)
+                    .and(a.mul(a).mul(WITHIN).compare(VectorOperators.GT, across.mul(scale * scale)))
+                    .and(toDisc.compare(VectorOperators.GT, 0f))
+                    .and(toDisc.mul(toDisc).compare(VectorOperators.GT, radiusSquared));
+            FloatVector.zero(Lanes.FLOATS).blend(1f, between).intoArray(facts[BETWEEN], at);
+        }
+    }
+
+    /** The visible part of the disc, past the candidates. */
+    float visible(float[] discX, float[] discY, int samples) {
+        findConics();
+        int blocked = 0;
+        for (int sample = 0; sample < samples && count > 0; sample += Lanes.COUNT) {
+            long wanted = (1L << Math.min(Lanes.COUNT, samples - sample)) - 1;
+            blocked += Long.bitCount(blocked(discX, discY, sample, wanted));
+        }
+        return 1f - (float) blocked / samples;
+    }
+
+    /** One bit a wanted sample that any candidate blocks. */
+    private long blocked(float[] discX, float[] discY, int sample, long wanted) {
+        FloatVector x = FloatVector.fromArray(Lanes.FLOATS, discX, sample);
+        FloatVector y = FloatVector.fromArray(Lanes.FLOATS, discY, sample);
+        float[] xx = facts[XX];
+        float[] xy = facts[XY];
+        float[] yy = facts[YY];
+        float[] linearX = facts[X];
+        float[] linearY = facts[Y];
+        float[] constant = facts[CONSTANT];
+        float[] between = facts[BETWEEN];
+        long hit = 0;
+        for (int c = 0; c < count && hit != wanted; c++) {
+            if (between[c] != 0f) {
+                FloatVector inX = x.mul(xx[c]).add(y.mul(xy[c])).add(linearX[c]).mul(x);
+                FloatVector inY = y.mul(yy[c]).add(linearY[c]).mul(y);
+                hit |= wanted
+                        & inX.add(inY).compare(VectorOperators.LE, -constant[c]).toLong();
+            } else {
+                hit |= wanted & blocks(c, discX, discY, sample);
+            }
+        }
+        return hit;
+    }
+
+    /** One bit a sample that a candidate blocks: {@link SoftShadow}'s own test. */
+    private long blocks(int candidate, float[] discX, float[] discY, int sample) {
+        float a = facts[A][candidate];
+        float u = facts[U][candidate];
+        float w = facts[W][candidate];
+        float radiusSquared = facts[RADIUS_SQUARED][candidate];
+        FloatVector x = FloatVector.fromArray(Lanes.FLOATS, discX, sample).mul(scale);
+        FloatVector y = FloatVector.fromArray(Lanes.FLOATS, discY, sample).mul(scale);
+        FloatVector p = x.mul(-a).add(u);
+        FloatVector q = y.mul(-a).add(w);
+        FloatVector moment = p.mul(y).sub(q.mul(x));
+        FloatVector lengthSquared = x.mul(x).add(y.mul(y)).add(1f);
+        VectorMask<Float> met = moment.mul(moment)
+                .add(p.mul(p))
+                .add(q.mul(q))
+                .compare(VectorOperators.LE, lengthSquared.mul(radiusSquared));
+        FloatVector along = x.mul(u).add(y.mul(w)).add(a);
+        float beyond = distance - a;
+        FloatVector beyondU = x.mul(distance).sub(u);
+        FloatVector beyondW = y.mul(distance).sub(w);
+        FloatVector beyondSquared =
+                beyondU.mul(beyondU).add(beyondW.mul(beyondW)).add(beyond * beyond);
+        VectorMask<Float> before = along.compare(VectorOperators.LT, lengthSquared.mul(distance))
+                .or(beyondSquared.compare(VectorOperators.LT, radiusSquared));
+        return met.and(before).and(along.compare(VectorOperators.GT, 0f)).toLong();
     }
 }

@@ -2,6 +2,7 @@ package dev.twister.engine.vector;
 
 import dev.twister.kernel.Intersection;
 import dev.twister.kernel.Layout;
+import java.util.Arrays;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
@@ -11,22 +12,20 @@ import jdk.incubator.vector.VectorOperators;
  * one, the rays of the others one by one.
  */
 final class PacketHits {
-    /** Rays within 0.2 radians of their mean keep together. */
+    /** Where the directions' cosines about one of them are less, rays do not keep together. */
     private static final float TOGETHER_COSINE = 0.98f;
+
+    /** Where a ray meets more leaves, it is better off with those in front alone. */
+    private static final int MOST_LEAVES = 24;
 
     private PacketHits() {}
 
     /** Writes the bodies met and their distances. */
     static void find(Tile tile, Drawing drawing) {
-        Hull hull = tile.packetHull;
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
-            tile.packet.clear();
-            tile.packet.add(at);
-            LaneSteps.run(LaneSteps.START_PACKET, tile, drawing, hull, at, 0);
-            LaneSteps.run(LaneSteps.HOLD_RAYS, tile, drawing, hull, at, 0);
-            if (hull.cosine > TOGETHER_COSINE) {
-                LaneSteps.run(LaneSteps.HOLD_ORIGINS, tile, drawing, hull, at, 0);
+            LaneSteps.run(LaneSteps.START_PACKET, tile, drawing, at, 0);
+            if (LaneSteps.run(LaneSteps.KEEP_TOGETHER, tile, drawing, at, 0) != 0) {
                 walkTogether(tile, drawing, at);
             } else {
                 walkAlone(tile, drawing, at);
@@ -35,39 +34,37 @@ final class PacketHits {
     }
 
     private static void walkTogether(Tile tile, Drawing drawing, int at) {
-        Hull hull = tile.packetHull;
+        Beam beam = tile.beam;
         Descent descent = tile.descent;
         WideHierarchy hierarchy = drawing.hierarchy;
-        hull.prepareForBoxes();
-        hull.end = limit(tile, drawing, at);
-        descent.start(tile, drawing, hull);
-        int leaf = descent.nextLeaf(tile, drawing, hull, hull.end);
+        beam.holdRays(tile.values, at);
+        beam.endAt(farthest(tile, drawing, at));
+        descent.start(hierarchy, beam);
+        int leaf = descent.nextLeaf(hierarchy, beam);
         while (leaf >= 0) {
             int sphere = hierarchy.links[leaf];
-            int end = sphere + hierarchy.spheres[leaf];
+            int end = sphere + hierarchy.counts[leaf];
             boolean tested = false;
             while (sphere < end) {
-                long near = LaneSteps.run(LaneSteps.TOUCH_SPHERES, tile, drawing, hull, at, sphere)
-                        & (1L << Math.min(Lanes.COUNT, end - sphere)) - 1;
+                long near = beam.meeting(hierarchy.spheres, sphere) & (1L << Math.min(Lanes.COUNT, end - sphere)) - 1;
                 tested |= near != 0L;
                 while (near != 0L) {
                     int item = sphere + Long.numberOfTrailingZeros(near);
-                    LaneSteps.run(LaneSteps.MEET_SPHERE, tile, drawing, hull, at, item);
+                    LaneSteps.run(LaneSteps.MEET_SPHERE, tile, drawing, at, item);
                     near &= near - 1;
                 }
                 sphere += Lanes.COUNT;
             }
             if (tested) {
-                hull.end = limit(tile, drawing, at);
+                beam.endAt(farthest(tile, drawing, at));
             }
-            leaf = descent.nextLeaf(tile, drawing, hull, hull.end);
+            leaf = descent.nextLeaf(hierarchy, beam);
         }
     }
 
-    /** Metres along the hull's axis beyond which nothing matters to any ray. */
-    private static float limit(Tile tile, Drawing drawing, int at) {
-        Hull hull = tile.packetHull;
-        return Float.intBitsToFloat((int) LaneSteps.run(LaneSteps.FARTHEST, tile, drawing, hull, at, 0)) + hull.radius;
+    /** Metres along the rays beyond which nothing matters to any of them. */
+    private static float farthest(Tile tile, Drawing drawing, int at) {
+        return Float.intBitsToFloat((int) LaneSteps.run(LaneSteps.FARTHEST, tile, drawing, at, 0));
     }
 
     private static void walkAlone(Tile tile, Drawing drawing, int at) {
@@ -80,38 +77,83 @@ final class PacketHits {
 
     private static void walkRay(Tile tile, Drawing drawing, int pixel) {
         float[] t = tile.values;
-        Hull hull = tile.packetHull;
-        Descent descent = tile.descent;
+        Beam beam = tile.beam;
         WideHierarchy hierarchy = drawing.hierarchy;
-        hull.holdRay(t, pixel);
-        hull.prepareForBoxes();
-        hull.end = t[pixel + Tile.DISTANCE];
-        descent.start(tile, drawing, hull);
-        int leaf = descent.nextLeaf(tile, drawing, hull, hull.end);
-        while (leaf >= 0) {
-            int sphere = hierarchy.links[leaf];
-            int end = sphere + hierarchy.spheres[leaf];
-            while (sphere < end) {
-                long near = LaneSteps.run(LaneSteps.MEET_SPHERES, tile, drawing, hull, pixel, sphere)
-                        & (1L << Math.min(Lanes.COUNT, end - sphere)) - 1;
-                while (near != 0L) {
-                    int lane = Long.numberOfTrailingZeros(near);
-                    near &= near - 1;
-                    take(t, pixel, hierarchy.bodies[sphere + lane], descent.childEntries[lane]);
-                }
-                sphere += Lanes.COUNT;
+        beam.holdRay(t, pixel);
+        beam.endAt(t[pixel + Tile.DISTANCE]);
+        Arrays.fill(tile.distances, t[pixel + Tile.DISTANCE]);
+        Arrays.fill(tile.bodies, t[pixel + Tile.HIT]);
+        if (tile.leaves.find(hierarchy, beam, MOST_LEAVES)) {
+            for (int k = 0; k < tile.leaves.count; k++) {
+                meetLeaf(tile, pixel, hierarchy, tile.leaves.places[k]);
             }
-            hull.end = t[pixel + Tile.DISTANCE];
-            leaf = descent.nextLeaf(tile, drawing, hull, hull.end);
+            takeNearest(tile, pixel);
+        } else {
+            Descent descent = tile.descent;
+            descent.start(hierarchy, beam);
+            int leaf = descent.nextLeaf(hierarchy, beam);
+            while (leaf >= 0) {
+                meetLeaf(tile, pixel, hierarchy, leaf);
+                takeNearest(tile, pixel);
+                beam.endAt(t[pixel + Tile.DISTANCE]);
+                leaf = descent.nextLeaf(hierarchy, beam);
+            }
         }
     }
 
-    private static void take(float[] t, int pixel, int body, float distance) {
-        float closest = t[pixel + Tile.DISTANCE];
-        boolean closer = distance < closest || (distance == closest && body < t[pixel + Tile.HIT]);
-        if (closer && body != t[pixel + Tile.LEAVING]) {
-            t[pixel + Tile.DISTANCE] = distance;
-            t[pixel + Tile.HIT] = body;
+    private static void meetLeaf(Tile tile, int pixel, WideHierarchy hierarchy, int leaf) {
+        int end = hierarchy.links[leaf] + hierarchy.counts[leaf];
+        for (int first = hierarchy.links[leaf]; first < end; first += Lanes.COUNT) {
+            meet(tile, pixel, hierarchy.spheres, first, (1L << Math.min(Lanes.COUNT, end - first)) - 1);
+        }
+    }
+
+    /** One ray and the wanted ones of the spheres from {@code first} on, each against what its lane has met so far. */
+    private static void meet(Tile tile, int pixel, SphereColumns spheres, int first, long wanted) {
+        float[] t = tile.values;
+        float directionX = t[pixel + Tile.DIRECTION_X];
+        float directionY = t[pixel + Tile.DIRECTION_Y];
+        float directionZ = t[pixel + Tile.DIRECTION_Z];
+        FloatVector x = FloatVector.fromArray(Lanes.FLOATS, spheres.x, first).sub(t[pixel + Tile.ORIGIN_X]);
+        FloatVector y = FloatVector.fromArray(Lanes.FLOATS, spheres.y, first).sub(t[pixel + Tile.ORIGIN_Y]);
+        FloatVector z = FloatVector.fromArray(Lanes.FLOATS, spheres.z, first).sub(t[pixel + Tile.ORIGIN_Z]);
+        FloatVector radius = FloatVector.fromArray(Lanes.FLOATS, spheres.radius, first);
+        FloatVector body = FloatVector.fromArray(Lanes.FLOATS, spheres.body, first);
+        FloatVector along = x.mul(directionX).add(y.mul(directionY)).add(z.mul(directionZ));
+        FloatVector acrossX = x.sub(along.mul(directionX));
+        FloatVector acrossY = y.sub(along.mul(directionY));
+        FloatVector acrossZ = z.sub(along.mul(directionZ));
+        FloatVector acrossSquared =
+                acrossX.mul(acrossX).add(acrossY.mul(acrossY)).add(acrossZ.mul(acrossZ));
+        FloatVector near = along.sub(radius.mul(radius).sub(acrossSquared).sqrt());
+        FloatVector closest = FloatVector.fromArray(Lanes.FLOATS, tile.distances, 0);
+        FloatVector met = FloatVector.fromArray(Lanes.FLOATS, tile.bodies, 0);
+        VectorMask<Float> closer = near.compare(VectorOperators.EQ, closest)
+                .and(met.compare(VectorOperators.GT, body))
+                .or(near.compare(VectorOperators.LT, closest))
+                .and(near.compare(VectorOperators.GT, 0f))
+                .and(body.compare(VectorOperators.NE, t[pixel + Tile.LEAVING]))
+                .and(VectorMask.fromLong(Lanes.FLOATS, wanted));
+        closest.blend(near, closer).intoArray(tile.distances, 0);
+        met.blend(body, closer).intoArray(tile.bodies, 0);
+    }
+
+    /** The nearest hit in any lane, and of equals the body with the lowest number. */
+    private static void takeNearest(Tile tile, int pixel) {
+        float[] t = tile.values;
+        long closer = FloatVector.fromArray(Lanes.FLOATS, tile.bodies, 0)
+                .compare(VectorOperators.NE, t[pixel + Tile.HIT])
+                .toLong();
+        while (closer != 0L) {
+            int lane = Long.numberOfTrailingZeros(closer);
+            closer &= closer - 1;
+            float distance = tile.distances[lane];
+            float body = tile.bodies[lane];
+            float closest = t[pixel + Tile.DISTANCE];
+            if (distance < closest || (distance == closest && body < t[pixel + Tile.HIT])) {
+                t[pixel + Tile.DISTANCE] = distance;
+                t[pixel + Tile.HIT] = body;
+            }
         }
     }
 
@@ -132,10 +174,10 @@ final class PacketHits {
     }
 
     /** One sphere and all rays. */
-    static void meet(float[] t, int at, WideHierarchy hierarchy, int sphere) {
-        int body = hierarchy.bodies[sphere];
+    static void meet(float[] t, int at, SphereColumns spheres, int sphere) {
+        float body = spheres.body[sphere];
         FloatVector near = NearestSphere.near(
-                t, at, hierarchy.x[sphere], hierarchy.y[sphere], hierarchy.z[sphere], hierarchy.radius[sphere]);
+                t, at, spheres.x[sphere], spheres.y[sphere], spheres.z[sphere], spheres.radius[sphere]);
         FloatVector closest = Lanes.load(t, at + Tile.DISTANCE);
         FloatVector hit = Lanes.load(t, at + Tile.HIT);
         VectorMask<Float> closer = near.compare(VectorOperators.EQ, closest)
@@ -152,24 +194,15 @@ final class PacketHits {
         return Float.floatToIntBits(Lanes.load(t, at + Tile.DISTANCE).reduceLanes(VectorOperators.MAX));
     }
 
-    /** One ray and the spheres from {@code first} on: one bit each that is met, and writes the distances. */
-    static long near(float[] t, int pixel, WideHierarchy hierarchy, int first, float[] distances) {
-        float directionX = t[pixel + Tile.DIRECTION_X];
-        float directionY = t[pixel + Tile.DIRECTION_Y];
-        float directionZ = t[pixel + Tile.DIRECTION_Z];
-        FloatVector x = Lanes.load(hierarchy.x, first).sub(t[pixel + Tile.ORIGIN_X]);
-        FloatVector y = Lanes.load(hierarchy.y, first).sub(t[pixel + Tile.ORIGIN_Y]);
-        FloatVector z = Lanes.load(hierarchy.z, first).sub(t[pixel + Tile.ORIGIN_Z]);
-        FloatVector along = x.fma(Lanes.all(directionX), y.fma(Lanes.all(directionY), z.mul(directionZ)));
-        FloatVector acrossX = x.sub(along.mul(directionX));
-        FloatVector acrossY = y.sub(along.mul(directionY));
-        FloatVector acrossZ = z.sub(along.mul(directionZ));
-        FloatVector acrossSquared = acrossX.fma(acrossX, acrossY.fma(acrossY, acrossZ.mul(acrossZ)));
-        FloatVector radius = Lanes.load(hierarchy.radius, first);
-        FloatVector near = along.sub(radius.mul(radius).sub(acrossSquared).sqrt());
-        near.intoArray(distances, 0);
-        return near.compare(VectorOperators.GT, 0f)
-                .and(near.compare(VectorOperators.LE, t[pixel + Tile.DISTANCE]))
-                .toLong();
+    /** Whether the directions of the rays that go on are nearly the same. */
+    static long keepTogether(float[] t, int at) {
+        VectorMask<Float> goesOn = Lanes.load(t, at + Tile.THROUGHPUT).compare(VectorOperators.GT, 0f);
+        int first = at + Long.numberOfTrailingZeros(goesOn.toLong());
+        VectorMask<Float> near = Lanes.load(t, at + Tile.DIRECTION_X)
+                .mul(t[first + Tile.DIRECTION_X])
+                .add(Lanes.load(t, at + Tile.DIRECTION_Y).mul(t[first + Tile.DIRECTION_Y]))
+                .add(Lanes.load(t, at + Tile.DIRECTION_Z).mul(t[first + Tile.DIRECTION_Z]))
+                .compare(VectorOperators.GT, TOGETHER_COSINE);
+        return goesOn.andNot(near).anyTrue() ? 0 : 1;
     }
 }

@@ -7,9 +7,6 @@ import jdk.incubator.vector.VectorOperators;
 
 /** Which spheres may come between a packet's points and the light's disc: {@link SoftShadow}'s culling. */
 final class ShadowCandidates {
-    /** Where more spheres are near a packet's lines, its points are better off one by one. */
-    private static final int MOST_TOGETHER = 32;
-
     private ShadowCandidates() {}
 
     /** Writes the disc's half angles, as far as its outermost sample, for all packets with open lanes. */
@@ -50,55 +47,24 @@ final class ShadowCandidates {
         return finish(t, at, scratch) != 0;
     }
 
-    /**
-     * Lists one packet's candidates out of the whole hierarchy, until all lanes are in the dark.
-     *
-     * @return whether all were found: the packet's points are so near each other that few spheres were looked at
-     */
-    static boolean findInHierarchy(Tile tile, int at, Drawing drawing) {
-        WideHierarchy hierarchy = drawing.hierarchy;
+    /** The same out of the spheres that are near the packet's lines. */
+    static boolean findAmong(SphereColumns near, Tile tile, int at, Drawing drawing) {
         ShadowScratch scratch = tile.shadow;
-        Hull hull = scratch.hull;
-        Descent descent = tile.descent;
         scratch.startPacket();
-        long open = LaneSteps.run(LaneSteps.OPEN_LANES, tile, drawing, hull, at, 0);
-        descent.start(tile, drawing, hull);
-        int judged = 0;
-        int leaf = descent.nextLeaf(tile, drawing, hull, hull.end);
-        while (leaf >= 0 && judged <= MOST_TOGETHER) {
-            int sphere = hierarchy.links[leaf];
-            int end = sphere + hierarchy.spheres[leaf];
-            while (sphere < end) {
-                long near = LaneSteps.run(LaneSteps.TOUCH_SPHERES, tile, drawing, hull, at, sphere)
-                        & (1L << Math.min(Lanes.COUNT, end - sphere)) - 1;
-                judged += Long.bitCount(near);
-                while (near != 0L) {
-                    judge(tile, drawing, at, hierarchy.bodies[sphere + Long.numberOfTrailingZeros(near)]);
-                    near &= near - 1;
-                }
-                sphere += Lanes.COUNT;
-            }
-            leaf = (open & ~scratch.dark) == 0L ? -1 : descent.nextLeaf(tile, drawing, hull, hull.end);
+        for (int sphere = 0; sphere < near.count; sphere++) {
+            judge(tile, drawing, at, (int) near.body[sphere]);
         }
-        return judged <= MOST_TOGETHER;
+        return LaneSteps.run(LaneSteps.FINISH_PACKET, tile, drawing, at, 0) != 0;
     }
 
     private static void judge(Tile tile, Drawing drawing, int at, int body) {
-        Hull hull = tile.shadow.hull;
-        long between = LaneSteps.run(LaneSteps.BETWEEN, tile, drawing, hull, at, body);
+        long between = LaneSteps.run(LaneSteps.BETWEEN, tile, drawing, at, body);
         if (between != 0) {
-            between &= LaneSteps.run(LaneSteps.OUTSIDE, tile, drawing, hull, at, body);
+            between &= LaneSteps.run(LaneSteps.OUTSIDE, tile, drawing, at, body);
         }
         if (between != 0) {
-            tile.shadow.add(body, between, LaneSteps.run(LaneSteps.HIDES_DISC, tile, drawing, hull, at, body));
+            tile.shadow.add(body, between, LaneSteps.run(LaneSteps.HIDES_DISC, tile, drawing, at, body));
         }
-    }
-
-    /** One bit an open lane. */
-    static long open(float[] t, int at) {
-        return Lanes.load(t, at + Tile.SHADOW_OPEN)
-                .compare(VectorOperators.GT, 0f)
-                .toLong();
     }
 
     /** Makes the lanes in the dark invisible; returns one bit a lane that is still open. */

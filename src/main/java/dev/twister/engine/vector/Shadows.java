@@ -17,6 +17,15 @@ final class Shadows {
         (tile, drawing, at) -> finish(tile, drawing, at),
     };
 
+    /** Where more spheres are near a packet's lines, its points are better off one by one. */
+    private static final int MOST_TOGETHER = 32;
+
+    /** Where more are near, each point looks for its own. */
+    static final int MOST_NEAR = 256;
+
+    /** Where its lines meet more leaves, they are not even looked into. */
+    private static final int MOST_LEAVES = 36;
+
     private Shadows() {}
 
     static void find(Tile tile, Drawing drawing) {
@@ -47,27 +56,38 @@ final class Shadows {
     }
 
     private static void sampleInCrowd(Tile tile, Drawing drawing) {
-        Hull hull = tile.shadow.hull;
-        float tooWide = Float.POSITIVE_INFINITY;
+        SphereColumns near = tile.near;
+        float radius = drawing.discRadius * drawing.rim;
         for (int k = 0; k < tile.shadows.count; k++) {
             int at = tile.shadows.places[k];
-            tile.packet.clear();
-            tile.packet.add(at);
-            LaneSteps.run(LaneSteps.HOLD_POINTS, tile, drawing, hull, at, 0);
-            endAtLight(hull, drawing);
-            hull.prepareForBoxes();
-            float width = hull.radius;
-            boolean together = !hull.everything && width < tooWide;
-            if (together && !ShadowCandidates.findInHierarchy(tile, at, drawing)) {
-                together = false;
-                tooWide = width;
-            }
-            if (!together) {
+            tile.beam.holdLines(tile.values, at, drawing.bodies, Layout.LIGHT, radius);
+            if (!findNear(tile, drawing.hierarchy)) {
                 LoneShadows.find(tile, at, drawing);
-            } else if (LaneSteps.run(LaneSteps.FINISH_PACKET, tile, drawing, hull, at, 0) != 0) {
+            } else if (near.count > MOST_TOGETHER) {
+                LoneShadows.findAmong(near, tile, at, drawing);
+            } else if (near.count > 0 && ShadowCandidates.findAmong(near, tile, at, drawing)) {
                 sample(tile, drawing, at);
             }
         }
+    }
+
+    /** Lists the spheres that the beam may meet; returns whether they are few enough to be of use. */
+    private static boolean findNear(Tile tile, WideHierarchy hierarchy) {
+        SphereColumns near = tile.near;
+        Leaves leaves = tile.leaves;
+        near.count = 0;
+        boolean few = leaves.find(hierarchy, tile.beam, MOST_LEAVES);
+        for (int k = 0; k < leaves.count && few; k++) {
+            int first = hierarchy.links[leaves.places[k]];
+            int end = first + hierarchy.counts[leaves.places[k]];
+            while (first < end && few) {
+                long met = tile.beam.meeting(hierarchy.spheres, first) & (1L << Math.min(Lanes.COUNT, end - first)) - 1;
+                near.add(hierarchy.spheres, first, met);
+                first += Lanes.COUNT;
+                few = near.count <= MOST_NEAR;
+            }
+        }
+        return few;
     }
 
     private static void sample(Tile tile, Drawing drawing) {

@@ -9,10 +9,7 @@ import jdk.incubator.vector.VectorOperators;
 final class SphereSurface {
     private SphereSurface() {}
 
-    /**
-     * Copies each lane's sphere into the lane, one step a different sphere: most packets meet one. The centre goes to the
-     * normal's columns.
-     */
+    /** Copies each lane's sphere into the lane. The centre goes to the normal's columns. */
     static void fetch(Tile tile, BodyColumns bodies) {
         float[] t = tile.values;
         for (int k = 0; k < tile.spheres.count; k++) {
@@ -21,23 +18,19 @@ final class SphereSurface {
                     .compare(VectorOperators.GT, Layout.PLANE)
                     .toLong();
             while (rest != 0) {
-                int body = (int) t[at + Tile.HIT + Long.numberOfTrailingZeros(rest)];
-                VectorMask<Float> here = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, body);
-                set(t, at + Tile.NORMAL_X, bodies.x[body], here);
-                set(t, at + Tile.NORMAL_Y, bodies.y[body], here);
-                set(t, at + Tile.NORMAL_Z, bodies.z[body], here);
-                set(t, at + Tile.RADIUS, bodies.radius[body], here);
-                set(t, at + Tile.ALBEDO_RED, bodies.red[body], here);
-                set(t, at + Tile.ALBEDO_GREEN, bodies.green[body], here);
-                set(t, at + Tile.ALBEDO_BLUE, bodies.blue[body], here);
-                set(t, at + Tile.REFLECTIVITY, bodies.reflectivity[body], here);
-                rest &= ~here.toLong();
+                int pixel = at + Long.numberOfTrailingZeros(rest);
+                int body = (int) t[pixel + Tile.HIT];
+                t[pixel + Tile.NORMAL_X] = bodies.x[body];
+                t[pixel + Tile.NORMAL_Y] = bodies.y[body];
+                t[pixel + Tile.NORMAL_Z] = bodies.z[body];
+                t[pixel + Tile.RADIUS] = bodies.radius[body];
+                t[pixel + Tile.ALBEDO_RED] = bodies.red[body];
+                t[pixel + Tile.ALBEDO_GREEN] = bodies.green[body];
+                t[pixel + Tile.ALBEDO_BLUE] = bodies.blue[body];
+                t[pixel + Tile.REFLECTIVITY] = bodies.reflectivity[body];
+                rest &= rest - 1;
             }
         }
-    }
-
-    private static void set(float[] t, int at, float value, VectorMask<Float> lanes) {
-        Lanes.load(t, at).blend(value, lanes).intoArray(t, at);
     }
 
     /** Writes the points met, seen from the centres. */

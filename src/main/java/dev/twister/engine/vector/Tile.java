@@ -94,7 +94,10 @@ final class Tile {
     /** A cosine to a reflectivity's fraction. */
     static final int FRACTION_POWER = 36 * SIZE;
 
-    private static final int COLUMNS = 37;
+    /** What a cosine's power is multiplied by. */
+    static final int SPECULAR_WEIGHT = 37 * SIZE;
+
+    private static final int COLUMNS = 38;
 
     /** The hit of a lane whose path ended before. */
     static final float ENDED = -2f;
@@ -140,11 +143,17 @@ final class Tile {
 
     final BodyList candidates = new BodyList();
 
-    /** One packet, or one ray of it, on its way through the hierarchy. */
-    final PacketList packet = new PacketList();
+    /** One packet, or one ray of it, on its way through the hierarchy, and what spheres it has found. */
+    final Beam beam = new Beam();
 
-    final Hull packetHull = new Hull();
+    final SphereColumns near = new SphereColumns();
+    final Leaves leaves = new Leaves();
     final Descent descent = new Descent();
+
+    /** The nearest of one ray's hits, in each lane, and the bodies met there. */
+    final float[] distances = new float[Lanes.COUNT];
+
+    final float[] bodies = new float[Lanes.COUNT];
 
     /** For one packet's shadows at a time. */
     final ShadowScratch shadow = new ShadowScratch();

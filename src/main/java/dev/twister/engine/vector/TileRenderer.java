@@ -50,7 +50,9 @@ final class TileRenderer {
         (tile, drawing) -> LightDirection.sort(tile, drawing.ambient),
         (tile, drawing) -> Shadows.find(tile, drawing),
         (tile, drawing) -> Highlight.findCosines(tile),
-        (tile, drawing) -> Highlight.findStrengths(tile),
+        (tile, drawing) -> Highlight.findWeights(tile),
+        (tile, drawing) -> Highlight.raise(tile),
+        (tile, drawing) -> Highlight.scale(tile),
         (tile, drawing) -> Bounce.shade(tile, drawing.bodies, drawing.ambient),
         (tile, drawing) -> Bounce.reflect(tile),
         (tile, drawing) -> Bounce.leave(tile),
@@ -77,6 +79,7 @@ final class TileRenderer {
     void reserve(int bodies) {
         tile.candidates.reserve(bodies);
         tile.shadow.reserveBodies(bodies);
+        tile.near.reserve(Shadows.MOST_NEAR + Lanes.COUNT);
     }
 
     /** Draws the tile of that number, counted along the rows of tiles from the top left. */

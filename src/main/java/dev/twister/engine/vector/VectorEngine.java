@@ -13,7 +13,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 /** Draws tiles in SIMD lanes on some threads; once warm, a frame allocates nothing but its times. */
 final class VectorEngine implements Engine {
     /** With fewer bodies, a look at all of them a tile is faster; measured, see {@code benchmarks/NOTES.md}. */
-    static final int CROWD = 500;
+    static final int CROWD = 400;
 
     private final int threads;
     private final int crowd;

@@ -9,14 +9,14 @@ import java.util.Arrays;
  * input's is the same. A child is a node, or a leaf of spheres that lie side by side in the columns.
  */
 final class WideHierarchy {
-    /** Columns of a node: its children's centres x, y, z and half sides x, y, z. */
+    /** Columns of a node: its children's low sides x, y, z and high sides x, y, z. */
     static final int BOX_STRIDE = 6 * Lanes.COUNT;
 
-    /** What {@link #spheres} says of a child that is a node. */
+    /** What {@link #counts} says of a child that is a node. */
     static final int NODE = -1;
 
-    /** A box that nothing meets. */
-    private static final float INSIDE_OUT = -1e30f;
+    /** The low sides of a box that nothing meets; its high ones are their negatives. */
+    private static final float INSIDE_OUT = 1e36f;
 
     float[] boxes = {};
 
@@ -24,15 +24,21 @@ final class WideHierarchy {
     int[] links = {};
 
     /** Of each child: how many spheres are in the leaf, or {@link #NODE}. */
-    int[] spheres = {};
+    int[] counts = {};
 
-    /** The spheres, leaf by leaf; as many blanks at the end as one load may reach too far. */
-    float[] x = {};
+    /** Leaf by leaf. */
+    final SphereColumns spheres = new SphereColumns();
 
-    float[] y = {};
-    float[] z = {};
-    float[] radius = {};
-    int[] bodies = {};
+    /** What becomes of a subtree of the source: a leaf, a node, or part of one. */
+    private static final byte NEITHER = 0;
+
+    private static final byte LEAF = 1;
+    private static final byte INNER = 2;
+
+    private static final int LEVEL = 32;
+
+    /** Of each node of the source. */
+    private byte[] kinds = {};
 
     private int nodes;
     private float[] source = {};
@@ -45,76 +51,97 @@ final class WideHierarchy {
             sourceBodies = input.bodies();
             copySpheres();
             nodes = 0;
-            widen(Layout.root(sourceBodies));
+            int root = Layout.root(sourceBodies);
+            int places = (source.length - root) / Layout.NODE_STRIDE;
+            if (kinds.length < places) {
+                kinds = new byte[places];
+            } else {
+                Arrays.fill(kinds, NEITHER);
+            }
+            kinds[0] = group(root) < LEVEL ? LEAF : INNER;
+            widen(root);
         }
     }
 
     private void copySpheres() {
         int count = sourceBodies - Layout.FIRST_SPHERE;
-        if (x.length < count + Lanes.COUNT) {
-            x = new float[count + Lanes.COUNT];
-            y = new float[count + Lanes.COUNT];
-            z = new float[count + Lanes.COUNT];
-            radius = new float[count + Lanes.COUNT];
-            bodies = new int[count + Lanes.COUNT];
-        }
+        spheres.reserve(count);
         for (int sphere = 0; sphere < count; sphere++) {
             int at = sphere * Layout.SPHERE_STRIDE;
-            x[sphere] = source[at + Layout.SPHERE_CENTER];
-            y[sphere] = source[at + Layout.SPHERE_CENTER + 1];
-            z[sphere] = source[at + Layout.SPHERE_CENTER + 2];
-            radius[sphere] = source[at + Layout.SPHERE_RADIUS];
-            bodies[sphere] = (int) source[at + Layout.SPHERE_BODY];
+            spheres.x[sphere] = source[at + Layout.SPHERE_CENTER];
+            spheres.y[sphere] = source[at + Layout.SPHERE_CENTER + 1];
+            spheres.z[sphere] = source[at + Layout.SPHERE_CENTER + 2];
+            spheres.radius[sphere] = source[at + Layout.SPHERE_RADIUS];
+            spheres.body[sphere] = source[at + Layout.SPHERE_BODY];
         }
+        spheres.count = count;
     }
 
-    /** Makes a node of the largest boxes below one of the source's nodes; returns its number. */
+    /**
+     * Says which subtrees of the source become leaves or nodes: bottom up, so that those at the bottom, of which there are
+     * most, are the fullest.
+     *
+     * @return how high the subtree is, times {@link #LEVEL}, plus how many spheres (height 0) or children its topmost
+     *     part has so far
+     */
+    private int group(int from) {
+        int count = (int) source[from + Layout.NODE_SPHERES];
+        int grouped = Math.min(count, Lanes.COUNT);
+        if (count < 0) {
+            int left = (int) source[from + Layout.NODE_LINK];
+            int right = left + Layout.NODE_STRIDE;
+            int first = group(left);
+            int second = group(right);
+            int level = Math.max(first, second) / LEVEL;
+            boolean firstEnds = first / LEVEL < level;
+            boolean secondEnds = second / LEVEL < level;
+            int sum = (firstEnds ? 1 : first % LEVEL) + (secondEnds ? 1 : second % LEVEL);
+            boolean full = sum > Lanes.COUNT;
+            if (firstEnds || full) {
+                kinds[place(left)] = first < LEVEL ? LEAF : INNER;
+            }
+            if (secondEnds || full) {
+                kinds[place(right)] = second < LEVEL ? LEAF : INNER;
+            }
+            grouped = full ? (level + 1) * LEVEL + 2 : level * LEVEL + sum;
+        }
+        return grouped;
+    }
+
+    private int place(int from) {
+        return (from - Layout.root(sourceBodies)) / Layout.NODE_STRIDE;
+    }
+
+    /** Makes a node of the leaves and nodes next below one of the source's nodes; returns its number. */
     private int widen(int top) {
         int node = nodes;
         nodes++;
         reserve(nodes);
         int first = node * Lanes.COUNT;
         links[first] = top;
-        int children = 1;
-        int opened = source[top + Layout.NODE_SPHERES] < 0 ? first : -1;
-        while (opened >= 0 && children < Lanes.COUNT) {
-            int child = (int) source[links[opened] + Layout.NODE_LINK];
-            links[opened] = child;
-            links[first + children] = child + Layout.NODE_STRIDE;
-            children++;
-            opened = largestToOpen(first, children);
-        }
-        for (int child = 0; child < Lanes.COUNT; child++) {
-            writeBox(node * BOX_STRIDE + child, child < children ? links[first + child] : -1);
+        int end = kinds[place(top)] == INNER ? list(top, first) : first + 1;
+        for (int at = first; at < first + Lanes.COUNT; at++) {
+            writeBox(node * BOX_STRIDE + at - first, at < end ? links[at] : -1);
         }
         for (int at = first; at < first + Lanes.COUNT; at++) {
-            finish(at, at < first + children ? links[at] : -1);
+            finish(at, at < end ? links[at] : -1);
         }
         return node;
     }
 
-    /** Of a node's children in the source; -1 where all are leaves, or good as such. */
-    private int largestToOpen(int first, int children) {
-        int largest = -1;
-        float most = -1;
-        for (int at = first; at < first + children; at++) {
-            int from = links[at];
-            if (isOpened(from)) {
-                float halfX = source[from + Layout.NODE_HALF];
-                float halfY = source[from + Layout.NODE_HALF + 1];
-                float halfZ = source[from + Layout.NODE_HALF + 2];
-                float area = halfX * halfY + halfY * halfZ + halfZ * halfX;
-                if (area > most) {
-                    most = area;
-                    largest = at;
-                }
+    /** Lists those below a node of the source; returns the place behind the last. */
+    private int list(int from, int at) {
+        int next = at;
+        int left = (int) source[from + Layout.NODE_LINK];
+        for (int child = left; child <= left + Layout.NODE_STRIDE; child += Layout.NODE_STRIDE) {
+            if (kinds[place(child)] == NEITHER) {
+                next = list(child, next);
+            } else {
+                links[next] = child;
+                next++;
             }
         }
-        return largest;
-    }
-
-    private boolean isOpened(int from) {
-        return source[from + Layout.NODE_SPHERES] < 0 && lastSphere(from) - firstSphere(from) > Lanes.COUNT;
+        return next;
     }
 
     private int firstSphere(int from) {
@@ -136,22 +163,30 @@ final class WideHierarchy {
 
     private void writeBox(int at, int from) {
         for (int axis = 0; axis < 3; axis++) {
-            boxes[at + axis * Lanes.COUNT] = from < 0 ? 0 : source[from + Layout.NODE_CENTER + axis];
-            boxes[at + (3 + axis) * Lanes.COUNT] = from < 0 ? INSIDE_OUT : source[from + Layout.NODE_HALF + axis];
+            float low = INSIDE_OUT;
+            float high = -INSIDE_OUT;
+            if (from >= 0) {
+                float center = source[from + Layout.NODE_CENTER + axis];
+                float half = source[from + Layout.NODE_HALF + axis];
+                low = center - half;
+                high = center + half;
+            }
+            boxes[at + axis * Lanes.COUNT] = low;
+            boxes[at + (3 + axis) * Lanes.COUNT] = high;
         }
     }
 
     private void finish(int at, int from) {
         if (from < 0) {
             links[at] = 0;
-            spheres[at] = 0;
-        } else if (isOpened(from)) {
-            spheres[at] = NODE;
+            counts[at] = 0;
+        } else if (kinds[place(from)] == INNER) {
+            counts[at] = NODE;
             int child = widen(from);
             links[at] = child;
         } else {
             links[at] = firstSphere(from);
-            spheres[at] = lastSphere(from) - links[at];
+            counts[at] = lastSphere(from) - links[at];
         }
     }
 
@@ -160,7 +195,7 @@ final class WideHierarchy {
             int room = Math.max(64, 2 * count);
             boxes = Arrays.copyOf(boxes, room * BOX_STRIDE);
             links = Arrays.copyOf(links, room * Lanes.COUNT);
-            spheres = Arrays.copyOf(spheres, room * Lanes.COUNT);
+            counts = Arrays.copyOf(counts, room * Lanes.COUNT);
         }
     }
 }

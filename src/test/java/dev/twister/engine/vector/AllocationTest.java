@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.sun.management.ThreadMXBean;
 import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
+import dev.twister.oracle.Crowds;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import dev.twister.sky.SkyboxReader;
@@ -31,7 +32,14 @@ final class AllocationTest {
     private static final int FRAMES = 20;
 
     @ParameterizedTest
-    @CsvSource({"128, benchmark", "256, benchmark", "512, benchmark"})
+    @CsvSource({
+        "128, benchmark",
+        "256, benchmark",
+        "512, benchmark",
+        "512, crowd of 100",
+        "256, crowd of 1000",
+        "512, crowd of 1000"
+    })
     void allocatesNextToNothingInAWarmFrame(int bits, String scene) throws IOException, InterruptedException {
         String first = warmUp(bits, scene);
         // The order in which the compiler takes the stages is its own: once in many JVMs one of them stays boxed.
@@ -59,14 +67,12 @@ final class AllocationTest {
     /** Draws until frames allocate next to nothing, and fails where that does not happen. */
     static final class WarmFrames {
         static final String WARM = "warm: ";
+        private static final String CROWD = "crowd of ";
 
         private WarmFrames() {}
 
         public static void main(String[] arguments) {
-            Scene scene = SceneReader.read(Path.of("scenes", arguments[0] + ".json"));
-            World world = World.of(scene, SkyboxReader.read(scene.skybox()));
-            world.setSettings(world.settings().withSize(640, 360));
-            FrameInput input = world.snapshot();
+            FrameInput input = world(arguments[0]).snapshot();
             Frame frame = Frame.ofPixels(input.width(), input.rows());
             try (Engine vector = VectorEngines.open(2)) {
                 long allocated = Long.MAX_VALUE;
@@ -76,6 +82,19 @@ final class AllocationTest {
                 }
                 System.out.println((allocated > BYTES_A_FRAME ? "still cold: " : WARM) + allocated + " bytes a frame");
             }
+        }
+
+        private static World world(String scene) {
+            return scene.startsWith(CROWD)
+                    ? Crowds.world(Integer.parseInt(scene.substring(CROWD.length())), 640, 360)
+                    : shipped(scene);
+        }
+
+        private static World shipped(String name) {
+            Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
+            World world = World.of(scene, SkyboxReader.read(scene.skybox()));
+            world.setSettings(world.settings().withSize(640, 360));
+            return world;
         }
 
         private static long bytesAFrame(Engine vector, FrameInput input, Frame frame) {
