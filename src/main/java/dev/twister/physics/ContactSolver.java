@@ -149,13 +149,11 @@ final class ContactSolver {
             ty = oy - (dy - along * ny) * mass;
             tz = oz - (dz - along * nz) * mass;
             double wanted = tx * tx + ty * ty + tz * tz;
-            double hold = friction * built;
-            if (wanted > hold * hold) {
-                double scale = hold / Math.sqrt(wanted);
-                tx *= scale;
-                ty *= scale;
-                tz *= scale;
-            }
+            // Without a branch, which nothing could predict; what is added keeps 0 / 0 away.
+            double scale = Math.min(1, friction * built / Math.sqrt(wanted + Double.MIN_NORMAL));
+            tx *= scale;
+            ty *= scale;
+            tz *= scale;
             sx += tx - impulses[at + 1];
             sy += ty - impulses[at + 2];
             sz += tz - impulses[at + 3];

@@ -14,7 +14,7 @@ import java.util.stream.IntStream;
  * after the same number of steps, on every run and with every number of threads. Used by one thread at a time.
  *
  * <p>No sphere passes through the ground or a wall at any speed. Spheres do not pass through each other up to
- * {@value #MAX_SPEED} m/s, which is the speed limit; a sphere that is hit and itself flies more than its radius in a
+ * {@value #MAX_SPEED} m/s, which is the speed limit; a sphere that is hit and itself flies more than its diameter in a
  * {@value #MAX_PARTS}th of a step may pass through a third one within that step. A sphere that falls off the plane stops
  * {@value #DEPTH} metres away from everything that the scene started with.
  */
@@ -37,6 +37,8 @@ public final class Simulation implements AutoCloseable {
 
     /** How much further than its radius a body at rest is looked around for neighbours. */
     private static final double MARGIN = 0.05;
+
+    private static final double TYPICAL_SHARE = 0.99;
 
     /** Elapsed seconds are sums of fractions: so much short of a step is one. */
     private static final double ROUNDING = 1e-9;
@@ -66,8 +68,7 @@ public final class Simulation implements AutoCloseable {
         surroundings = Surroundings.of(scene);
         team = new Team(spheres.size() < MIN_BODIES_FOR_THREADS ? 1 : threads);
         firstBody = scene.physics().solidLight() ? BodyStore.LIGHT : BodyStore.FIRST_SPHERE;
-        double largest = spheres.stream().mapToDouble(Sphere::radius).max().orElse(1);
-        search = new ContactSearch(bodies, surroundings, team, firstBody, largest * (1 + 2 * MARGIN));
+        search = new ContactSearch(bodies, surroundings, team, firstBody, typicalRadius(spheres) * (1 + 2 * MARGIN));
         solver = new ContactSolver(bodies, surroundings);
         integrator = new Integrator(bodies, surroundings);
         survey = new Survey(bodies, team, firstBody);
@@ -300,6 +301,12 @@ public final class Simulation implements AutoCloseable {
             double now = bodies.numbers[BodyStore.STRIDE * body + BodyStore.POSITION + axis];
             positions[3 * place + axis] = (float) (before + (now - before) * share);
         }
+    }
+
+    /** Nearly all spheres are no larger: a few that are would make the cells of all others too wide. */
+    private static double typicalRadius(List<Sphere> spheres) {
+        double[] radii = spheres.stream().mapToDouble(Sphere::radius).sorted().toArray();
+        return radii.length == 0 ? 1 : radii[(int) (TYPICAL_SHARE * (radii.length - 1))];
     }
 
     private static double largestCoordinate(Scene scene, List<Sphere> spheres) {
