@@ -3,12 +3,12 @@ package dev.twister.physics;
 import java.util.Arrays;
 
 /**
- * The bodies in square columns of space, in four colours as a map has them: what is done to the pairs of one column
- * touches no body that the pairs of another one of the same colour touch. So columns of one colour go to any threads in
- * any order and the result is the same.
+ * The bodies in square columns of space, in rows of two colours by turns: what is done to the pairs of one row touches no
+ * body that the pairs of another one of the same colour touch. So rows of one colour go to any threads in any order and
+ * the result is the same. Along a row each column's bodies are still in the cache when the next one's pairs need them.
  */
 final class Columns {
-    static final int COLOURS = 4;
+    static final int COLOURS = 2;
 
     /** As many a side at most: there is work for many threads, and few columns without any. */
     private static final int MAX_SIDE = 48;
@@ -18,8 +18,6 @@ final class Columns {
     private int[] columnOfSlot = {};
     private int[] starts = {};
     private int[] slots = {};
-    private final int[] colourStarts = new int[COLOURS + 1];
-    private int[] columnsByColour = {};
 
     /**
      * Puts all slots but the giants' into columns, each in the order of the slots.
@@ -40,7 +38,6 @@ final class Columns {
         }
         if (starts.length < columns + 1) {
             starts = new int[columns + 1];
-            columnsByColour = new int[columns];
         }
         Arrays.fill(starts, 0);
         for (int slot = 0; slot < grid.slots; slot++) {
@@ -64,7 +61,6 @@ final class Columns {
         }
         System.arraycopy(starts, 1, starts, 0, columns);
         starts[columns] = sorted;
-        paint();
     }
 
     private static int side(double min, double max, double width) {
@@ -75,32 +71,22 @@ final class Columns {
         return (int) Math.clamp((place - min) / width, 0, columns - 1);
     }
 
-    private void paint() {
-        int painted = 0;
-        for (int colour = 0; colour < COLOURS; colour++) {
-            colourStarts[colour] = painted;
-            for (int column = 0; column < columnsX * columnsZ; column++) {
-                if (column % columnsX % 2 + column / columnsX % 2 * 2 == colour
-                        && starts[column] < starts[column + 1]) {
-                    columnsByColour[painted++] = column;
-                }
-            }
-        }
-        colourStarts[COLOURS] = painted;
-    }
-
     int count() {
         return columnsX * columnsZ;
     }
 
-    /** How many columns of a colour have any bodies. */
-    int ofColour(int colour) {
-        return colourStarts[colour + 1] - colourStarts[colour];
+    /** How many rows of columns a colour has. */
+    int rows(int colour) {
+        return (columnsZ + 1 - colour) / 2;
     }
 
-    /** The column that is the colour's that-many-eth. */
-    int column(int colour, int index) {
-        return columnsByColour[colourStarts[colour] + index];
+    /** The first column of a colour's row; the others follow it. */
+    int firstOfRow(int colour, int row) {
+        return (2 * row + colour) * columnsX;
+    }
+
+    int columnsInRow() {
+        return columnsX;
     }
 
     int start(int column) {

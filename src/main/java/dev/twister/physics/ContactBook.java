@@ -57,8 +57,8 @@ final class ContactBook {
             if (found >= 0) {
                 double[] old = earlier.lists[earlier.list[body]].impulses;
                 System.arraycopy(old, Contacts.IMPULSES * found, contacts.impulses, to, Contacts.IMPULSES);
-            } else if (other >= 0) {
-                found = earlier.find(other, body);
+            } else {
+                found = other < 0 ? -1 : earlier.find(other, body);
                 if (found >= 0) {
                     double[] old = earlier.lists[earlier.list[other]].impulses;
                     int from = Contacts.IMPULSES * found;
@@ -67,6 +67,8 @@ final class ContactBook {
                     contacts.impulses[to + 1] = -old[from + 1];
                     contacts.impulses[to + 2] = -old[from + 2];
                     contacts.impulses[to + 3] = -old[from + 3];
+                } else {
+                    Arrays.fill(contacts.impulses, to, to + Contacts.IMPULSES, 0);
                 }
             }
         }

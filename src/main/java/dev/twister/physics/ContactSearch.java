@@ -65,7 +65,12 @@ final class ContactSearch {
         contacts.open(columns.count() + 1);
         for (int colour = 0; colour < Columns.COLOURS; colour++) {
             int own = colour;
-            team.each(columns.ofColour(colour), index -> searchColumn(columns.column(own, index)));
+            team.each(columns.rows(colour), row -> {
+                int first = columns.firstOfRow(own, row);
+                for (int column = first; column < first + columns.columnsInRow(); column++) {
+                    searchColumn(column);
+                }
+            });
         }
         for (int slot = 0; slot < grid.slots; slot++) {
             if (grid.isGiant(slot)) {

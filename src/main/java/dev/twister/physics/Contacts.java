@@ -1,11 +1,14 @@
 package dev.twister.physics;
 
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 
 /** A growing list of pairs that touch or may come to touch, with the impulses that they have built up. */
 final class Contacts {
     /** Impulses for each contact: along the normal, then across it in x, y, z. */
     static final int IMPULSES = 4;
+
+    private static final int LEAST_ROOM = 64;
 
     private static final int[] NO_BODIES = {};
     private static final double[] NO_IMPULSES = {};
@@ -26,15 +29,42 @@ final class Contacts {
     }
 
     void add(int one, int other) {
-        if (count == first.length) {
-            int room = Math.max(64, 2 * count);
+        reserve(1);
+        first[count] = one;
+        second[count] = other;
+        count++;
+    }
+
+    /** Where the other bodies of pairs are to be written, from {@link #count} on: there is room for as many more. */
+    int[] roomFor(int more) {
+        reserve(more);
+        return second;
+    }
+
+    /** Adds the pairs of a body with those that were written; their impulses are to be set. */
+    void addFound(int one, int newCount) {
+        Arrays.fill(first, count, newCount, one);
+        count = newCount;
+    }
+
+    /** Keeps those of the pairs from one on whose other body is wanted. */
+    void keep(int from, IntPredicate wanted) {
+        int kept = from;
+        for (int contact = from; contact < count; contact++) {
+            if (wanted.test(second[contact])) {
+                second[kept] = second[contact];
+                kept++;
+            }
+        }
+        count = kept;
+    }
+
+    private void reserve(int more) {
+        if (count + more > first.length) {
+            int room = Math.max(LEAST_ROOM, 2 * (count + more));
             first = Arrays.copyOf(first, room);
             second = Arrays.copyOf(second, room);
             impulses = Arrays.copyOf(impulses, IMPULSES * room);
         }
-        first[count] = one;
-        second[count] = other;
-        Arrays.fill(impulses, IMPULSES * count, IMPULSES * (count + 1), 0);
-        count++;
     }
 }

@@ -236,11 +236,10 @@ final class NeighbourGrid {
 
     /** Adds the pairs of a giant with everything, other giants after it only. */
     void addGiantsPairs(int slot, Contacts contacts) {
-        for (int other = 0; other < slots; other++) {
-            if (!isGiant(other) || other > slot) {
-                test(slot, other, contacts);
-            }
-        }
+        int start = contacts.count;
+        // Every key is within that span.
+        scan(slot, 0, slots, 0, -1, contacts);
+        contacts.keep(start, other -> other != body[slot] && (levelOfBody[other] <= topLevel || other > body[slot]));
     }
 
     private void scanRow(int slot, long firstKey, int firstBucket, Contacts contacts) {
@@ -259,27 +258,29 @@ final class NeighbourGrid {
         scan(slot, starts[bucket], starts[bucket + 1], wanted, 0, contacts);
     }
 
-    // Buckets hold other cells' bodies too: the keys tell.
+    // Buckets hold other cells' bodies too: the keys tell. Without a branch for the distance, which nothing could
+    // predict.
     private void scan(int slot, int start, int end, long firstKey, long span, Contacts contacts) {
+        double px = x[slot];
+        double py = y[slot];
+        double pz = z[slot];
+        double own = Math.abs(reach[slot]);
+        boolean awake = reach[slot] > 0;
+        int[] found = contacts.roomFor(end - start);
+        int count = contacts.count;
         for (int other = start; other < end; other++) {
-            if (Long.compareUnsigned(key[other] - firstKey, span) <= 0) {
-                test(slot, other, contacts);
+            if (Long.compareUnsigned(key[other] - firstKey, span) <= 0 && (awake || reach[other] > 0)) {
+                double dx = px - x[other];
+                double dy = py - y[other];
+                double dz = pz - z[other];
+                double sum = own + Math.abs(reach[other]);
+                found[count] = body[other];
+                // The sign, as a number.
+                long apart = Double.doubleToRawLongBits(sum * sum - (dx * dx + dy * dy + dz * dz)) >> (Long.SIZE - 1);
+                count += 1 + (int) apart;
             }
         }
-    }
-
-    private void test(int slot, int other, Contacts contacts) {
-        double one = reach[slot];
-        double two = reach[other];
-        if (one > 0 || two > 0) {
-            double dx = x[slot] - x[other];
-            double dy = y[slot] - y[other];
-            double dz = z[slot] - z[other];
-            double sum = Math.abs(one) + Math.abs(two);
-            if (dx * dx + dy * dy + dz * dz <= sum * sum) {
-                contacts.add(body[slot], body[other]);
-            }
-        }
+        contacts.addFound(body[slot], count);
     }
 
     private long cellKey(double px, double py, double pz, int level) {

@@ -259,7 +259,12 @@ public final class Simulation implements AutoCloseable {
             inChunks(integrator::accelerate);
             for (int colour = 0; colour < Columns.COLOURS; colour++) {
                 int own = colour;
-                team.each(columns.ofColour(colour), index -> solver.solve(search.contacts(columns.column(own, index))));
+                team.each(columns.rows(colour), row -> {
+                    int first = columns.firstOfRow(own, row);
+                    for (int column = first; column < first + columns.columnsInRow(); column++) {
+                        solver.solve(search.contacts(column));
+                    }
+                });
             }
             solver.solve(search.giantsContacts());
             inChunks(integrator::move);
