@@ -3,38 +3,56 @@ package dev.twister.gui;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
+import dev.twister.gui.drawing.DrawingStatus;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.image.Frame;
 import dev.twister.scene.Scene;
 import dev.twister.world.FrameInput;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadInfo;
+import java.lang.management.ThreadMXBean;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import java.util.stream.Collectors;
 
 /**
- * Measures the window against the engine alone: frames a second, time of the interface's thread, pulses. A program, run by
- * hand with the options of {@code .ci/window-test}: its arguments are pairs such as {@code vector:HD}.
+ * Measures the window against the engine alone, by turns: frames a second, pulses, and where the processor's time goes. A
+ * program, run by hand on a screen: its arguments are pairs such as {@code vector:HD}. With {@code
+ * -XX:ActiveProcessorCount=1} an engine draws on one thread.
  */
 final class WindowFigures {
-    private static final long WARM_UP_NANOS = TimeUnit.SECONDS.toNanos(6);
-    private static final long NANOS = TimeUnit.SECONDS.toNanos(6);
+    /** The first is for the compiler. */
+    private static final int ROUNDS = Integer.getInteger("twister.rounds", 3);
+
+    private static final long WARM_UP_NANOS = TimeUnit.MILLISECONDS.toNanos(1500);
+    private static final long NANOS = TimeUnit.SECONDS.toNanos(4);
     private static final double NANOS_PER_SECOND = 1e9;
+
+    /** Room for 720p, pixel for pixel. */
+    private static final int WIDTH = Integer.getInteger("twister.width", 1280);
+
+    private static final int HEIGHT = Integer.getInteger("twister.height", 720);
 
     private WindowFigures() {}
 
     @SuppressWarnings("SystemOut") // a program for a person
     public static void main(String[] arguments) {
-        System.out.println("engine      size   window FPS  engine FPS  ratio  pulses/s  longest ms  pulse mean/max ms");
         for (String argument : arguments) {
             String[] parts = argument.split(":", 2);
             EngineOffer offer = Engines.offers().stream()
                     .filter(one -> one.id().equals(parts[0]))
                     .findFirst()
                     .orElseThrow();
-            System.out.println(measure(offer, ResolutionMode.valueOf(parts[1])));
+            for (int round = 0; round < ROUNDS; round++) {
+                System.out.println(measure(offer, ResolutionMode.valueOf(parts[1])));
+            }
         }
         System.exit(0);
     }
@@ -43,17 +61,25 @@ final class WindowFigures {
         Scene scene = WindowScenes.shipped("benchmark");
         PulseRecord pulses = new PulseRecord();
         double windowRate;
+        String processors;
         FrameInput input;
         try (WindowDriver driver = WindowDriver.open(scene, offer)) {
-            driver.run(() -> driver.stage.setWidth(1280));
-            driver.run(() -> driver.stage.setHeight(760));
+            driver.run(() -> driver.stage.setWidth(WIDTH));
+            driver.run(() -> driver.stage.setHeight(HEIGHT));
+            driver.await(() -> Math.round(driver.pictureOnScreen().getWidth()) == WIDTH);
+            double around = HEIGHT - Math.rint(driver.pictureOnScreen().getHeight());
+            driver.run(() -> driver.stage.setHeight(HEIGHT + around));
+            driver.await(() -> Math.round(driver.pictureOnScreen().getHeight()) == HEIGHT);
             driver.run(() -> driver.studio.setResolution(size));
             driver.run(() -> driver.studio.refiningProperty().set(false));
+            driver.await(() -> driver.studio.drawingProperty().get().equals(DrawingStatus.QUIET));
             driver.awaitPicture(picture -> picture.engine().equals(offer.id()) && picture.isWhole());
             LockSupport.parkNanos(WARM_UP_NANOS);
             DrawnPicture first = newest(driver);
             driver.run(() -> driver.window.onPulse(pulses::add));
+            ProcessorTimes before = ProcessorTimes.now();
             LockSupport.parkNanos(NANOS);
+            processors = ProcessorTimes.now().since(before);
             DrawnPicture last = driver.awaitPicture(picture -> picture.number() > first.number());
             windowRate = (last.number() - first.number())
                     * NANOS_PER_SECOND
@@ -63,7 +89,8 @@ final class WindowFigures {
         double engineRate = engineAlone(offer, input);
         return String.format(
                 Locale.ROOT,
-                "%-11s %-6s %10.2f  %10.2f  %5.2f  %8.1f  %10.1f  %.3f / %.1f",
+                "%s %s: %.2f FPS in the window, %.2f alone, ratio %.2f; %.1f pulses a second, longest gap %.1f ms,"
+                        + " interface's thread %.3f ms a pulse, %.1f at most%n    processors: %s",
                 offer.id(),
                 size.label(),
                 windowRate,
@@ -72,7 +99,8 @@ final class WindowFigures {
                 pulses.perSecond(),
                 pulses.longestGapMillis(),
                 pulses.meanMillis(),
-                pulses.maxMillis());
+                pulses.maxMillis(),
+                processors);
     }
 
     private static DrawnPicture newest(WindowDriver driver) {
@@ -82,7 +110,7 @@ final class WindowFigures {
     private static double engineAlone(EngineOffer offer, FrameInput input) {
         Frame frame = Frame.ofPixels(input.width(), input.rows());
         try (Engine engine = offer.opener().get()) {
-            long warm = System.nanoTime() + WARM_UP_NANOS / 2;
+            long warm = System.nanoTime() + WARM_UP_NANOS;
             do {
                 engine.render(input, frame);
             } while (System.nanoTime() < warm);
@@ -93,6 +121,68 @@ final class WindowFigures {
                 frames++;
             } while (System.nanoTime() - start < NANOS);
             return frames * NANOS_PER_SECOND / (System.nanoTime() - start);
+        }
+    }
+
+    /**
+     * Processor time so far.
+     *
+     * @param nanos when it was looked at
+     * @param ofGroup in nanoseconds, by the kind of thread or the other process
+     */
+    private record ProcessorTimes(long nanos, Map<String, Long> ofGroup) {
+        static ProcessorTimes now() {
+            Map<String, Long> ofGroup = new TreeMap<>();
+            ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+            for (ThreadInfo thread : threads.getThreadInfo(threads.getAllThreadIds())) {
+                if (thread != null) {
+                    ofGroup.merge(
+                            group(thread.getThreadName()),
+                            Math.max(0, threads.getThreadCpuTime(thread.getThreadId())),
+                            Long::sum);
+                }
+            }
+            long own = ProcessHandle.current()
+                    .info()
+                    .totalCpuDuration()
+                    .orElse(Duration.ZERO)
+                    .toNanos();
+            long java = ofGroup.values().stream().mapToLong(Long::longValue).sum();
+            ofGroup.put("compilers and collectors", own - java);
+            ofGroup.put(
+                    "screen",
+                    ProcessHandle.allProcesses()
+                            .map(ProcessHandle::info)
+                            .filter(info -> info.command().orElse("").contains("Xvfb"))
+                            .mapToLong(info -> info.totalCpuDuration()
+                                    .orElse(Duration.ZERO)
+                                    .toNanos())
+                            .sum());
+            return new ProcessorTimes(System.nanoTime(), ofGroup);
+        }
+
+        private static String group(String thread) {
+            return switch (thread) {
+                case String name when name.startsWith("JavaFX Application") -> "interface";
+                case String name when name.startsWith("QuantumRenderer") -> "JavaFX's renderer";
+                case String name when name.startsWith("Prism") -> "JavaFX's painter";
+                case String name
+                when name.startsWith("drawing") || name.startsWith("twister-") || name.startsWith("ForkJoin") ->
+                    "engine";
+                default -> "other threads";
+            };
+        }
+
+        /** In cores: 1 is one core kept busy. */
+        String since(ProcessorTimes before) {
+            return ofGroup.entrySet().stream()
+                    .map(group -> String.format(
+                            Locale.ROOT,
+                            "%s %.2f",
+                            group.getKey(),
+                            (group.getValue() - before.ofGroup().getOrDefault(group.getKey(), 0L))
+                                    / (double) (nanos - before.nanos())))
+                    .collect(Collectors.joining(", "));
         }
     }
 
