@@ -1,22 +1,25 @@
 package dev.twister.gui;
 
 import dev.twister.world.CameraMotion;
+import java.util.Optional;
+import javafx.geometry.Point2D;
+import javafx.geometry.Rectangle2D;
 import javafx.scene.Cursor;
 import javafx.scene.Node;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
+import javafx.scene.robot.Robot;
+import javafx.stage.Screen;
 
 /**
- * Turns the camera by dragging over the picture, with the pointer hidden, and changes the field of view by the wheel. What
+ * Turns the camera by dragging over the picture, with the pointer hidden and however far, and changes the field of view by the wheel. What
  * another handler of the picture's consumes (the drag of a body, say) does not come here.
  */
 final class CameraMouse {
     private final Node picture;
     private final Studio studio;
-    private double lastX;
-    private double lastY;
-    private boolean looking;
+    private Optional<HiddenPointer> pointer = Optional.empty();
 
     private CameraMouse(Node picture, Studio studio) {
         this.picture = picture;
@@ -33,29 +36,38 @@ final class CameraMouse {
 
     private void pressed(MouseEvent event) {
         picture.requestFocus();
-        looking = event.getButton() != MouseButton.MIDDLE;
-        lastX = event.getX();
-        lastY = event.getY();
+        pointer = Optional.of(place(event))
+                .filter(_ -> event.getButton() != MouseButton.MIDDLE)
+                .map(start -> new HiddenPointer(to -> new Robot().mouseMove(to), start, screen(start)));
+    }
+
+    private static Point2D place(MouseEvent event) {
+        return new Point2D(event.getScreenX(), event.getScreenY());
+    }
+
+    private static Rectangle2D screen(Point2D place) {
+        return Screen.getScreensForRectangle(place.getX(), place.getY(), 1, 1).stream()
+                .findFirst()
+                .orElseGet(Screen::getPrimary)
+                .getBounds();
     }
 
     private void dragged(MouseEvent event) {
-        if (looking) {
+        pointer.ifPresent(hidden -> {
             picture.setCursor(Cursor.NONE);
             // What is under the pointer in the middle of the picture moves about as far as the pointer.
             double side = Math.min(
                     picture.getLayoutBounds().getWidth(),
                     picture.getLayoutBounds().getHeight());
             double degrees = studio.scene().camera().fieldOfViewDegrees() / Math.max(1, side);
-            double right = (event.getX() - lastX) * degrees;
-            double down = (event.getY() - lastY) * degrees;
-            studio.moveCamera(camera -> CameraMotion.look(camera, right, down));
-            lastX = event.getX();
-            lastY = event.getY();
-        }
+            Point2D moved = hidden.movedTo(place(event)).multiply(degrees);
+            studio.moveCamera(camera -> CameraMotion.look(camera, moved.getX(), moved.getY()));
+        });
     }
 
     private void released(MouseEvent event) {
-        looking = false;
+        pointer.ifPresent(HiddenPointer::release);
+        pointer = Optional.empty();
         picture.setCursor(Cursor.DEFAULT);
     }
 
