@@ -8,7 +8,7 @@ enum Command {
     SAVE(Group.FILE, "Save", "Shortcut+S", "Saves the scene, with the camera where it is now."),
     SAVE_AS(Group.FILE, "Save as…", "Shortcut+Shift+S", "Saves the scene under another name."),
     SCREENSHOT(Group.FILE, "Screenshot…", "F12", "Saves the picture as PNG, or as HDR with its radiance."),
-    RECORD(Group.FILE, "Record…", "Shortcut+R", "Saves each picture shown as a numbered PNG, until chosen again."),
+    RECORD(Group.FILE, "Record…", "Shortcut+R", "Saves each picture drawn as a numbered PNG, until chosen again."),
     QUIT(Group.FILE, "Quit", "Shortcut+Q", "Closes the window."),
     UNDO(Group.EDIT, "Undo", "Shortcut+Z", "Takes the last edit back."),
     REDO(Group.EDIT, "Redo", "Shortcut+Shift+Z", "Makes the edit again that was taken back."),

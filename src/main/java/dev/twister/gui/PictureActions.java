@@ -36,7 +36,6 @@ final class PictureActions implements AutoCloseable {
         this.choice = choice;
         this.dialogs = dialogs;
         this.errands = errands;
-        studio.pictureProperty().subscribe(picture -> picture.ifPresent(this::record));
     }
 
     /** The recording that is going on. */
@@ -107,14 +106,18 @@ final class PictureActions implements AutoCloseable {
     private void startRecording(Path folder) {
         lastFolder = folder;
         try {
-            recorder.set(Optional.of(FrameRecorder.start(folder)));
-            studio.pictureProperty().get().ifPresent(this::record);
+            FrameRecorder started = FrameRecorder.start(folder);
+            // At rest no other picture may come.
+            studio.pictureProperty().get().ifPresent(shown -> record(started, shown));
+            studio.watch(picture -> record(started, picture));
+            recorder.set(Optional.of(started));
         } catch (IOException problem) {
             dialogs.complain("Nothing is recorded", problem.getMessage());
         }
     }
 
     private void endRecording() {
+        studio.watch(_ -> {});
         // A recording that ends while an older one is still being written waits for it: there is one line to tell of
         // them.
         finishing.ifPresent(FrameRecorder::close);
@@ -123,15 +126,14 @@ final class PictureActions implements AutoCloseable {
         recorder.set(Optional.empty());
     }
 
-    private void record(DrawnPicture picture) {
+    private static void record(FrameRecorder running, DrawnPicture picture) {
         Frame frame = picture.frame();
-        recorder.get().ifPresent(running -> running.offer(frame.width(), frame.height(), IntBuffer.wrap(frame.argb())));
+        running.offer(frame.width(), frame.height(), IntBuffer.wrap(frame.argb()));
     }
 
     private static String describe(String what, FrameRecorder.Progress progress) {
-        String leftOut = progress.leftOut() == 0 ? "" : ", " + progress.leftOut() + " left out: they came too fast";
         String waiting = progress.waiting() == 0 ? "" : ", " + progress.waiting() + " waiting";
-        return what + " " + progress.written() + " frames" + waiting + leftOut;
+        return what + " " + progress.written() + " frames" + waiting;
     }
 
     private static void write(

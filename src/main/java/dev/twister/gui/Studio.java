@@ -25,6 +25,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyIntegerProperty;
@@ -122,6 +123,11 @@ public final class Studio implements AutoCloseable {
     /** See {@link DrawingLoop#radiance}. */
     CompletableFuture<Optional<float[]>> radiance(DrawnPicture shown) {
         return loop.radiance(shown);
+    }
+
+    /** See {@link DrawingLoop#watch}. */
+    void watch(Consumer<DrawnPicture> watcher) {
+        loop.watch(watcher);
     }
 
     /** Whether a picture at rest gathers samples and then rests; otherwise it is drawn again and again. */

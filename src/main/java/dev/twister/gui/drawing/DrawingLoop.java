@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Consumer;
 
 /**
  * Draws on a thread of its own, always by the newest request. Whoever asks and shows never waits: {@link #request} and
@@ -58,6 +59,14 @@ public final class DrawingLoop implements AutoCloseable {
     /** See {@link PictureExchange#takeNewest}. */
     public Optional<DrawnPicture> takeNewest() {
         return exchange.takeNewest();
+    }
+
+    /**
+     * From now on each whole picture is handed to that as well, on the drawing thread, which goes on drawing when it
+     * returns; the pixels are to be read until then.
+     */
+    public void watch(Consumer<DrawnPicture> watcher) {
+        work.watch(watcher);
     }
 
     /**

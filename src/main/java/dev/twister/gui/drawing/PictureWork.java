@@ -8,6 +8,7 @@ import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
 import java.nio.IntBuffer;
 import java.util.Optional;
+import java.util.function.Consumer;
 
 /**
  * The steps from a request to its pictures: at the very start small ones, because nothing is compiled yet, then the picture
@@ -31,6 +32,7 @@ final class PictureWork implements AutoCloseable {
     private Optional<RefinedPicture> refined = Optional.empty();
     private Optional<Frame> pass = Optional.empty();
     private long pictures;
+    private volatile Consumer<DrawnPicture> watcher = _ -> {};
 
     PictureWork(PictureExchange exchange, SkyShelf skies, EngineOffer substitute, Runnable whenReady) {
         this.exchange = exchange;
@@ -72,6 +74,11 @@ final class PictureWork implements AutoCloseable {
                         && held.samples() > picture.request().scene().settings().samplesPerPixel()
                         && held.samples() >= picture.samples())
                 .map(RefinedPicture::radiance);
+    }
+
+    /** From now on each whole picture is handed to that; called by any thread. */
+    void watch(Consumer<DrawnPicture> newWatcher) {
+        watcher = newWatcher;
     }
 
     DrawingStatus status() {
@@ -145,7 +152,12 @@ final class PictureWork implements AutoCloseable {
     private void finish(
             DrawingRequest wanted, FrameInput seen, Engine engine, Frame frame, FrameTimes times, int samples) {
         pictures++;
-        exchange.finished(new DrawnPicture(
-                frame, wanted, seen, engine.id(), engine.device(), times, samples, pictures, System.nanoTime()));
+        DrawnPicture picture = new DrawnPicture(
+                frame, wanted, seen, engine.id(), engine.device(), times, samples, pictures, System.nanoTime());
+        exchange.finished(picture);
+        if (picture.isWhole()) {
+            // Shown or not, its pixels stay: no one but this thread draws over them.
+            watcher.accept(picture);
+        }
     }
 }

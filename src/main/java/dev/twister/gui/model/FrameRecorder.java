@@ -8,13 +8,14 @@ import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Writes frames as numbered PNG files, on a thread of its own. Whoever hands a frame over never waits: where the disk or
- * the encoder is slower than the frames come, frames are left out, and counted.
+ * Writes frames as numbered PNG files, on a thread of its own. No frame is left out: where the disk or the encoder is slower
+ * than the frames come, whoever hands them over waits once a few are ahead.
  */
 public final class FrameRecorder implements AutoCloseable {
     private static final Pattern NUMBERED = Pattern.compile("frame-([0-9]{6,9})\\.png");
@@ -33,10 +34,10 @@ public final class FrameRecorder implements AutoCloseable {
      *
      * @param written frames on the disk
      * @param waiting frames that are still to be written
-     * @param leftOut frames that came too fast
+     * @param lost frames that were taken but not written, because of the failure
      * @param failure why nothing is written any more; empty while all is well
      */
-    public record Progress(long written, int waiting, long leftOut, Optional<String> failure) {}
+    public record Progress(long written, int waiting, long lost, Optional<String> failure) {}
 
     @SuppressWarnings("ArrayRecordComponent") // handed on, never compared
     private record Waiting(int width, int height, int[] argb) {
@@ -55,7 +56,7 @@ public final class FrameRecorder implements AutoCloseable {
     private int beingCopied;
     private long nextNumber;
     private long written;
-    private long leftOut;
+    private long lost;
     private boolean closing;
     private Optional<String> failure = Optional.empty();
 
@@ -88,22 +89,19 @@ public final class FrameRecorder implements AutoCloseable {
     }
 
     /**
-     * Takes a copy of a frame, or leaves it out where too many wait.
+     * Takes a copy of a frame; waits for room where too many are ahead of it. Called by one thread at a time.
      *
      * @param argb {@code width * height} ints from index 0 on, 0xAARRGGBB, row by row from the top
-     * @return whether it was taken
+     * @return whether it was taken: not after the end
      */
     public boolean offer(int width, int height, IntBuffer argb) {
         int pixels = Math.multiplyExact(width, height);
         int[] copy;
         synchronized (this) {
-            if (closing || failure.isPresent()) {
-                return false;
-            }
             long bytes = (long) Integer.BYTES * pixels;
             // However large a frame is, one may wait.
-            if (waitingBytes > 0 && waitingBytes + bytes > MAX_WAITING_BYTES) {
-                leftOut++;
+            awaitThat(() -> isOver() || waitingBytes == 0 || waitingBytes + bytes <= MAX_WAITING_BYTES);
+            if (isOver()) {
                 return false;
             }
             waitingBytes += bytes;
@@ -122,7 +120,7 @@ public final class FrameRecorder implements AutoCloseable {
     }
 
     public synchronized Progress progress() {
-        return new Progress(written, queue.size() + inWork, leftOut, failure);
+        return new Progress(written, queue.size() + inWork, lost, failure);
     }
 
     public Path folder() {
@@ -172,14 +170,7 @@ public final class FrameRecorder implements AutoCloseable {
     }
 
     private synchronized Optional<Waiting> take() {
-        while (queue.isEmpty() && (!closing || beingCopied > 0)) {
-            try {
-                wait();
-            } catch (InterruptedException _) {
-                // No one but this class has the thread; it ends by closing.
-                closing = true;
-            }
-        }
+        awaitThat(() -> !queue.isEmpty() || (closing && beingCopied == 0));
         Optional<Waiting> next = Optional.ofNullable(queue.poll());
         inWork = next.isPresent() ? 1 : 0;
         return next;
@@ -193,13 +184,30 @@ public final class FrameRecorder implements AutoCloseable {
         // A frame of another size has no use for the buffers of this one.
         spare.clear();
         spare.push(frame.argb());
+        notifyAll();
+    }
+
+    private boolean isOver() {
+        return closing || failure.isPresent();
+    }
+
+    /** An interruption ends it: neither the drawing thread nor the writing one is interrupted otherwise. */
+    private synchronized void awaitThat(BooleanSupplier condition) {
+        while (!condition.getAsBoolean()) {
+            try {
+                wait();
+            } catch (InterruptedException _) {
+                closing = true;
+            }
+        }
     }
 
     private synchronized void fail(IOException problem) {
-        leftOut += queue.size() + inWork;
+        lost += queue.size() + inWork;
         queue.clear();
         inWork = 0;
         failure = Optional.of("Recording has stopped: " + problem.getMessage());
+        notifyAll();
     }
 
     private static long firstFreeNumber(Path folder) throws IOException {

@@ -8,6 +8,7 @@ import dev.twister.scene.Scene;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
+import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
@@ -102,6 +103,28 @@ class DrawingLoopTest {
         assertThat(answer.request().scene()).isEqualTo(moved);
         // One was in the making.
         assertThat(answer.number()).isEqualTo(before + 2);
+    }
+
+    @Test
+    void whoWatchesSeesEveryWholePictureAndIsWaitedFor() throws InterruptedException {
+        request(scene, 0);
+        awaitPicture(drawnBy(green));
+        SynchronousQueue<Long> numbers = new SynchronousQueue<>();
+        loop.watch(picture -> {
+            try {
+                numbers.put(picture.number());
+            } catch (InterruptedException problem) {
+                throw new AssertionError(problem);
+            }
+        });
+        long first = numbers.take();
+        for (int i = 1; i < 50; i++) {
+            assertThat(numbers.take()).isEqualTo(first + i);
+        }
+        loop.close();
+        while (!loop.awaitEnd(Duration.ofMillis(1))) {
+            numbers.poll();
+        }
     }
 
     @Test

@@ -56,27 +56,55 @@ class FrameRecorderTest {
     }
 
     @Test
-    void whoHandsFramesOverNeverWaits() throws IOException, InterruptedException {
+    void whoIsFasterThanTheDiskWaitsAndNoFrameIsLost() throws Exception {
         CountDownLatch writing = new CountDownLatch(1);
         CountDownLatch mayWrite = new CountDownLatch(1);
-        FrameRecorder recorder = FrameRecorder.start(folder, (_, _, _, _) -> {
+        FrameRecorder recorder = FrameRecorder.start(folder, (file, _, _, _) -> {
             writing.countDown();
             await(mayWrite);
+            Files.createFile(file);
         });
         int side = 4096;
-        IntBuffer large = IntBuffer.allocate(side * side);
-        recorder.offer(side, side, large);
+        Thread source = offering(recorder, side, 6);
         writing.await();
-        int taken = 1;
-        while (recorder.offer(side, side, large)) {
-            taken++;
+        awaitState(source, Thread.State.WAITING);
+        assertThat(recorder.progress()).isEqualTo(new FrameRecorder.Progress(0, 4, 0, Optional.empty()));
+        mayWrite.countDown();
+        source.join();
+        recorder.close();
+        assertThat(recorder.progress()).isEqualTo(new FrameRecorder.Progress(6, 0, 0, Optional.empty()));
+        for (int number = 1; number <= 6; number++) {
+            assertThat(folder.resolve("frame-00000" + number + ".png")).exists();
         }
-        assertThat(taken).isEqualTo(4);
-        assertThat(recorder.progress().leftOut()).isEqualTo(1);
-        assertThat(recorder.progress().waiting()).isEqualTo(taken);
+    }
+
+    @Test
+    void theEndFreesWhoWaits() throws Exception {
+        CountDownLatch mayWrite = new CountDownLatch(1);
+        FrameRecorder recorder = FrameRecorder.start(folder, (_, _, _, _) -> await(mayWrite));
+        Thread source = offering(recorder, 4096, 6);
+        awaitState(source, Thread.State.WAITING);
+        recorder.finish();
+        source.join();
         mayWrite.countDown();
         recorder.close();
-        assertThat(recorder.progress().written()).isEqualTo(taken);
+        assertThat(recorder.progress().written()).isEqualTo(4);
+    }
+
+    /** A thread that hands so many frames over. */
+    private static Thread offering(FrameRecorder recorder, int side, int frames) {
+        IntBuffer large = IntBuffer.allocate(side * side);
+        return Thread.ofPlatform().start(() -> {
+            for (int i = 0; i < frames; i++) {
+                recorder.offer(side, side, large);
+            }
+        });
+    }
+
+    private static void awaitState(Thread thread, Thread.State state) throws InterruptedException {
+        while (thread.getState() != state) {
+            Thread.sleep(1);
+        }
     }
 
     private static void await(CountDownLatch latch) throws IOException {
@@ -95,7 +123,7 @@ class FrameRecorderTest {
         recorder.offer(WIDTH, HEIGHT, frame(1));
         recorder.close();
         assertThat(recorder.progress().failure()).contains("Recording has stopped: no space left");
-        assertThat(recorder.progress().leftOut()).isEqualTo(1);
+        assertThat(recorder.progress().lost()).isEqualTo(1);
         assertThat(recorder.offer(WIDTH, HEIGHT, frame(1))).isFalse();
     }
 
