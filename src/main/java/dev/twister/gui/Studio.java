@@ -183,7 +183,7 @@ public final class Studio implements AutoCloseable {
         if (motion.get().isOn() && !edited.spheres().equals(standing.spheres())) {
             MovedScene.Edit edit =
                     MovedScene.of(standing, motion.get(), picture.get()).edit(change);
-            document.carryOn(edit.before());
+            document.carryOnMoved(edit.before());
             edited = edit.after();
         }
         document.edit(what, edited);

@@ -144,6 +144,33 @@ class PhysicsTest {
     }
 
     @Test
+    void undoingTheMoveOfOneSphereLeavesTheOthersWhereTheyHaveMovedTo() {
+        Sphere one = scene().spheres().getFirst();
+        Sphere aside = new Sphere(new Vector3(4, HEIGHT, 3), one.radius(), one.color(), one.reflectivity());
+        driver.run(() -> driver.studio.edit("two", scene -> scene.withSpheres(List.of(one, aside))));
+        driver.run(driver.studio::endGesture);
+        awaitSteps(20);
+        moveAside(Layout.FIRST_SPHERE);
+        awaitSteps(20);
+        moveAside(Layout.FIRST_SPHERE + 1);
+        double fallen = scene().spheres().getLast().position().y();
+        assertThat(fallen).isLessThan(HEIGHT - 0.1);
+
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+
+        assertThat(scene().spheres().getFirst().position().x()).isZero();
+        assertThat(scene().spheres().getLast().position()).isEqualTo(new Vector3(4, fallen, 3));
+        driver.type(KeyCode.F5);
+    }
+
+    private static void moveAside(int body) {
+        driver.run(() -> driver.studio.select(body));
+        driver.type(row("Sphere x").keys());
+        driver.type(KeyCode.RIGHT);
+    }
+
+    @Test
     void anEditOfColourLightOrGravityDoesNotStopAFall() {
         double fallen = HEIGHT - height(awaitSteps(60));
         driver.run(() -> {

@@ -13,7 +13,7 @@ import java.util.Set;
 /**
  * A scene with the edits that led to it, which can be taken back and made again. Successive edits of one gesture (a
  * drag, a slider's movement) count as one. Where the camera stands, how it looks and how wide is no edit: taking one back
- * leaves the viewer where they are. Used by one thread.
+ * leaves the viewer where they are; nor is where time has moved spheres. Used by one thread.
  */
 public final class SceneHistory {
     static final int MAX_STEPS = 1000;
@@ -22,12 +22,17 @@ public final class SceneHistory {
     static final long MAX_HELD_SPHERES = 4_000_000;
 
     /**
-     * A scene that can be returned to.
+     * An edit that can be taken back, or made again.
      *
-     * @param what the edit between it and its neighbour on the present's side
-     * @param version tells scenes apart that were edited; moving the camera does not change it
+     * @param to the scene that it leads to
+     * @param from the scene on the edit's other side, when it had been made
+     * @param version of the scene that it leads to
      */
-    private record Step(String what, Scene scene, long version) {}
+    private record Step(String what, Scene to, Scene from, long version) {
+        Step from(Scene other) {
+            return new Step(what, to, other, version);
+        }
+    }
 
     /** A scene as it was at some time. */
     public static final class Version {
@@ -74,8 +79,10 @@ public final class SceneHistory {
             return;
         }
         if (gesture.filter(what::equals).isEmpty()) {
-            past.push(new Step(what, present, version));
+            past.push(new Step(what, present, edited, version));
             gesture = Optional.of(what);
+        } else {
+            past.push(past.pop().from(edited));
         }
         future.clear();
         present = edited;
@@ -89,8 +96,20 @@ public final class SceneHistory {
         gesture = Optional.empty();
     }
 
-    /** What is no edit: the camera has moved, or time has moved the bodies. */
+    /** What is no edit: the camera has moved. */
     public void carryOn(Scene now) {
+        present = now;
+    }
+
+    /**
+     * Time has moved spheres, so that they start elsewhere; each stays the one that it was. That is nothing to take back, but
+     * something to save. No edit that is taken back or made again puts them back, but one that moved the same sphere.
+     */
+    public void carryOnMoved(Scene now) {
+        if (!now.spheres().equals(present.spheres())) {
+            newestVersion++;
+            version = newestVersion;
+        }
         present = now;
     }
 
@@ -139,9 +158,15 @@ public final class SceneHistory {
         if (step == null) {
             return;
         }
-        to.push(new Step(step.what(), present, version));
-        present = step.scene().withCamera(present.camera());
-        version = step.version();
+        boolean carriedOn = !present.spheres().equals(step.from().spheres());
+        to.push(new Step(step.what(), step.from(), step.to(), version));
+        present = step.to()
+                .withSpheres(CarriedSpheres.of(step.from().spheres(), step.to().spheres(), present.spheres()))
+                .withCamera(present.camera());
+        if (carriedOn) {
+            newestVersion++;
+        }
+        version = carriedOn ? newestVersion : step.version();
     }
 
     private void forgetTheOldest() {
@@ -152,7 +177,10 @@ public final class SceneHistory {
 
     private long heldSpheres() {
         Set<List<Sphere>> lists = Collections.newSetFromMap(new IdentityHashMap<>());
-        past.forEach(step -> lists.add(step.scene().spheres()));
+        past.forEach(step -> {
+            lists.add(step.to().spheres());
+            lists.add(step.from().spheres());
+        });
         lists.remove(present.spheres());
         return lists.stream().mapToLong(List::size).sum();
     }

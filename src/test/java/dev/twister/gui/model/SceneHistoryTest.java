@@ -99,6 +99,54 @@ class SceneHistoryTest {
         assertThat(history.present()).isEqualTo(shadows(start, 10).withCamera(elsewhere));
     }
 
+    private static Scene placed(Scene scene, int index, double x) {
+        List<Sphere> spheres = new ArrayList<>(scene.spheres());
+        Sphere old = spheres.get(index);
+        Vector3 place = new Vector3(x, old.position().y(), old.position().z());
+        spheres.set(index, new Sphere(place, old.radius(), old.color(), old.reflectivity()));
+        return scene.withSpheres(spheres);
+    }
+
+    private double x(int index) {
+        return history.present().spheres().get(index).position().x();
+    }
+
+    @Test
+    void spheresThatTimeHasMovedAreNotPutBackByEditsOfOthers() {
+        double firstX = x(0);
+        history.edit("first", placed(start, 0, 11));
+        history.markSaved(history.version());
+        history.carryOnMoved(placed(history.present(), 1, 21));
+        history.edit("second", placed(history.present(), 1, 22));
+        history.undo();
+        assertThat(x(1)).isEqualTo(21);
+        assertThat(history.hasChanged()).isTrue();
+        history.undo();
+        assertThat(x(0)).isEqualTo(firstX);
+        assertThat(x(1)).isEqualTo(21);
+        assertThat(history.hasChanged()).isTrue();
+        history.redo();
+        assertThat(x(0)).isEqualTo(11);
+        assertThat(x(1)).isEqualTo(21);
+        assertThat(history.hasChanged()).isTrue();
+        history.redo();
+        assertThat(x(1)).isEqualTo(22);
+    }
+
+    @Test
+    void aSphereThatComesBackLeavesTheOthersWhereTimeHasMovedThem() {
+        history.edit(
+                "delete",
+                start.withSpheres(start.spheres().subList(1, start.spheres().size())));
+        history.carryOnMoved(placed(history.present(), 0, 21));
+        history.edit("shadows", shadows(history.present(), 10));
+        history.undo();
+        history.undo();
+        assertThat(history.present().spheres()).isEqualTo(placed(start, 1, 21).spheres());
+        history.redo();
+        assertThat(x(0)).isEqualTo(21);
+    }
+
     @Test
     void knowsWhetherThereIsSomethingToSave() {
         assertThat(history.hasChanged()).isFalse();
