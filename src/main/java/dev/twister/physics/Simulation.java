@@ -178,6 +178,15 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
+    /** Moves everything by one step, so that {@link #positions} are a step further too; time that passes goes on from there. */
+    public void stepOnce() {
+        step();
+        if (ahead == 0) {
+            // Between the last two steps that would be where the first of them was.
+            ahead = STEP_SECONDS;
+        }
+    }
+
     /** Moves everything by one step. */
     public void step() {
         double longest = survey.begin(limit);

@@ -48,7 +48,7 @@ final class MovingBodies implements AutoCloseable {
             moved = true;
         }
         for (; steps < motion.steps(); steps++) {
-            now.step();
+            now.stepOnce();
             moved = true;
         }
         lastNanos = nanos;
