@@ -20,9 +20,8 @@ final class GuiCommand implements Callable<Integer> {
     @Parameters(
             paramLabel = "SCENE",
             arity = "0..1",
-            defaultValue = FIRST_SCENE,
-            description = "A scene file, or the name of a shipped scene; ${DEFAULT-VALUE} where not said.")
-    private String sceneName = FIRST_SCENE;
+            description = "A scene file, or the name of a shipped scene; " + FIRST_SCENE + " where not said.")
+    private Optional<String> sceneName = Optional.empty();
 
     @Option(
             names = "--engine",
@@ -33,8 +32,8 @@ final class GuiCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Path file = SceneFiles.find(sceneName);
-        Gui.run(SceneReader.read(file), file, engineId, Home.skyboxes());
+        Path file = SceneFiles.find(sceneName.orElse(FIRST_SCENE));
+        Gui.run(SceneReader.read(file), file, sceneName.isPresent(), engineId, Home.skyboxes());
         return Main.OK;
     }
 }

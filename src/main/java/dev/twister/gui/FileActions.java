@@ -153,7 +153,8 @@ final class FileActions {
                 });
     }
 
-    private void remember(Path file) {
+    /** Has a scene that was opened or saved among the recent ones from now on. */
+    void remember(Path file) {
         settings.change(
                 kept -> kept.withRecentScene(file.toAbsolutePath().normalize().toString()));
         settings.write();

@@ -24,11 +24,12 @@ public final class Gui {
      *
      * @param scene shown first
      * @param file where it came from
+     * @param asked whether it was asked for by name, and is to be among the recent ones
      * @param engine the id of what draws first; where it is not said, the one that was chosen last in the window
      * @param skyboxes the folder of the panoramas that are offered; need not exist
      * @throws NoDisplayException where there is no screen
      */
-    public static void run(Scene scene, Path file, Optional<String> engine, Path skyboxes) {
+    public static void run(Scene scene, Path file, boolean asked, Optional<String> engine, Path skyboxes) {
         Display.check();
         // The readers of PNG and JPEG skies are AWT's, which must not open a display of its own beside JavaFX's.
         System.setProperty("java.awt.headless", "true");
@@ -36,7 +37,7 @@ public final class Gui {
         logger.setFilter(record -> !String.valueOf(record.getMessage()).startsWith(CLASS_PATH_NOTICE));
         CompletableFuture<Optional<Throwable>> end = new CompletableFuture<>();
         try {
-            Platform.startup(() -> open(scene, file, engine, skyboxes, end));
+            Platform.startup(() -> open(scene, file, asked, engine, skyboxes, end));
         } catch (RuntimeException | LinkageError problem) {
             throw new NoDisplayException(Display.explain(problem), problem);
         }
@@ -50,6 +51,7 @@ public final class Gui {
     private static void open(
             Scene scene,
             Path file,
+            boolean asked,
             Optional<String> engine,
             Path skyboxes,
             CompletableFuture<Optional<Throwable>> end) {
@@ -62,7 +64,14 @@ public final class Gui {
             EngineOffer offer = EngineOffer.working(id, "", "", () -> Engines.open(id));
             Studio studio = Studio.start(new GuiOptions(scene, file, offer));
             MainWindow window = new MainWindow(
-                    stage, studio, new WindowOptions(new SystemFileChoice(stage), store, found, skyboxes));
+                    stage,
+                    studio,
+                    new WindowOptions(
+                            new SystemFileChoice(stage),
+                            store,
+                            found,
+                            skyboxes,
+                            Optional.of(file).filter(_ -> asked)));
             stage.setOnHidden(_ -> {
                 window.close();
                 end.complete(Optional.empty());

@@ -2,6 +2,7 @@ package dev.twister.gui;
 
 import dev.twister.gui.model.SettingsStore;
 import java.nio.file.Path;
+import java.util.Optional;
 
 /**
  * What a window needs from outside.
@@ -10,5 +11,7 @@ import java.nio.file.Path;
  * @param settings where the window's settings are kept
  * @param found what was kept there
  * @param skyboxes the folder of the panoramas that are offered; need not exist
+ * @param asked the scene's file, where it was asked for by name
  */
-record WindowOptions(FileChoice files, SettingsStore settings, SettingsStore.Found found, Path skyboxes) {}
+record WindowOptions(
+        FileChoice files, SettingsStore settings, SettingsStore.Found found, Path skyboxes, Optional<Path> asked) {}

@@ -63,6 +63,7 @@ final class Workbench implements AutoCloseable {
                 panel::offerSkies,
                 problem -> studio.notice(FileActions.explain(problem)));
         restore();
+        options.asked().ifPresent(files::remember);
         studio.engineProperty()
                 .subscribe((_, choice) ->
                         settings.change(kept -> kept.withEngine(choice.offer().id())));

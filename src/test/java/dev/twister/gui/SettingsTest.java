@@ -74,6 +74,16 @@ class SettingsTest {
     }
 
     @Test
+    void aSceneThatWasAskedForIsARecentOne() {
+        SettingsStore store = new SettingsStore(Optional.of(folder));
+        try (WindowDriver driver = WindowDriver.open(store)) {
+            assertThat(driver.window.workbench().settings().recentScenes())
+                    .containsExactly(Path.of("test.json").toAbsolutePath().toString());
+        }
+        assertThat(store.read().settings().recentScenes()).hasSize(1);
+    }
+
+    @Test
     void damagedSettingsAreSaid() throws IOException {
         Files.writeString(folder.resolve("window.json"), "{\"width\": ");
         try (WindowDriver driver = WindowDriver.open(new SettingsStore(Optional.of(folder)))) {

@@ -68,7 +68,10 @@ final class WindowDriver implements AutoCloseable {
         stage.setX(0);
         stage.setY(0);
         studio = Studio.start(new GuiOptions(scene, Path.of("test.json"), engine));
-        window = new MainWindow(stage, studio, new WindowOptions(files, settings, found, Path.of("skyboxes")));
+        window = new MainWindow(
+                stage,
+                studio,
+                new WindowOptions(files, settings, found, Path.of("skyboxes"), Optional.of(Path.of("test.json"))));
         window.show();
         robot = new Robot();
     }
