@@ -4,16 +4,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import java.util.regex.Pattern;
 import javafx.scene.Node;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.ListCell;
 
 /** One of several things; those that cannot be had are grey and say why. */
 final class ChoiceRow<T> extends PanelRow {
-    private static final int LETTERS_IN_A_LINE = 60;
-    private static final Pattern WHITE_SPACE = Pattern.compile("\\s+");
-
     private final ComboBox<T> box = new ComboBox<>();
     private final Consumer<T> choose;
     private final Consumer<String> complain;
@@ -25,12 +21,13 @@ final class ChoiceRow<T> extends PanelRow {
      * How a thing is shown.
      *
      * @param label in the list
+     * @param name what stands in the box where it is chosen, which is narrow
      * @param hint more about it, may be empty
      * @param obstacle why it cannot be had; empty where it can
      */
-    record Look(String label, String hint, Optional<String> obstacle) {
+    record Look(String label, String name, String hint, Optional<String> obstacle) {
         Look(String label) {
-            this(label, "", Optional.empty());
+            this(label, label, "", Optional.empty());
         }
     }
 
@@ -51,8 +48,8 @@ final class ChoiceRow<T> extends PanelRow {
         this.look = look;
         this.choose = choose;
         this.complain = complain;
-        box.setButtonCell(new LookCell());
-        box.setCellFactory(_ -> new LookCell());
+        box.setButtonCell(new LookCell(Look::name));
+        box.setCellFactory(_ -> new LookCell(Look::label));
         box.valueProperty().subscribe((_, chosen) -> {
             if (!showing && chosen != null) {
                 take(chosen);
@@ -92,20 +89,14 @@ final class ChoiceRow<T> extends PanelRow {
         }
     }
 
-    /** A list is as wide as its longest line, so a sentence is broken between words. */
-    static String inLines(String sentence) {
-        StringBuilder lines = new StringBuilder();
-        int length = 0;
-        for (String word : WHITE_SPACE.splitAsStream(sentence).toList()) {
-            boolean fits = length + word.length() < LETTERS_IN_A_LINE;
-            lines.append(length == 0 ? "" : fits ? " " : "\n").append(word);
-            length = fits ? length + word.length() + 1 : word.length();
-        }
-        return lines.toString();
-    }
-
-    /** A line of the list. */
+    /** A line of the list, or what stands in the box. */
     private final class LookCell extends ListCell<T> {
+        private final Function<Look, String> text;
+
+        LookCell(Function<Look, String> text) {
+            this.text = text;
+        }
+
         @Override
         protected void updateItem(T item, boolean empty) {
             super.updateItem(item, empty);
@@ -117,8 +108,8 @@ final class ChoiceRow<T> extends PanelRow {
                 Look shownAs = look.apply(item);
                 // A grey line takes no pointer, so it would show no tooltip.
                 setText(shownAs.obstacle()
-                        .map(why -> shownAs.label() + "\n" + inLines(why))
-                        .orElse(shownAs.label()));
+                        .map(why -> text.apply(shownAs) + "\n" + inLines(why))
+                        .orElse(text.apply(shownAs)));
                 setTooltip(shownAs.hint().isEmpty() ? null : tooltip(shownAs.hint()));
                 setDisable(shownAs.obstacle().isPresent());
             }

@@ -6,13 +6,10 @@ import javafx.scene.control.Alert.AlertType;
 import javafx.scene.control.ButtonBar.ButtonData;
 import javafx.scene.control.ButtonType;
 import javafx.scene.control.DialogPane;
-import javafx.scene.text.Font;
 import javafx.stage.Stage;
 
 /** Tells and asks a person something, in windows that nothing waits for: pictures go on being drawn. */
 final class Dialogs {
-    private static final double WIDTH_IN_LETTERS = 40;
-
     private final Stage owner;
 
     Dialogs(Stage owner) {
@@ -54,7 +51,6 @@ final class Dialogs {
         DialogPane pane = alert.getDialogPane();
         pane.getStylesheets().setAll(owner.getScene().getStylesheets());
         pane.setMinHeight(DialogPane.USE_PREF_SIZE);
-        pane.setPrefWidth(WIDTH_IN_LETTERS * Font.getDefault().getSize());
         return alert;
     }
 }

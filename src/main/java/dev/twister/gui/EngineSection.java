@@ -56,6 +56,7 @@ final class EngineSection {
         return engines.find(id)
                 .map(offer -> new Look(
                         offer.device().isEmpty() ? id : id + " (" + offer.device() + ")",
+                        id,
                         offer.description(),
                         offer.obstacle()))
                 .orElse(new Look(id));

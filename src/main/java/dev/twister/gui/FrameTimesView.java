@@ -2,6 +2,7 @@ package dev.twister.gui;
 
 import java.util.List;
 import java.util.Locale;
+import javafx.beans.value.ObservableDoubleValue;
 import javafx.geometry.VPos;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.canvas.GraphicsContext;
@@ -31,10 +32,18 @@ final class FrameTimesView extends VBox {
     private final Label numbers = new Label();
     private final Canvas graph = new Canvas();
     private final FrameHistory history;
+    private final ObservableDoubleValue room;
     private long drawnNanos;
 
-    FrameTimesView(FrameHistory history) {
+    /**
+     * A view that is empty until {@link #refresh}.
+     *
+     * @param room the width that there is
+     */
+    FrameTimesView(FrameHistory history, ObservableDoubleValue room) {
         this.history = history;
+        this.room = room;
+        numbers.setWrapText(true);
         getStyleClass().add("frame-times");
         setMouseTransparent(true);
         setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
@@ -47,7 +56,9 @@ final class FrameTimesView extends VBox {
             drawnNanos = nanos;
             numbers.setText(describe(history));
             double em = numbers.getFont().getSize();
-            graph.setWidth(WIDTH_EM * em);
+            double padding = getInsets().getLeft() + getInsets().getRight();
+            graph.setWidth(Math.max(0, Math.min(WIDTH_EM * em, room.get() - padding)));
+            numbers.setMaxWidth(room.get() - padding);
             graph.setHeight(HEIGHT_EM * em);
             draw(nanos, em);
         }

@@ -35,9 +35,10 @@ public final class Gui {
         System.setProperty("java.awt.headless", "true");
         Logger logger = Logger.getLogger("javafx");
         logger.setFilter(record -> !String.valueOf(record.getMessage()).startsWith(CLASS_PATH_NOTICE));
+        double textScale = TextScale.ofSystem();
         CompletableFuture<Optional<Throwable>> end = new CompletableFuture<>();
         try {
-            Platform.startup(() -> open(scene, file, asked, engine, skyboxes, end));
+            Platform.startup(() -> open(scene, file, asked, engine, skyboxes, textScale, end));
         } catch (RuntimeException | LinkageError problem) {
             throw new NoDisplayException(Display.explain(problem), problem);
         }
@@ -54,6 +55,7 @@ public final class Gui {
             boolean asked,
             Optional<String> engine,
             Path skyboxes,
+            double textScale,
             CompletableFuture<Optional<Throwable>> end) {
         try {
             Stage stage = new Stage();
@@ -71,7 +73,8 @@ public final class Gui {
                             store,
                             found,
                             skyboxes,
-                            Optional.of(file).filter(_ -> asked)));
+                            Optional.of(file).filter(_ -> asked),
+                            textScale));
             stage.setOnHidden(_ -> {
                 window.close();
                 end.complete(Optional.empty());

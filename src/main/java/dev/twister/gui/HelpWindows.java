@@ -4,6 +4,7 @@ import dev.twister.bench.TwisterVersion;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import javafx.geometry.Rectangle2D;
 import javafx.scene.Scene;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
@@ -12,14 +13,12 @@ import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
-import javafx.scene.text.Font;
+import javafx.stage.Screen;
 import javafx.stage.Stage;
 
 /** The windows that explain: which key does what, and what this program is. One of each at a time. */
 final class HelpWindows {
-    private static final double CONTROLS_WIDTH_IN_LETTERS = 58;
-    private static final double CONTROLS_HEIGHT_IN_LETTERS = 50;
-    private static final double ABOUT_WIDTH_IN_LETTERS = 36;
+    private static final double MOST_OF_THE_SCREEN = 0.9;
 
     private static final List<KeyLine> CAMERA = List.of(
             new KeyLine("W A S D", "Walk; with Shift, run"),
@@ -70,6 +69,8 @@ final class HelpWindows {
     }
 
     private Stage window(String title, Region page) {
+        Rectangle2D screen = Screen.getPrimary().getVisualBounds();
+        page.setMaxSize(MOST_OF_THE_SCREEN * screen.getWidth(), MOST_OF_THE_SCREEN * screen.getHeight());
         Scene scene = new Scene(page);
         scene.getStylesheets().setAll(owner.getScene().getStylesheets());
         Stage stage = new Stage();
@@ -88,13 +89,11 @@ final class HelpWindows {
         ScrollPane scroll = new ScrollPane(page);
         scroll.setFitToWidth(true);
         scroll.getStyleClass().add("help");
-        scroll.setPrefViewportHeight(
-                CONTROLS_HEIGHT_IN_LETTERS * Font.getDefault().getSize());
         return scroll;
     }
 
     private static Region controlsPage(List<PanelRow> rows) {
-        VBox page = page("controls-page", CONTROLS_WIDTH_IN_LETTERS);
+        VBox page = page("controls-page");
         page.getChildren().add(table("Camera", CAMERA));
         page.getChildren().add(table("Bodies", BODIES));
         for (Command.Group group : Command.Group.values()) {
@@ -116,7 +115,7 @@ final class HelpWindows {
     }
 
     private static Region aboutPage() {
-        VBox page = page("about-page", ABOUT_WIDTH_IN_LETTERS);
+        VBox page = page("about-page");
         Label title = new Label("Twister " + TwisterVersion.text());
         title.getStyleClass().add("title");
         page.getChildren().add(title);
@@ -136,11 +135,10 @@ final class HelpWindows {
         return page;
     }
 
-    private static VBox page(String id, double widthInLetters) {
+    private static VBox page(String id) {
         VBox page = new VBox();
         page.setId(id);
         page.getStyleClass().add("page");
-        page.setPrefWidth(widthInLetters * Font.getDefault().getSize());
         return page;
     }
 

@@ -35,14 +35,19 @@ final class MainWindow implements AutoCloseable {
         this.stage = stage;
         this.studio = studio;
         picture = new PictureView(studio);
-        frameTimes = new FrameTimesView(studio.frames());
+        frameTimes = new FrameTimesView(studio.frames(), picture.widthProperty());
         StackPane middle = new StackPane(picture, frameTimes);
         StackPane.setAlignment(frameTimes, Pos.TOP_LEFT);
+        // Large text in the panel takes the room from the picture, not from itself.
+        middle.setMinSize(0, 0);
         BorderPane root = new BorderPane(middle);
         status = new StatusLine(studio);
         root.setBottom(status);
         Scene scene = new Scene(root, WIDTH, HEIGHT);
         scene.getStylesheets().add(MainWindow.class.getResource("twister.css").toExternalForm());
+        if (options.textScale() != TextScale.USUAL) {
+            scene.getStylesheets().add(TextScale.styleSheet(options.textScale()));
+        }
         stage.setScene(scene);
         CameraKeys.install(scene, stage.focusedProperty(), studio);
         CameraMouse.install(picture, studio);

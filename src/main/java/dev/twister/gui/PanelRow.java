@@ -1,6 +1,8 @@
 package dev.twister.gui;
 
 import java.util.Locale;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
@@ -15,6 +17,9 @@ import javafx.util.Duration;
 abstract sealed class PanelRow extends HBox permits NumberRow, ColorRow, ChoiceRow, SwitchRow {
     private static final Duration TOOLTIP_DELAY = Duration.millis(400);
     private static final Duration TOOLTIP_TIME = Duration.seconds(30);
+
+    private static final int LETTERS_IN_A_LINE = 60;
+    private static final Pattern WHITE_SPACE = Pattern.compile("\\s+");
 
     private final Button reset = new Button("↺");
     private final Label nameLabel;
@@ -46,10 +51,22 @@ abstract sealed class PanelRow extends HBox permits NumberRow, ColorRow, ChoiceR
     }
 
     static Tooltip tooltip(String text) {
-        Tooltip tooltip = new Tooltip(text);
+        Tooltip tooltip = new Tooltip(text.lines().map(PanelRow::inLines).collect(Collectors.joining("\n")));
         tooltip.setShowDelay(TOOLTIP_DELAY);
         tooltip.setShowDuration(TOOLTIP_TIME);
         return tooltip;
+    }
+
+    /** A tooltip and a list are as wide as their longest line, so a sentence is broken between words. */
+    static String inLines(String sentence) {
+        StringBuilder lines = new StringBuilder();
+        int length = 0;
+        for (String word : WHITE_SPACE.splitAsStream(sentence).toList()) {
+            boolean fits = length + word.length() < LETTERS_IN_A_LINE;
+            lines.append(length == 0 ? "" : fits ? " " : "\n").append(word);
+            length = fits ? length + word.length() + 1 : word.length();
+        }
+        return lines.toString();
     }
 
     /** Puts the controls between the name and the reset; the first takes the room that there is. */

@@ -19,7 +19,7 @@ final class SkySection {
                 "Sky",
                 "The panorama behind everything, which mirrors show too. A file can be dropped on the window.",
                 "Alt+K",
-                file -> new Look(SkyList.label(file), file.toString(), Optional.empty()),
+                file -> new Look(SkyList.label(file), SkyList.label(file), file.toString(), Optional.empty()),
                 files::useSky,
                 studio::notice);
         other.setId("other-sky");

@@ -3,6 +3,7 @@ package dev.twister.gui;
 import javafx.animation.PauseTransition;
 import javafx.geometry.Pos;
 import javafx.scene.control.Label;
+import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
@@ -20,12 +21,11 @@ final class StatusLine extends HBox implements AutoCloseable {
         Label facts = new Label("starting…");
         facts.setId("facts");
         facts.setMinWidth(0);
-        Label message = new Label();
-        message.setId("message");
-        message.setMinWidth(0);
-        Label notice = new Label();
-        notice.setId("notice");
-        notice.setMinWidth(0);
+        Tooltip whole = new Tooltip();
+        whole.textProperty().bind(facts.textProperty());
+        facts.setTooltip(whole);
+        Label message = aside("message");
+        Label notice = aside("notice");
         goodForAWhile.setOnFinished(_ -> studio.notice(""));
         Region gap = new Region();
         setHgrow(gap, Priority.ALWAYS);
@@ -39,6 +39,15 @@ final class StatusLine extends HBox implements AutoCloseable {
             }
         });
         studio.drawingProperty().subscribe(status -> message.setText(StatusText.message(status)));
+    }
+
+    /** A label that takes room only while it says something. */
+    private static Label aside(String id) {
+        Label label = new Label();
+        label.setId(id);
+        label.setMinWidth(0);
+        label.managedProperty().bind(label.textProperty().isNotEmpty());
+        return label;
     }
 
     /** Lets go of the notice's time, which would keep the window in memory. */

@@ -12,6 +12,12 @@ import java.util.Optional;
  * @param found what was kept there
  * @param skyboxes the folder of the panoramas that are offered; need not exist
  * @param asked the scene's file, where it was asked for by name
+ * @param textScale how much larger than usual text is, above 0
  */
 record WindowOptions(
-        FileChoice files, SettingsStore settings, SettingsStore.Found found, Path skyboxes, Optional<Path> asked) {}
+        FileChoice files,
+        SettingsStore settings,
+        SettingsStore.Found found,
+        Path skyboxes,
+        Optional<Path> asked,
+        double textScale) {}

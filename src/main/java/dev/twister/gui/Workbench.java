@@ -6,8 +6,10 @@ import dev.twister.gui.model.ThrownSpheres;
 import dev.twister.gui.model.WindowSettings;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Scene;
+import javafx.geometry.Rectangle2D;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.BorderPane;
+import javafx.stage.Screen;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
 
@@ -135,8 +137,9 @@ final class Workbench implements AutoCloseable {
     }
 
     private void restore() {
-        stage.setWidth(settings.settings().width());
-        stage.setHeight(settings.settings().height());
+        Rectangle2D screen = Screen.getPrimary().getVisualBounds();
+        stage.setWidth(Math.min(settings.settings().width(), screen.getWidth()));
+        stage.setHeight(Math.min(settings.settings().height(), screen.getHeight()));
         stage.setMaximized(settings.settings().maximized());
         showPanel(settings.settings().panelShown());
         showFrameTimes(settings.settings().frameTimesShown());

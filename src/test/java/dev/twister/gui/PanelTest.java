@@ -198,7 +198,7 @@ class PanelTest {
                 "Some work.",
                 "Alt+Q",
                 name -> new ChoiceRow.Look(
-                        name, "", name.equals("broken") ? Optional.of("no driver") : Optional.empty()),
+                        name, name, "", name.equals("broken") ? Optional.of("no driver") : Optional.empty()),
                 _ -> {},
                 driver.studio::notice));
         driver.run(() -> {
@@ -209,7 +209,7 @@ class PanelTest {
             assertThat(choice.getValue()).isEqualTo("good");
         });
         assertThat(driver.text("notice")).isEqualTo("broken: no driver");
-        assertThat(ChoiceRow.inLines("no TornadoVM SDK was found. Install one (sdk install tornadovm) and start again"))
+        assertThat(PanelRow.inLines("no TornadoVM SDK was found. Install one (sdk install tornadovm) and start again"))
                 .isEqualTo("no TornadoVM SDK was found. Install one (sdk install\ntornadovm) and start again");
     }
 

@@ -63,7 +63,8 @@ final class WindowDriver implements AutoCloseable {
         }
     }
 
-    private WindowDriver(Scene scene, EngineOffer engine, SettingsStore settings, SettingsStore.Found found) {
+    private WindowDriver(
+            Scene scene, EngineOffer engine, SettingsStore settings, SettingsStore.Found found, double textScale) {
         stage = new Stage();
         stage.setX(0);
         stage.setY(0);
@@ -71,7 +72,8 @@ final class WindowDriver implements AutoCloseable {
         window = new MainWindow(
                 stage,
                 studio,
-                new WindowOptions(files, settings, found, Path.of("skyboxes"), Optional.of(Path.of("test.json"))));
+                new WindowOptions(
+                        files, settings, found, Path.of("skyboxes"), Optional.of(Path.of("test.json")), textScale));
         window.show();
         robot = new Robot();
     }
@@ -82,12 +84,17 @@ final class WindowDriver implements AutoCloseable {
     }
 
     static WindowDriver open(Scene scene, EngineOffer engine) {
-        return open(() -> new WindowDriver(scene, engine, new SettingsStore(Optional.empty()), FOUND));
+        return open(scene, engine, TextScale.USUAL);
+    }
+
+    private static WindowDriver open(Scene scene, EngineOffer engine, double textScale) {
+        return open(() -> new WindowDriver(scene, engine, new SettingsStore(Optional.empty()), FOUND, textScale));
     }
 
     /** A window with the settings that are kept there. */
     static WindowDriver open(SettingsStore settings) {
-        return open(() -> new WindowDriver(WindowScenes.tiny(), JvmEngines.parallel(), settings, settings.read()));
+        return open(() -> new WindowDriver(
+                WindowScenes.tiny(), JvmEngines.parallel(), settings, settings.read(), TextScale.USUAL));
     }
 
     private static WindowDriver open(Callable<WindowDriver> opening) {
@@ -103,7 +110,12 @@ final class WindowDriver implements AutoCloseable {
 
     /** A window with room for the panel, which is shown; the focus is on the picture. */
     static WindowDriver openWithPanel() {
-        WindowDriver driver = open();
+        return openWithPanel(TextScale.USUAL);
+    }
+
+    /** The same with text so much larger than usual. */
+    static WindowDriver openWithPanel(double textScale) {
+        WindowDriver driver = open(WindowScenes.tiny(), JvmEngines.parallel(), textScale);
         driver.run(() -> {
             driver.stage.setWidth(LARGE);
             driver.stage.setHeight(LARGE);
