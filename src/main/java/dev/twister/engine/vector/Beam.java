@@ -15,15 +15,15 @@ final class Beam {
      * How far a ray's slopes are spread, so that rounding drops no sphere that a look at all of them would find: the
      * distance of a sphere across a ray is rounded by some ten units of 2^-24 of its distance, and t by three of its own.
      */
-    private static final float SPREAD = 4e-6f;
+    static final float SPREAD = 4e-6f;
 
     /** How far the disc is spread, as a part of its distance and of its radius. */
-    private static final float DISC_SPREAD = 2e-5f;
+    static final float DISC_SPREAD = 2e-5f;
 
     /** What a sphere's box is larger than the sphere. */
     private static final float SPHERE_MARGIN = 1.0001f;
 
-    private static final float EVERYWHERE = 1e29f;
+    static final float EVERYWHERE = 1e29f;
 
     /** The t at which the lines end. */
     float end;

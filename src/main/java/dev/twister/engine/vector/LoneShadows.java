@@ -1,5 +1,8 @@
 package dev.twister.engine.vector;
 
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorOperators;
+
 /**
  * The visible part of the light where the points of a packet have little in common, point by point: lanes hold boxes and
  * spheres on the way to the candidates, and samples at its end.
@@ -24,12 +27,19 @@ final class LoneShadows {
     static void find(Tile tile, int at, Drawing drawing) {
         float[] t = tile.values;
         LoneCandidates candidates = tile.shadow.lone;
-        for (int pixel = at; pixel < at + Lanes.COUNT; pixel++) {
-            if (t[pixel + Tile.SHADOW_OPEN] > 0f) {
-                candidates.start(t, pixel, drawing.discRadius);
-                boolean dark = walk(tile, pixel, drawing.hierarchy, candidates);
-                t[pixel + Tile.VISIBLE] = dark ? 0f : visible(candidates, drawing);
-            }
+        PacketLeaves leaves = tile.packetLeaves;
+        tile.packetBeams.holdLines(t, at);
+        long open = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.SHADOW_OPEN)
+                .compare(VectorOperators.GT, 0f)
+                .toLong();
+        boolean found = leaves.find(drawing.hierarchy, tile.packetBeams, open);
+        for (long rest = open; rest != 0L; rest &= rest - 1) {
+            int lane = Long.numberOfTrailingZeros(rest);
+            candidates.start(t, at + lane, drawing.discRadius);
+            boolean dark = (found && leaves.counts[lane] <= PacketLeaves.MOST)
+                    ? addLeaves(leaves, lane, drawing.hierarchy, candidates)
+                    : descend(tile, at + lane, drawing.hierarchy, candidates);
+            t[at + lane + Tile.VISIBLE] = dark ? 0f : visible(candidates, drawing);
         }
     }
 
@@ -37,23 +47,29 @@ final class LoneShadows {
         return candidates.visible(drawing.discX, drawing.discY, drawing.shadowSamples);
     }
 
-    /** Lists the candidates; returns whether one of them hides the whole disc. */
-    private static boolean walk(Tile tile, int pixel, WideHierarchy hierarchy, LoneCandidates candidates) {
-        Beam beam = tile.beam;
-        beam.holdLines(tile.values, pixel);
+    /** Lists the candidates out of the leaves found; returns whether one of them hides the whole disc. */
+    private static boolean addLeaves(
+            PacketLeaves leaves, int lane, WideHierarchy hierarchy, LoneCandidates candidates) {
+        int first = lane * PacketLeaves.MOST;
+        int end = first + leaves.counts[lane];
         boolean dark = false;
-        if (tile.leaves.find(hierarchy, beam, Leaves.MOST)) {
-            for (int k = 0; k < tile.leaves.count && !dark; k++) {
-                dark = add(hierarchy, tile.leaves.places[k], candidates);
-            }
-        } else {
-            Descent descent = tile.descent;
-            descent.start(hierarchy, beam);
-            int leaf = descent.nextLeaf(hierarchy, beam);
-            while (leaf >= 0) {
-                dark = add(hierarchy, leaf, candidates);
-                leaf = dark ? -1 : descent.nextLeaf(hierarchy, beam);
-            }
+        for (int k = first; k < end && !dark; k++) {
+            dark = add(hierarchy, leaves.places[k], candidates);
+        }
+        return dark;
+    }
+
+    /** The same out of the whole hierarchy, from the nearest leaf on. */
+    private static boolean descend(Tile tile, int pixel, WideHierarchy hierarchy, LoneCandidates candidates) {
+        Beam beam = tile.beam;
+        Descent descent = tile.descent;
+        beam.holdLines(tile.values, pixel);
+        descent.start(hierarchy, beam);
+        boolean dark = false;
+        int leaf = descent.nextLeaf(hierarchy, beam);
+        while (leaf >= 0) {
+            dark = add(hierarchy, leaf, candidates);
+            leaf = dark ? -1 : descent.nextLeaf(hierarchy, beam);
         }
         return dark;
     }

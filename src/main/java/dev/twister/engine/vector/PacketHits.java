@@ -68,36 +68,56 @@ final class PacketHits {
     }
 
     private static void walkAlone(Tile tile, Drawing drawing, int at) {
-        for (int pixel = at; pixel < at + Lanes.COUNT; pixel++) {
-            if (tile.values[pixel + Tile.THROUGHPUT] > 0f) {
-                walkRay(tile, drawing, pixel);
+        float[] t = tile.values;
+        PacketLeaves leaves = tile.packetLeaves;
+        tile.packetBeams.holdRays(t, at);
+        long wanted = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.THROUGHPUT)
+                .compare(VectorOperators.GT, 0f)
+                .toLong();
+        boolean found = leaves.find(drawing.hierarchy, tile.packetBeams, wanted);
+        for (long rest = wanted; rest != 0L; rest &= rest - 1) {
+            int lane = Long.numberOfTrailingZeros(rest);
+            if (found && leaves.counts[lane] <= MOST_LEAVES) {
+                meetLeaves(tile, drawing, at + lane, lane);
+            } else {
+                descend(tile, drawing, at + lane);
             }
         }
     }
 
-    private static void walkRay(Tile tile, Drawing drawing, int pixel) {
+    /** One ray and the spheres of all leaves that it may meet. */
+    private static void meetLeaves(Tile tile, Drawing drawing, int pixel, int lane) {
+        PacketLeaves leaves = tile.packetLeaves;
+        start(tile, pixel);
+        int first = lane * PacketLeaves.MOST;
+        int end = first + leaves.counts[lane];
+        for (int k = first; k < end; k++) {
+            meetLeaf(tile, pixel, drawing.hierarchy, leaves.places[k]);
+        }
+        takeNearest(tile, pixel);
+    }
+
+    private static void start(Tile tile, int pixel) {
+        Arrays.fill(tile.distances, tile.values[pixel + Tile.DISTANCE]);
+        Arrays.fill(tile.bodies, tile.values[pixel + Tile.HIT]);
+    }
+
+    /** One ray and the spheres of the leaves that it meets before a hit, the nearest first. */
+    private static void descend(Tile tile, Drawing drawing, int pixel) {
         float[] t = tile.values;
         Beam beam = tile.beam;
+        Descent descent = tile.descent;
         WideHierarchy hierarchy = drawing.hierarchy;
         beam.holdRay(t, pixel);
         beam.endAt(t[pixel + Tile.DISTANCE]);
-        Arrays.fill(tile.distances, t[pixel + Tile.DISTANCE]);
-        Arrays.fill(tile.bodies, t[pixel + Tile.HIT]);
-        if (tile.leaves.find(hierarchy, beam, MOST_LEAVES)) {
-            for (int k = 0; k < tile.leaves.count; k++) {
-                meetLeaf(tile, pixel, hierarchy, tile.leaves.places[k]);
-            }
+        start(tile, pixel);
+        descent.start(hierarchy, beam);
+        int leaf = descent.nextLeaf(hierarchy, beam);
+        while (leaf >= 0) {
+            meetLeaf(tile, pixel, hierarchy, leaf);
             takeNearest(tile, pixel);
-        } else {
-            Descent descent = tile.descent;
-            descent.start(hierarchy, beam);
-            int leaf = descent.nextLeaf(hierarchy, beam);
-            while (leaf >= 0) {
-                meetLeaf(tile, pixel, hierarchy, leaf);
-                takeNearest(tile, pixel);
-                beam.endAt(t[pixel + Tile.DISTANCE]);
-                leaf = descent.nextLeaf(hierarchy, beam);
-            }
+            beam.endAt(t[pixel + Tile.DISTANCE]);
+            leaf = descent.nextLeaf(hierarchy, beam);
         }
     }
 

@@ -148,6 +148,8 @@ final class Tile {
 
     final SphereColumns near = new SphereColumns();
     final Leaves leaves = new Leaves();
+    final PacketBeams packetBeams = new PacketBeams();
+    final PacketLeaves packetLeaves = new PacketLeaves();
     final Descent descent = new Descent();
 
     /** The nearest of one ray's hits, in each lane, and the bodies met there. */
