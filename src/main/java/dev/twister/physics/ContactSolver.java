@@ -19,6 +19,13 @@ final class ContactSolver {
     /** The same for ground and walls, in radii: more, because they have to hold against any number of bodies. */
     private static final double MOST_SURFACE_PUSH = 0.05;
 
+    /**
+     * How much more load a contact of rest may carry into the next sub-step than it carried into this one, in weights of
+     * its heavier body. What the next sub-step starts with is solved in one sweep; a shock's impulse, hundreds of weights,
+     * is not needed again there, and what the sweep does not take back of it would be speed out of nothing.
+     */
+    private static final double MOST_NEW_LOAD = 4;
+
     /** Overlap that is left alone, in radii, so that what rests keeps touching. */
     private static final double SLOP = 0.005;
 
@@ -40,6 +47,7 @@ final class ContactSolver {
     private double gravityX;
     private double gravityY;
     private double gravityZ;
+    private double gravityStrength;
     private double impactSpeed;
     private double wakeSpeedSquared;
 
@@ -56,6 +64,7 @@ final class ContactSolver {
         gravityY = surroundings.gravity().y() * square;
         gravityZ = surroundings.gravity().z() * square;
         double strength = surroundings.gravityStrength();
+        gravityStrength = strength * square;
         impactSpeed = Rest.impactSpeed(strength) * seconds;
         wakeSpeedSquared = Rest.wakeSpeedSquared(strength) * square;
     }
@@ -131,7 +140,9 @@ final class ContactSolver {
         double old = impulses[at];
         double built = Math.max(0, old - (along + Math.max(0, gap)) * mass);
         double change = built - old;
-        impulses[at] = built;
+        double ofHeavier = Math.min(wa, wb);
+        double load = load(built, old, ofHeavier > 0 ? ofHeavier : both);
+        impulses[at] = load;
         double sx = change * nx;
         double sy = change * ny;
         double sz = change * nz;
@@ -157,15 +168,19 @@ final class ContactSolver {
             sx += tx - impulses[at + 1];
             sy += ty - impulses[at + 2];
             sz += tz - impulses[at + 3];
+            double kept = kept(load, built);
+            tx *= kept;
+            ty *= kept;
+            tz *= kept;
             impulses[at + 1] = tx;
             impulses[at + 2] = ty;
             impulses[at + 3] = tz;
         }
         double most = 2 * MOST_PUSH * Math.min(n[a + BodyStore.RADIUS], n[b + BodyStore.RADIUS]);
         double push = Math.max(0, Math.min(PUSH_SHARE * (-gap - SLOP * radii), most)) * mass;
-        double cx = built * nx + tx;
-        double cy = built * ny + ty;
-        double cz = built * nz + tz;
+        double cx = load * nx + tx;
+        double cy = load * ny + ty;
+        double cz = load * nz + tz;
         apply(a, wa, sx, sy, sz, push * nx, push * ny, push * nz, cx, cy, cz);
         apply(b, wb, -sx, -sy, -sz, -push * nx, -push * ny, -push * nz, -cx, -cy, -cz);
     }
@@ -303,7 +318,8 @@ final class ContactSolver {
         }
         double built = Math.max(0, old - (along + Math.max(0, gap)) / weight);
         double change = built - old;
-        impulses[at] = built;
+        double load = load(built, old, weight);
+        impulses[at] = load;
         double sx = change * nx;
         double sy = change * ny;
         double sz = change * nz;
@@ -325,23 +341,26 @@ final class ContactSolver {
             sx += fx - impulses[at + 1];
             sy += fy - impulses[at + 2];
             sz += fz - impulses[at + 3];
+            double kept = kept(load, built);
+            fx *= kept;
+            fy *= kept;
+            fz *= kept;
             impulses[at + 1] = fx;
             impulses[at + 2] = fy;
             impulses[at + 3] = fz;
         }
         double push = Math.max(0, Math.min(PUSH_SHARE * (-gap - SLOP * radius), MOST_SURFACE_PUSH * radius)) / weight;
-        apply(
-                a,
-                weight,
-                sx,
-                sy,
-                sz,
-                push * nx,
-                push * ny,
-                push * nz,
-                built * nx + fx,
-                built * ny + fy,
-                built * nz + fz);
+        apply(a, weight, sx, sy, sz, push * nx, push * ny, push * nz, load * nx + fx, load * ny + fy, load * nz + fz);
+    }
+
+    /** What the next sub-step starts with of an impulse along the normal; by the inverse mass of the heavier body. */
+    private double load(double built, double old, double inverseMass) {
+        return Math.min(built, old + MOST_NEW_LOAD * gravityStrength / inverseMass);
+    }
+
+    /** The share of friction's impulse that goes with a load; what is added keeps 0 / 0 away. */
+    private static double kept(double load, double built) {
+        return load / (built + Double.MIN_NORMAL);
     }
 
     // A miss needs no root: moving apart, never near enough, or not yet at the end of the sub-step.

@@ -71,9 +71,14 @@ class RestTest {
         }
     }
 
-    @Test
-    void energyNeverGrowsWhileAHeapFallsTogether() {
-        Random random = new Random(3);
+    /**
+     * But for what a sub-step starts with of the last one's loads, which may be too much by some: at most 5.1e-5 of it in
+     * seeds 3 to 102 (seeds 19 and 86 tell when a shock is carried on: 2 % and 0.4 %).
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {3, 4, 19, 86})
+    void energyDoesNotGrowWhileAHeapFallsTogether(int seed) {
+        Random random = new Random(seed);
         List<Sphere> spheres = new ArrayList<>();
         for (int i = 0; i < 400; i++) {
             double jitter = 0.05 * random.nextDouble();
@@ -89,8 +94,7 @@ class RestTest {
             for (int step = 0; step < 600; step++) {
                 simulation.step();
                 double energy = Motion.energy(simulation);
-                // What a sub-step starts with is the last one's impulses: where a shock runs through, once too much.
-                assertThat(energy).isLessThan(before + 1e-3 * start).isLessThanOrEqualTo(start * (1 + 1e-12));
+                assertThat(energy).isLessThan(before + 1e-4 * start).isLessThanOrEqualTo(start * (1 + 1e-12));
                 before = energy;
             }
             assertThat(before).isLessThan(0.4 * start);
