@@ -86,10 +86,15 @@ final class Motion {
     static double energy(Simulation simulation) {
         double energy = 0;
         for (int body = 1; body < simulation.store().count; body++) {
-            double speed = speed(simulation, body);
-            energy += mass(simulation, body) * (speed * speed / 2 + GRAVITY * place(simulation, body, 1));
+            energy += energy(simulation, body);
         }
         return energy;
+    }
+
+    /** A body's share of it. */
+    static double energy(Simulation simulation, int body) {
+        double speed = speed(simulation, body);
+        return mass(simulation, body) * (speed * speed / 2 + GRAVITY * place(simulation, body, 1));
     }
 
     /** How far one sphere is in another, as a share of their radii together; below 0 apart. */

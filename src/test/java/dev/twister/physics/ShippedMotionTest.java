@@ -1,0 +1,136 @@
+package dev.twister.physics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneGenerator;
+import dev.twister.scene.SceneReader;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Comparator;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The shipped scenes in motion; {@code -Dtwister.motion=10} for as many simulated minutes, 1 at least. */
+@EnabledIfSystemProperty(named = "twister.motion", matches = "\\d+")
+class ShippedMotionTest {
+    private static final long SECONDS = 60 * Long.getLong("twister.motion", 1);
+    private static final int STEPS_A_SECOND = (int) Math.round(1 / Simulation.STEP_SECONDS);
+
+    /** Of the two radii together, at any time, and at rest. */
+    private static final double DEEPEST = 0.25;
+
+    private static final double DEEPEST_AT_REST = 0.05;
+
+    /** Of a radius: how far a sphere may be in the ground or a wall, at any time. */
+    private static final double DEEPEST_IN_SURFACES = 0.25;
+
+    /** Of the most energy that there was: what a step may add to it, which is what the loads carried on may be too much. */
+    private static final double MOST_GAIN = 1e-4;
+
+    private static final int CROWD = 100_000;
+    private static final int CROWD_STEPS = 240;
+
+    @ParameterizedTest
+    @ValueSource(strings = {"benchmark", "mirrors", "teaching", "spheres-100", "spheres-10000", "pour-1000"})
+    void movesAsItShouldAndComesToRestForGood(String name) {
+        Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
+        double height = scene.plane().height();
+        try (Simulation simulation = Simulation.of(scene)) {
+            double[] before = energies(simulation, height);
+            double most = 0;
+            float[] resting = {};
+            long restSeconds = 0;
+            for (long second = 0; second < SECONDS; second++) {
+                for (int step = 0; step < STEPS_A_SECOND; step++) {
+                    simulation.step();
+                    double[] now = energies(simulation, height);
+                    double came = sum(now, before.length);
+                    double sum = sum(before, 0) + came;
+                    most = Math.max(most, sum);
+                    assertThat(sum(now, 0)).isFinite().isLessThanOrEqualTo(sum + MOST_GAIN * most);
+                    before = now;
+                }
+                keepsWithinItsBounds(simulation, scene.plane().size() / 2, height);
+                float[] now = simulation.positions();
+                if (Motion.sleepers(simulation) == simulation.store().count - 1) {
+                    assertThat(deepestOverlap(simulation)).isLessThan(DEEPEST_AT_REST);
+                    if (restSeconds > 0) {
+                        assertThat(now).containsExactly(resting);
+                    }
+                    resting = now;
+                    restSeconds++;
+                } else {
+                    assertThat(restSeconds)
+                            .as("seconds at rest, before it moved again")
+                            .isZero();
+                    assertThat(deepestOverlap(simulation)).isLessThan(DEEPEST);
+                }
+            }
+            assertThat(restSeconds).isGreaterThan(SECONDS / 4);
+        }
+    }
+
+    @Test
+    void aHundredThousandMoveAlikeOnOneThreadAndOnTwo() {
+        Scene scene = SceneGenerator.spheres(CROWD, 5, Path.of("skyboxes", "day.hdr"));
+        try (Simulation one = Simulation.of(scene, 1);
+                Simulation two = Simulation.of(scene, 2)) {
+            float[] start = one.positions();
+            Motion.run(one, CROWD_STEPS * Simulation.STEP_SECONDS);
+            Motion.run(two, CROWD_STEPS * Simulation.STEP_SECONDS);
+            assertThat(one.store().numbers).isEqualTo(two.store().numbers);
+            assertThat(Arrays.mismatch(one.positions(), two.positions())).isNegative();
+            assertThat(Arrays.mismatch(one.positions(), start)).isNotNegative();
+        }
+    }
+
+    /** Over the plane, by the scene's spheres, so that a change of the bodies' order changes nothing. */
+    private static double[] energies(Simulation simulation, double height) {
+        BodyStore bodies = simulation.store();
+        double[] energies = new double[bodies.count - 1];
+        for (int body = 1; body < bodies.count; body++) {
+            double lift = Motion.GRAVITY * height * Motion.mass(simulation, body);
+            energies[bodies.sphere[body]] = Motion.energy(simulation, body) - lift;
+        }
+        return energies;
+    }
+
+    private static double sum(double[] energies, int from) {
+        return Arrays.stream(energies, from, energies.length).sum();
+    }
+
+    private static void keepsWithinItsBounds(Simulation simulation, double halfSide, double height) {
+        BodyStore bodies = simulation.store();
+        for (int body = 1; body < bodies.count; body++) {
+            double least = (1 - DEEPEST_IN_SURFACES) * Motion.radius(simulation, body);
+            if (bodies.walled[body]) {
+                assertThat(Math.abs(Motion.place(simulation, body, 0))).isLessThan(halfSide - least);
+                assertThat(Math.abs(Motion.place(simulation, body, 2))).isLessThan(halfSide - least);
+                assertThat(Motion.place(simulation, body, 1)).isGreaterThan(height + least);
+            }
+        }
+    }
+
+    /** As {@link Motion#deepestOverlap}, for many: by their places along x. */
+    private static double deepestOverlap(Simulation simulation) {
+        BodyStore bodies = simulation.store();
+        Integer[] order = new Integer[bodies.count - 1];
+        Arrays.setAll(order, index -> index + 1);
+        Arrays.sort(order, Comparator.comparingDouble(body -> least(simulation, body)));
+        double deepest = Double.NEGATIVE_INFINITY;
+        for (int one = 0; one < order.length; one++) {
+            double end = Motion.place(simulation, order[one], 0) + Motion.radius(simulation, order[one]);
+            for (int other = one + 1; other < order.length && least(simulation, order[other]) < end; other++) {
+                deepest = Math.max(deepest, Motion.overlap(simulation, order[one], order[other]));
+            }
+        }
+        return deepest;
+    }
+
+    private static double least(Simulation simulation, int body) {
+        return Motion.place(simulation, body, 0) - Motion.radius(simulation, body);
+    }
+}
