@@ -6,12 +6,19 @@ import javafx.geometry.Pos;
 import javafx.scene.Scene;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.StackPane;
+import javafx.scene.paint.Color;
 import javafx.stage.Stage;
 
 /** The window: the picture in the middle, and around it what is said of it. */
 final class MainWindow implements AutoCloseable {
     private static final double WIDTH = 1280;
     private static final double HEIGHT = 760;
+    /**
+     * Painted with the clearing of the window: a background under the picture would be a second coat, which takes JavaFX without a
+     * graphics card a quarter of a picture's time.
+     */
+    private static final Color AROUND_THE_PICTURE = Color.web("#101113");
+
     private static final double NANOS_PER_MILLI = TimeUnit.MILLISECONDS.toNanos(1);
 
     private final Stage stage;
@@ -41,9 +48,10 @@ final class MainWindow implements AutoCloseable {
         // Large text in the panel takes the room from the picture, not from itself.
         middle.setMinSize(0, 0);
         BorderPane root = new BorderPane(middle);
+        root.setId("window");
         status = new StatusLine(studio);
         root.setBottom(status);
-        Scene scene = new Scene(root, WIDTH, HEIGHT);
+        Scene scene = new Scene(root, WIDTH, HEIGHT, AROUND_THE_PICTURE);
         scene.getStylesheets().add(MainWindow.class.getResource("twister.css").toExternalForm());
         if (options.textScale() != TextScale.USUAL) {
             scene.getStylesheets().add(TextScale.styleSheet(options.textScale()));
