@@ -18,12 +18,8 @@ final class StatusLine extends HBox implements AutoCloseable {
     StatusLine(Studio studio) {
         getStyleClass().add("status");
         setAlignment(Pos.CENTER_LEFT);
-        Label facts = new Label("starting…");
-        facts.setId("facts");
-        facts.setMinWidth(0);
-        Tooltip whole = new Tooltip();
-        whole.textProperty().bind(facts.textProperty());
-        facts.setTooltip(whole);
+        Label facts = label("facts");
+        facts.setText("starting…");
         Label message = aside("message");
         Label notice = aside("notice");
         goodForAWhile.setOnFinished(_ -> studio.notice(""));
@@ -43,10 +39,18 @@ final class StatusLine extends HBox implements AutoCloseable {
 
     /** A label that takes room only while it says something. */
     private static Label aside(String id) {
+        Label label = label(id);
+        label.managedProperty().bind(label.textProperty().isNotEmpty());
+        return label;
+    }
+
+    /** A label that may be cut off; whoever points at it reads all of it. */
+    private static Label label(String id) {
         Label label = new Label();
         label.setId(id);
         label.setMinWidth(0);
-        label.managedProperty().bind(label.textProperty().isNotEmpty());
+        label.setTooltip(new Tooltip());
+        label.textProperty().subscribe(text -> label.getTooltip().setText(PanelRow.inLines(text)));
         return label;
     }
 

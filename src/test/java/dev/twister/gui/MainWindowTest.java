@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.drawing.DrawnPicture;
 import javafx.geometry.Bounds;
+import javafx.scene.control.Label;
 import javafx.scene.paint.Color;
 import org.junit.jupiter.api.Test;
 
@@ -31,6 +32,19 @@ class MainWindowTest {
                         .isLessThan(ROUNDING);
                 assertThat(Math.abs(seen.getBlue() - (argb & 0xFF) / 255.0)).isLessThan(ROUNDING);
             }
+        }
+    }
+
+    @Test
+    void aMessageThatIsCutOffIsWholeInItsTooltip() {
+        String sentence = "/skies/huge.hdr: 2000000000 x 2000000000 texels, 1 x 1 to 16384 x 8192 are allowed";
+        try (WindowDriver driver = WindowDriver.open()) {
+            driver.run(() -> driver.studio.notice(sentence));
+            driver.pulse();
+            Label notice = driver.find("#notice", Label.class);
+            assertThat(WindowDriver.call(notice::isTextTruncated)).isTrue();
+            assertThat(WindowDriver.call(() -> notice.getTooltip().getText()).replace('\n', ' '))
+                    .isEqualTo(sentence);
         }
     }
 }
