@@ -11,6 +11,14 @@ final class Highlight {
     private static final float INVERSE_EIGHT_PI = 0.039788734f;
     private static final int FRACTION_DIGITS = 12;
 
+    // Called by way of arrays, so that each keeps its own inlining budget: see Stage.
+    private static final Power[] FRACTIONS = {
+        (t, at) -> findFraction(t, at), (t, at) -> raiseEach(t, at), (t, at) -> multiply(t, at)
+    };
+
+    private static final Power[] WHOLE = {(t, at) -> raiseEach(t, at)};
+    private static final Power[] SAME = {(t, at) -> raiseAll(t, at)};
+
     private Highlight() {}
 
     /** Writes {@code max(0, N.H)}, at most 1, and 0 where the light is behind, to the specular column. */
@@ -59,7 +67,9 @@ final class Highlight {
             if (Lanes.load(t, at + Tile.SPECULAR_WEIGHT)
                     .compare(VectorOperators.GT, 0f)
                     .anyTrue()) {
-                raise(t, at);
+                for (Power power : powers(t, at)) {
+                    power.apply(t, at);
+                }
             }
         }
     }
@@ -75,28 +85,23 @@ final class Highlight {
         }
     }
 
-    /** Replaces one packet's cosines by their powers. */
-    private static void raise(float[] t, int at) {
+    /** What replaces one packet's cosines by their powers. */
+    private static Power[] powers(float[] t, int at) {
         FloatVector exponent = Lanes.load(t, at + Tile.REFLECTIVITY);
-        float first = t[at + Tile.REFLECTIVITY];
-        FloatVector whole = Lanes.toFloats(Lanes.truncated(exponent));
-        boolean fractional = whole.compare(VectorOperators.NE, exponent).anyTrue();
-        if (fractional) {
-            findFraction(t, at);
-            raiseEach(t, at);
-            multiply(t, at);
-        } else if (exponent.compare(VectorOperators.NE, first).anyTrue()) {
-            raiseEach(t, at);
-        } else {
-            raiseAll(t, at, (int) first);
-        }
+        boolean same =
+                !exponent.compare(VectorOperators.NE, t[at + Tile.REFLECTIVITY]).anyTrue();
+        boolean whole = !Lanes.toFloats(Lanes.truncated(exponent))
+                .compare(VectorOperators.NE, exponent)
+                .anyTrue();
+        Power[] ofWhole = same ? SAME : WHOLE;
+        return whole ? ofWhole : FRACTIONS;
     }
 
     /** All lanes to one whole power, by repeated squaring. */
-    private static void raiseAll(float[] t, int at, int exponent) {
+    private static void raiseAll(float[] t, int at) {
         FloatVector square = Lanes.load(t, at + Tile.SPECULAR);
         FloatVector result = Lanes.all(1f);
-        for (int rest = exponent; rest > 0; rest = rest >> 1) {
+        for (int rest = (int) t[at + Tile.REFLECTIVITY]; rest > 0; rest = rest >> 1) {
             if ((rest & 1) != 0) {
                 result = result.mul(square);
             }
@@ -141,5 +146,11 @@ final class Highlight {
         Lanes.load(t, at + Tile.SPECULAR)
                 .mul(Lanes.load(t, at + Tile.FRACTION_POWER))
                 .intoArray(t, at + Tile.SPECULAR);
+    }
+
+    /** One step of raising a packet's cosines. */
+    @FunctionalInterface
+    private interface Power {
+        void apply(float[] t, int at);
     }
 }

@@ -7,6 +7,9 @@ import jdk.incubator.vector.VectorOperators;
  * Blocked samples where every candidate lies wholly between the points and the disc. A line through (1, x, y) then
  * decides: it meets the sphere at (a, u, w) where {@code (u y - w x)^2 + (u - a x)^2 + (w - a y)^2 <= r^2 (1 + x^2 + y^2)},
  * a conic in (x, y), so that a sample costs five multiplications a candidate.
+ *
+ * <p>The loops call the Vector API itself: a helper of several operations that the compiler has met first on its own may
+ * be too large to be inlined, and its vectors become objects, in some JVMs and not in others.
  */
 final class ShadowConics {
     private static final int FIRST = 0;
@@ -47,45 +50,31 @@ final class ShadowConics {
 
     /** Counts the samples that one candidate blocks, two by two, as each addition waits for the one before. */
     static void countOne(ShadowScratch scratch, float[] disc, int samples) {
-        float[] candidates = scratch.facts;
-        FloatVector xx = Lanes.load(candidates, ShadowScratch.XX);
-        FloatVector xy = Lanes.load(candidates, ShadowScratch.XY);
-        FloatVector yy = Lanes.load(candidates, ShadowScratch.YY);
-        FloatVector x = Lanes.load(candidates, ShadowScratch.X);
-        FloatVector y = Lanes.load(candidates, ShadowScratch.Y);
-        FloatVector constant = Lanes.load(candidates, ShadowScratch.CONSTANT);
-        FloatVector blocked = Lanes.all(0f);
-        FloatVector blockedToo = Lanes.all(0f);
-        for (int at = 0; at + 2 < 2 * samples; at += 4) {
-            FloatVector conic = conic(xx, xy, yy, x, y, constant, disc[at], disc[at + 1]);
-            FloatVector conicToo = conic(xx, xy, yy, x, y, constant, disc[at + 2], disc[at + 3]);
-            blocked = counted(blocked, conic);
-            blockedToo = counted(blockedToo, conicToo);
-        }
-        if (samples % 2 != 0) {
-            FloatVector conic = conic(xx, xy, yy, x, y, constant, disc[2 * samples - 2], disc[2 * samples - 1]);
-            blocked = counted(blocked, conic);
+        float[] facts = scratch.facts;
+        FloatVector xx = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.XX);
+        FloatVector xy = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.XY);
+        FloatVector yy = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.YY);
+        FloatVector linearX = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.X);
+        FloatVector linearY = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.Y);
+        FloatVector constant = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.CONSTANT);
+        FloatVector blocked = FloatVector.zero(Lanes.FLOATS);
+        FloatVector blockedToo = FloatVector.zero(Lanes.FLOATS);
+        for (int at = 0; at < 2 * samples; at += 4) {
+            int next = at + 2 < 2 * samples ? at + 2 : at;
+            FloatVector x = FloatVector.broadcast(Lanes.FLOATS, disc[at]);
+            FloatVector y = FloatVector.broadcast(Lanes.FLOATS, disc[at + 1]);
+            FloatVector xToo = FloatVector.broadcast(Lanes.FLOATS, disc[next]);
+            FloatVector yToo = FloatVector.broadcast(Lanes.FLOATS, disc[next + 1]);
+            FloatVector inX = xy.fma(y, xx.fma(x, linearX)).fma(x, constant);
+            FloatVector inXToo = xy.fma(yToo, xx.fma(xToo, linearX)).fma(xToo, constant);
+            FloatVector conic = yy.fma(y, linearY).fma(y, inX);
+            FloatVector conicToo = yy.fma(yToo, linearY).fma(yToo, inXToo);
+            // An odd last sample is not counted twice.
+            float oneMore = next > at ? 1f : 0f;
+            blocked = blocked.blend(blocked.add(1f), conic.compare(VectorOperators.LE, 0f));
+            blockedToo = blockedToo.blend(blockedToo.add(oneMore), conicToo.compare(VectorOperators.LE, 0f));
         }
         blocked.add(blockedToo).intoArray(scratch.frame, ShadowScratch.BLOCKED);
-    }
-
-    private static FloatVector conic(
-            FloatVector xx,
-            FloatVector xy,
-            FloatVector yy,
-            FloatVector x,
-            FloatVector y,
-            FloatVector constant,
-            float discX,
-            float discY) {
-        FloatVector placeX = Lanes.all(discX);
-        FloatVector placeY = Lanes.all(discY);
-        FloatVector inX = xy.fma(placeY, xx.fma(placeX, x)).fma(placeX, constant);
-        return yy.fma(placeY, y).fma(placeY, inX);
-    }
-
-    private static FloatVector counted(FloatVector blocked, FloatVector conic) {
-        return blocked.blend(blocked.add(1f), conic.compare(VectorOperators.LE, 0f));
     }
 
     /** Counts the samples that any of the candidates blocks. */
@@ -101,15 +90,19 @@ final class ShadowConics {
     /** Writes a candidate's conic at each sample. */
     private static void start(ShadowScratch scratch, float[] disc, int samples, int from) {
         float[] facts = scratch.facts;
-        FloatVector xx = Lanes.load(facts, from + ShadowScratch.XX);
-        FloatVector xy = Lanes.load(facts, from + ShadowScratch.XY);
-        FloatVector yy = Lanes.load(facts, from + ShadowScratch.YY);
-        FloatVector x = Lanes.load(facts, from + ShadowScratch.X);
-        FloatVector y = Lanes.load(facts, from + ShadowScratch.Y);
-        FloatVector constant = Lanes.load(facts, from + ShadowScratch.CONSTANT);
+        float[] conics = scratch.conics;
+        FloatVector xx = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.XX);
+        FloatVector xy = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.XY);
+        FloatVector yy = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.YY);
+        FloatVector linearX = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.X);
+        FloatVector linearY = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.Y);
+        FloatVector constant = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.CONSTANT);
         for (int sample = 0; sample < samples; sample++) {
-            conic(xx, xy, yy, x, y, constant, disc[2 * sample], disc[2 * sample + 1])
-                    .intoArray(scratch.conics, sample * Lanes.COUNT);
+            FloatVector x = FloatVector.broadcast(Lanes.FLOATS, disc[2 * sample]);
+            FloatVector y = FloatVector.broadcast(Lanes.FLOATS, disc[2 * sample + 1]);
+            FloatVector inX = xy.fma(y, xx.fma(x, linearX)).fma(x, constant);
+            FloatVector conic = yy.fma(y, linearY).fma(y, inX);
+            conic.intoArray(conics, sample * Lanes.COUNT);
         }
     }
 
@@ -117,23 +110,29 @@ final class ShadowConics {
     private static void lower(ShadowScratch scratch, float[] disc, int samples, int from) {
         float[] facts = scratch.facts;
         float[] conics = scratch.conics;
-        FloatVector xx = Lanes.load(facts, from + ShadowScratch.XX);
-        FloatVector xy = Lanes.load(facts, from + ShadowScratch.XY);
-        FloatVector yy = Lanes.load(facts, from + ShadowScratch.YY);
-        FloatVector x = Lanes.load(facts, from + ShadowScratch.X);
-        FloatVector y = Lanes.load(facts, from + ShadowScratch.Y);
-        FloatVector constant = Lanes.load(facts, from + ShadowScratch.CONSTANT);
+        FloatVector xx = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.XX);
+        FloatVector xy = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.XY);
+        FloatVector yy = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.YY);
+        FloatVector linearX = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.X);
+        FloatVector linearY = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.Y);
+        FloatVector constant = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.CONSTANT);
         for (int sample = 0; sample < samples; sample++) {
-            FloatVector conic = conic(xx, xy, yy, x, y, constant, disc[2 * sample], disc[2 * sample + 1]);
-            Lanes.smaller(Lanes.load(conics, sample * Lanes.COUNT), conic).intoArray(conics, sample * Lanes.COUNT);
+            FloatVector x = FloatVector.broadcast(Lanes.FLOATS, disc[2 * sample]);
+            FloatVector y = FloatVector.broadcast(Lanes.FLOATS, disc[2 * sample + 1]);
+            FloatVector inX = xy.fma(y, xx.fma(x, linearX)).fma(x, constant);
+            FloatVector conic = yy.fma(y, linearY).fma(y, inX);
+            FloatVector before = FloatVector.fromArray(Lanes.FLOATS, conics, sample * Lanes.COUNT);
+            conic.blend(before, before.compare(VectorOperators.LT, conic)).intoArray(conics, sample * Lanes.COUNT);
         }
     }
 
     /** Counts the samples at which the lowest conic is not above 0. */
     private static void count(ShadowScratch scratch, int samples) {
-        FloatVector blocked = Lanes.all(0f);
+        float[] conics = scratch.conics;
+        FloatVector blocked = FloatVector.zero(Lanes.FLOATS);
         for (int sample = 0; sample < samples; sample++) {
-            blocked = counted(blocked, Lanes.load(scratch.conics, sample * Lanes.COUNT));
+            FloatVector conic = FloatVector.fromArray(Lanes.FLOATS, conics, sample * Lanes.COUNT);
+            blocked = blocked.blend(blocked.add(1f), conic.compare(VectorOperators.LE, 0f));
         }
         blocked.intoArray(scratch.frame, ShadowScratch.BLOCKED);
     }
