@@ -1,5 +1,6 @@
 package dev.twister.engine.vector;
 
+import java.util.Arrays;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorOperators;
 
@@ -12,13 +13,14 @@ import jdk.incubator.vector.VectorOperators;
  * be too large to be inlined, and its vectors become objects, in some JVMs and not in others.
  */
 final class ShadowConics {
-    private static final int FIRST = 0;
-    private static final int FURTHER = 1;
-    private static final int COUNT = 2;
+    private static final int LOWER = 0;
+    private static final int COUNT = 1;
+
+    /** A conic where nothing blocks: any number above 0. */
+    private static final float ABOVE = 1f;
 
     /** By the numbers above; in an array, so that each keeps its own inlining budget: see {@link Stage}. */
     private static final Pass[] PASSES = {
-        (scratch, disc, samples, from) -> start(scratch, disc, samples, from),
         (scratch, disc, samples, from) -> lower(scratch, disc, samples, from),
         (scratch, disc, samples, from) -> count(scratch, samples),
     };
@@ -80,33 +82,14 @@ final class ShadowConics {
     /** Counts the samples that any of the candidates blocks. */
     static void countAny(ShadowScratch scratch, float[] disc, int samples) {
         scratch.reserveConics(samples);
-        PASSES[FIRST].run(scratch, disc, samples, 0);
-        for (int c = 1; c < scratch.candidates.count; c++) {
-            PASSES[FURTHER].run(scratch, disc, samples, c * ShadowScratch.STRIDE);
+        Arrays.fill(scratch.conics, 0, samples * Lanes.COUNT, ABOVE);
+        for (int c = 0; c < scratch.candidates.count; c++) {
+            PASSES[LOWER].run(scratch, disc, samples, c * ShadowScratch.STRIDE);
         }
         PASSES[COUNT].run(scratch, disc, samples, 0);
     }
 
-    /** Writes a candidate's conic at each sample. */
-    private static void start(ShadowScratch scratch, float[] disc, int samples, int from) {
-        float[] facts = scratch.facts;
-        float[] conics = scratch.conics;
-        FloatVector xx = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.XX);
-        FloatVector xy = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.XY);
-        FloatVector yy = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.YY);
-        FloatVector linearX = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.X);
-        FloatVector linearY = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.Y);
-        FloatVector constant = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.CONSTANT);
-        for (int sample = 0; sample < samples; sample++) {
-            FloatVector x = FloatVector.broadcast(Lanes.FLOATS, disc[2 * sample]);
-            FloatVector y = FloatVector.broadcast(Lanes.FLOATS, disc[2 * sample + 1]);
-            FloatVector inX = xy.fma(y, xx.fma(x, linearX)).fma(x, constant);
-            FloatVector conic = yy.fma(y, linearY).fma(y, inX);
-            conic.intoArray(conics, sample * Lanes.COUNT);
-        }
-    }
-
-    /** Lowers what is there at each sample to a further candidate's conic. */
+    /** Lowers what is there at each sample to a candidate's conic. */
     private static void lower(ShadowScratch scratch, float[] disc, int samples, int from) {
         float[] facts = scratch.facts;
         float[] conics = scratch.conics;
