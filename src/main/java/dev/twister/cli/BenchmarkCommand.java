@@ -53,6 +53,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     private static final int BOUNCES = 3;
     private static final int CLASSIC_SHADOW_SAMPLES = 1;
     private static final int CLASSIC_BOUNCES = 1;
+
     /** What the compiler needs for the fastest engine, whose frames are short. */
     private static final int WARMUP_FRAMES = 100;
 

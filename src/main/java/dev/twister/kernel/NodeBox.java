@@ -19,7 +19,7 @@ public final class NodeBox {
     private static final float SIZE_MARGIN = SoftShadow.RELATIVE_MARGIN - 1f + 1.0e-4f;
 
     /** A direction's coordinate nearer to 0 is as good as 0, even over a million metres. */
-    private static final float TINY = 1.0e-18f;
+    public static final float TINY = 1.0e-18f;
 
     private NodeBox() {}
 

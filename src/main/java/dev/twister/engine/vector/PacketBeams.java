@@ -1,5 +1,6 @@
 package dev.twister.engine.vector;
 
+import dev.twister.kernel.NodeBox;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
@@ -11,12 +12,6 @@ import jdk.incubator.vector.VectorOperators;
 final class PacketBeams {
     /** What a plane's t is made less or greater by, as a part of the origin's: it is rounded by two units of 2^-24. */
     private static final float ROUNDING = 2e-7f;
-
-    /** The far side of a box that is never left. */
-    private static final float NEVER = 1e30f;
-
-    /** A slope nearer to 0 is as good as 0. */
-    private static final float TINY = 1e-18f;
 
     // Three columns each, one an axis: what makes the t of the near side, of the far one, and of a second near one.
     private static final int AXES = 3 * Lanes.COUNT;
@@ -91,12 +86,12 @@ final class PacketBeams {
         VectorMask<Float> falling = high.compare(VectorOperators.LE, 0f);
         VectorMask<Float> straddling = high.compare(VectorOperators.GT, 0f).and(low.compare(VectorOperators.LT, 0f));
         FloatVector one = FloatVector.broadcast(Lanes.FLOATS, 1f);
-        FloatVector tiny = FloatVector.broadcast(Lanes.FLOATS, TINY);
+        FloatVector tiny = FloatVector.broadcast(Lanes.FLOATS, NodeBox.TINY);
         FloatVector lowScale = one.div(low.blend(
-                tiny.blend(-TINY, low.compare(VectorOperators.LT, 0f)),
-                low.abs().compare(VectorOperators.LE, TINY)));
-        FloatVector highScale =
-                one.div(high.blend(tiny.blend(-TINY, falling), high.abs().compare(VectorOperators.LE, TINY)));
+                tiny.blend(-NodeBox.TINY, low.compare(VectorOperators.LT, 0f)),
+                low.abs().compare(VectorOperators.LE, NodeBox.TINY)));
+        FloatVector highScale = one.div(
+                high.blend(tiny.blend(-NodeBox.TINY, falling), high.abs().compare(VectorOperators.LE, NodeBox.TINY)));
         FloatVector nearScale = highScale.blend(lowScale, falling);
         FloatVector farScale = lowScale.blend(highScale, falling).blend(0f, straddling);
         FloatVector secondScale = FloatVector.zero(Lanes.FLOATS).blend(lowScale, straddling);
@@ -107,7 +102,7 @@ final class PacketBeams {
         farScale.intoArray(facts, FAR_SCALE + column);
         secondScale.intoArray(facts, SECOND_SCALE + column);
         near.abs().mul(-ROUNDING).sub(near).intoArray(facts, NEAR_ADDITION + column);
-        far.abs().mul(ROUNDING).sub(far).blend(NEVER, straddling).intoArray(facts, FAR_ADDITION + column);
+        far.abs().mul(ROUNDING).sub(far).blend(Slab.NEVER, straddling).intoArray(facts, FAR_ADDITION + column);
         second.abs().mul(-ROUNDING).sub(second).intoArray(facts, SECOND_ADDITION + column);
         falls[axis] = falling.toLong();
         straddles |= straddling.toLong();

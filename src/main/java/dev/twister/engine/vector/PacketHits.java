@@ -9,7 +9,7 @@ import jdk.incubator.vector.VectorOperators;
 
 /**
  * Which sphere, or the light, each ray meets first, by way of the hierarchy: packets whose rays keep together walk it as
- * one, the rays of the others one by one.
+ * one; of the others each ray has a way of its own, all of them level by level.
  */
 final class PacketHits {
     /** Where the directions' cosines about one of them are less, rays do not keep together. */

@@ -12,7 +12,7 @@ final class PacketLeaves {
 
     private static final int ROOM = 4096;
 
-    /** What waits is a beam's number above a place among the children of all nodes. */
+    /** What waits is a beam's number above a place among the children of all nodes, which are less than 2^26 for all scenes. */
     private static final int PLACE_BITS = 26;
 
     private static final int PLACE = (1 << PLACE_BITS) - 1;

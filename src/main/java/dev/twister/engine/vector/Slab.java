@@ -9,7 +9,7 @@ import dev.twister.kernel.NodeBox;
  */
 final class Slab {
     /** The far side of a box that is never left. */
-    private static final float NEVER = 1e30f;
+    static final float NEVER = 1e30f;
 
     /** 0 for the low sides, 1 for the high ones. */
     int nearSide;
