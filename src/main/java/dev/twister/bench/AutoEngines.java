@@ -15,6 +15,6 @@ public final class AutoEngines implements EngineProvider {
                 FastestEngine.AUTO,
                 "the fastest of the others",
                 "measured at its first use here, then remembered",
-                () -> FastestEngine.ofThisMachine().openAtOnce(Engines.offers())));
+                () -> FastestEngine.ofThisMachine().openAtOnce(Engines.offersAtOnce(), Engines::offers)));
     }
 }

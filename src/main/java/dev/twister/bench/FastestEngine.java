@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 
 /**
@@ -37,15 +38,23 @@ public final class FastestEngine {
 
     private final EngineTrial trial;
     private final ChoiceStore store;
+    private final Waiting waiting;
 
-    FastestEngine(EngineTrial trial, ChoiceStore store) {
+    /** Lets so much time go by, or less where nobody waits for what comes after it. */
+    @FunctionalInterface
+    interface Waiting {
+        void await(Duration time, BooleanSupplier cancelled);
+    }
+
+    FastestEngine(EngineTrial trial, ChoiceStore store, Waiting waiting) {
         this.trial = trial;
         this.store = store;
+        this.waiting = waiting;
     }
 
     /** Measures with a clock, and remembers in the user's cache folder. */
     public static FastestEngine ofThisMachine() {
-        return new FastestEngine(new TimedTrial(), ChoiceStore.ofThisUser());
+        return new FastestEngine(new TimedTrial(), ChoiceStore.ofThisUser(), FastestEngine::sleep);
     }
 
     /**
@@ -59,16 +68,63 @@ public final class FastestEngine {
         List<EngineOffer> candidates = candidates(offers);
         Engine standIn = openFirst(candidates, List.of());
         Optional<String> known = remembered(offers);
-        Engine warming = known.or(() -> Optional.of(MOSTLY_FASTEST))
-                .filter(id -> !id.equals(standIn.id()))
-                .flatMap(id -> find(candidates, id))
-                .<Engine>map(offer -> new AutoEngine(standIn, new Successor(_ -> opened(offer), PATIENCE)))
-                .orElse(standIn);
+        Engine warming = openWarming(standIn, known.orElse(MOSTLY_FASTEST), candidates);
         return known.isPresent()
                 ? warming
                 : new AutoEngine(
                         warming,
                         new Successor(cancelled -> measuredBeside(warming, standIn.id(), candidates, cancelled)));
+    }
+
+    /**
+     * The same, but where one that needs no device was the fastest, it is taken without looking for devices: that is done
+     * when there is time, and where they are others than those measured, all engines are measured then.
+     *
+     * @param atOnce the engines that need no device
+     * @param all those, and the devices; may take a while
+     * @throws EngineException where no engine can be opened
+     */
+    public Engine openAtOnce(List<EngineOffer> atOnce, Supplier<List<EngineOffer>> all) {
+        List<EngineOffer> candidates = candidates(atOnce);
+        return store.read(MachineKey.beforeDevices(candidates))
+                .filter(id -> find(candidates, id).isPresent())
+                .<Engine>map(id -> {
+                    Engine drawing = openWarming(openFirst(candidates, List.of()), id, candidates);
+                    return new AutoEngine(
+                            drawing, new Successor(cancelled -> confirmedBeside(drawing, all, cancelled)));
+                })
+                .orElseGet(() -> openAtOnce(all.get()));
+    }
+
+    private static Engine openWarming(Engine standIn, String id, List<EngineOffer> candidates) {
+        return Optional.of(id)
+                .filter(wanted -> !wanted.equals(standIn.id()))
+                .flatMap(wanted -> find(candidates, wanted))
+                .<Engine>map(offer -> new AutoEngine(standIn, new Successor(_ -> opened(offer), PATIENCE)))
+                .orElse(standIn);
+    }
+
+    /** Whether what draws is the fastest of all engines, now that there is time to look for all of them. */
+    private Optional<Engine> confirmedBeside(
+            Engine drawing, Supplier<List<EngineOffer>> all, BooleanSupplier cancelled) {
+        waiting.await(WARMING, cancelled);
+        if (cancelled.getAsBoolean()) {
+            return Optional.empty();
+        }
+        List<EngineOffer> candidates = candidates(all.get());
+        Optional<String> known = remembered(candidates);
+        known.ifPresent(id -> store.write(MachineKey.beforeDevices(candidates), id));
+        return known.or(() -> fastestOf(measure(candidates, cancelled)))
+                .filter(id -> !id.equals(drawing.id()) && !cancelled.getAsBoolean())
+                .flatMap(id -> find(candidates, id))
+                .flatMap(FastestEngine::opened);
+    }
+
+    private static Optional<String> fastestOf(List<EngineTime> times) {
+        return times.stream()
+                .filter(time -> time.frame().isPresent())
+                .map(EngineTime::engine)
+                .findFirst();
     }
 
     /**
@@ -92,17 +148,18 @@ public final class FastestEngine {
     /** Trials would take from the compiler what the engine that is warming needs: it has some time first. */
     private Optional<Engine> measuredBeside(
             Engine drawing, String standIn, List<EngineOffer> candidates, BooleanSupplier cancelled) {
-        long end = System.nanoTime() + WARMING.toNanos();
-        while (drawing.id().equals(standIn) && System.nanoTime() < end && !cancelled.getAsBoolean()) {
-            LockSupport.parkNanos(LOOK_NANOS);
-        }
-        return measure(candidates, cancelled).stream()
-                .filter(time -> time.frame().isPresent())
-                .map(EngineTime::engine)
-                .findFirst()
+        waiting.await(WARMING, () -> !drawing.id().equals(standIn) || cancelled.getAsBoolean());
+        return fastestOf(measure(candidates, cancelled))
                 .filter(id -> !id.equals(drawing.id()) && !cancelled.getAsBoolean())
                 .flatMap(id -> find(candidates, id))
                 .flatMap(FastestEngine::opened);
+    }
+
+    private static void sleep(Duration time, BooleanSupplier cancelled) {
+        long end = System.nanoTime() + time.toNanos();
+        while (System.nanoTime() < end && !cancelled.getAsBoolean()) {
+            LockSupport.parkNanos(LOOK_NANOS);
+        }
     }
 
     private static Optional<Engine> opened(EngineOffer offer) {
@@ -137,7 +194,10 @@ public final class FastestEngine {
         times.stream()
                 .findFirst()
                 .filter(fastest -> fastest.frame().isPresent() && !cancelled.getAsBoolean())
-                .ifPresent(fastest -> store.write(MachineKey.of(candidates), fastest.engine()));
+                .ifPresent(fastest -> {
+                    store.write(MachineKey.of(candidates), fastest.engine());
+                    store.write(MachineKey.beforeDevices(candidates), fastest.engine());
+                });
         return times;
     }
 

@@ -18,8 +18,20 @@ record MachineKey(Map<String, String> facts) {
         facts = Map.copyOf(facts);
     }
 
+    /** With all engines, devices included. */
     static MachineKey of(List<EngineOffer> engines) {
+        return of(engines, "looked for");
+    }
+
+    /** What of it is known before devices are looked for. */
+    static MachineKey beforeDevices(List<EngineOffer> engines) {
+        return of(
+                engines.stream().filter(engine -> !TrialLimits.isDevice(engine)).toList(), "not looked for");
+    }
+
+    private static MachineKey of(List<EngineOffer> engines, String devices) {
         return new MachineKey(Map.of(
+                "devices", devices,
                 "processor", Processor.name(),
                 "cores", Integer.toString(Runtime.getRuntime().availableProcessors()),
                 "jdk", Runtime.version().toString(),

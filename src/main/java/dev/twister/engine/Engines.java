@@ -3,7 +3,9 @@ package dev.twister.engine;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.ServiceLoader;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
 /** Finds the engines of this machine. */
@@ -15,12 +17,7 @@ public final class Engines {
 
     /** All engines known here, working or not, the JVM's own first. */
     public static List<EngineOffer> offers() {
-        List<EngineOffer> offers = new ArrayList<>();
-        ServiceLoader.load(EngineProvider.class).stream()
-                .map(ServiceLoader.Provider::get)
-                .sorted(Comparator.comparing((EngineProvider provider) -> !(provider instanceof JvmEngines))
-                        .thenComparing(provider -> provider.getClass().getName()))
-                .forEach(provider -> offers.addAll(provider.offers()));
+        List<EngineOffer> offers = new ArrayList<>(offers(_ -> true));
         if (offers.stream().noneMatch(offer -> offer.id().startsWith(TORNADO_PREFIX))) {
             offers.add(EngineOffer.impossible(
                     TORNADO_PREFIX,
@@ -32,6 +29,21 @@ public final class Engines {
         return List.copyOf(offers);
     }
 
+    /** Those of them that are known at once, without looking for devices. */
+    public static List<EngineOffer> offersAtOnce() {
+        return offers(provider -> !provider.looksForDevices());
+    }
+
+    private static List<EngineOffer> offers(Predicate<EngineProvider> asked) {
+        return ServiceLoader.load(EngineProvider.class).stream()
+                .map(ServiceLoader.Provider::get)
+                .filter(asked)
+                .sorted(Comparator.comparing((EngineProvider provider) -> !(provider instanceof JvmEngines))
+                        .thenComparing(provider -> provider.getClass().getName()))
+                .flatMap(provider -> provider.offers().stream())
+                .toList();
+    }
+
     /**
      * Opens the engine of that name; {@code tornado} alone is TornadoVM's first device.
      *
@@ -39,16 +51,23 @@ public final class Engines {
      * @throws EngineException where it cannot be opened
      */
     public static Engine open(String id) {
+        return find(offersAtOnce(), id)
+                .orElseGet(() -> findEverywhere(id))
+                .opener()
+                .get();
+    }
+
+    private static EngineOffer findEverywhere(String id) {
         List<EngineOffer> offers = offers();
-        return offers.stream()
-                .filter(offer -> offer.id().equals(id))
-                .findFirst()
+        return find(offers, id)
                 .or(() -> offers.stream()
                         .filter(offer -> id.equals(TORNADO_PREFIX) && offer.id().startsWith(TORNADO_PREFIX))
                         .findFirst())
                 .orElseThrow(() -> new UnknownEngineException("no engine is called '" + id + "'; there are "
-                        + offers.stream().map(EngineOffer::id).collect(Collectors.joining(", "))))
-                .opener()
-                .get();
+                        + offers.stream().map(EngineOffer::id).collect(Collectors.joining(", "))));
+    }
+
+    private static Optional<EngineOffer> find(List<EngineOffer> offers, String id) {
+        return offers.stream().filter(offer -> offer.id().equals(id)).findFirst();
     }
 }

@@ -27,9 +27,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
+@Timeout(60)
 class FastestEngineTest {
     private static final Map<String, Integer> MILLIS =
             Map.of("sequential", 40, "parallel", 20, "vector", 5, "tornado:0:0", 9, "plain", 1, "auto", 1);
+
+    private static final FastestEngine.Waiting NO_WAIT = (time, cancelled) -> {};
 
     @TempDir
     private Path folder;
@@ -83,7 +86,9 @@ class FastestEngineTest {
         List<EngineOffer> offers = offers("sequential", "parallel");
         for (String damage : List.of("", "engine=\\u00zz", "engine=warp", "\0\0\0")) {
             open(offers);
-            Files.writeString(onlyFile(), damage);
+            for (Path file : files()) {
+                Files.writeString(file, damage);
+            }
             assertThat(fastest().remembered(offers)).isEmpty();
 
             assertThat(open(offers)).isEqualTo("parallel");
@@ -96,7 +101,7 @@ class FastestEngineTest {
         Path file = Files.createFile(folder.resolve("not-a-folder"));
         List<EngineOffer> offers = offers("sequential", "parallel");
         for (Optional<Path> place : List.of(Optional.of(file), Optional.<Path>empty())) {
-            FastestEngine fastest = new FastestEngine(this::time, new ChoiceStore(place));
+            FastestEngine fastest = new FastestEngine(this::time, new ChoiceStore(place), NO_WAIT);
             try (Engine engine = fastest.openMeasured(offers)) {
                 assertThat(engine.id()).isEqualTo("parallel");
             }
@@ -118,8 +123,8 @@ class FastestEngineTest {
     @Test
     void whereNoneIsReadyInTimeParallelIsTakenAndNothingRemembered() {
         List<EngineOffer> offers = offers("sequential", "parallel");
-        FastestEngine fastest =
-                new FastestEngine((offer, limit, cancelled) -> Optional.empty(), new ChoiceStore(Optional.of(folder)));
+        FastestEngine fastest = new FastestEngine(
+                (offer, limit, cancelled) -> Optional.empty(), new ChoiceStore(Optional.of(folder)), NO_WAIT);
 
         try (Engine engine = fastest.openMeasured(offers)) {
             assertThat(engine.id()).isEqualTo("parallel");
@@ -152,7 +157,8 @@ class FastestEngineTest {
                     cancelled.set(true);
                     return Optional.of(Duration.ofMillis(asked.getAsBoolean() ? 1 : 2));
                 },
-                new ChoiceStore(Optional.of(folder)));
+                new ChoiceStore(Optional.of(folder)),
+                NO_WAIT);
         fastest.measure(offers, cancelled::get);
 
         assertThat(fastest.remembered(offers)).isEmpty();
@@ -185,7 +191,61 @@ class FastestEngineTest {
     }
 
     @Test
-    @Timeout(60)
+    void anEngineThatNeedsNoDeviceIsTakenBeforeDevicesAreLookedFor() {
+        List<EngineOffer> all = offers("sequential", "parallel", "vector", "tornado:0:0");
+        open(all);
+        tried.clear();
+        AtomicBoolean looked = new AtomicBoolean();
+        try (Engine engine = fastest().openAtOnce(offers("sequential", "parallel", "vector"), () -> {
+            looked.set(true);
+            return all;
+        })) {
+            assertThat(looked).isFalse();
+            drawUntil(engine, "vector");
+            while (!looked.get()) {
+                Thread.onSpinWait();
+            }
+        }
+        assertThat(tried).isEmpty();
+    }
+
+    @Test
+    void devicesThatWereNotMeasuredAreMeasuredOnceThereIsTime() {
+        List<EngineOffer> jvm = offers("sequential", "parallel");
+        List<EngineOffer> all = offers("sequential", "parallel", "tornado:0:0");
+        open(jvm);
+        try (Engine engine = fastest().openAtOnce(jvm, () -> all)) {
+            drawUntil(engine, "tornado:0:0");
+        }
+
+        assertThat(fastest().remembered(all)).contains("tornado:0:0");
+    }
+
+    @Test
+    void whereADeviceWasTheFastestItIsLookedForAtOnce() {
+        List<EngineOffer> jvm = offers("sequential", "parallel");
+        List<EngineOffer> all = offers("sequential", "parallel", "tornado:0:0");
+        open(all);
+        AtomicBoolean looked = new AtomicBoolean();
+        fastest()
+                .openAtOnce(jvm, () -> {
+                    looked.set(true);
+                    return all;
+                })
+                .close();
+
+        assertThat(looked).isTrue();
+    }
+
+    private static void drawUntil(Engine engine, String id) {
+        Frame frame = Frame.ofPixels(8, 8);
+        FrameInput input = SampleWorld.ofSize(8, 8).snapshot();
+        while (!engine.id().equals(id)) {
+            engine.render(input, frame);
+        }
+    }
+
+    @Test
     void aTrialThatSettlesEndsBeforeItsLimit() {
         EngineOffer offer = EngineOffer.working(
                 "parallel", "a device", "draws", () -> new FakeEngine("parallel", 0, FrameTimes.onJvm(1_000_000)));
@@ -195,7 +255,6 @@ class FastestEngineTest {
     }
 
     @Test
-    @Timeout(60)
     void aTrialThatIsCancelledEndsBeforeItsLimit() {
         EngineOffer stuck = EngineOffer.working("vector", "lanes", "wide", () -> {
             LockSupport.park();
@@ -215,7 +274,7 @@ class FastestEngineTest {
     }
 
     private FastestEngine fastest() {
-        return new FastestEngine(this::time, new ChoiceStore(Optional.of(folder)));
+        return new FastestEngine(this::time, new ChoiceStore(Optional.of(folder)), NO_WAIT);
     }
 
     private String open(List<EngineOffer> offers) {
@@ -229,16 +288,19 @@ class FastestEngineTest {
         return Optional.ofNullable(MILLIS.get(offer.id())).map(Duration::ofMillis);
     }
 
-    private Path onlyFile() throws IOException {
+    private List<Path> files() throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
-            return files.findFirst().orElseThrow();
+            return files.toList();
         }
     }
 
     private static List<EngineOffer> offers(String... ids) {
         return Stream.of(ids)
-                .map(id ->
-                        EngineOffer.working(id, "a device", "draws", () -> new FakeEngine(id, 0, FrameTimes.onJvm(1))))
+                .map(id -> EngineOffer.working(
+                        id,
+                        "a device",
+                        "draws",
+                        () -> new FakeEngine(id, 0, FrameTimes.onJvm(MILLIS.getOrDefault(id, 1)))))
                 .toList();
     }
 }

@@ -42,4 +42,11 @@ class EnginesTest {
                 .isInstanceOf(EngineException.class)
                 .hasMessage("engine warp does not work here: no dilithium");
     }
+
+    @Test
+    void noDeviceIsLookedForWhereItNeedNotBe() {
+        assertThat(Engines.offersAtOnce().stream().map(EngineOffer::id))
+                .contains("parallel", "auto")
+                .noneMatch(id -> id.startsWith(Engines.TORNADO_PREFIX));
+    }
 }

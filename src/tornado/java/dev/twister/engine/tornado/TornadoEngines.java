@@ -32,7 +32,13 @@ public final class TornadoEngines implements EngineProvider {
         }
     }
 
-    private static List<EngineOffer> devices() {
+    @Override
+    public boolean looksForDevices() {
+        return true;
+    }
+
+    /** One thread at a time: TornadoVM's runtime is one for all, and starts at the first look. */
+    private static synchronized List<EngineOffer> devices() {
         TornadoOptions.set();
         TornadoRuntime runtime = TornadoRuntimeProvider.getTornadoRuntime();
         List<EngineOffer> offers = new ArrayList<>();
