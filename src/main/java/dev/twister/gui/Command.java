@@ -16,7 +16,7 @@ enum Command {
     INSERT(Group.EDIT, "Insert sphere", "Insert", "A new sphere in the middle of the picture."),
     DELETE(Group.EDIT, "Delete sphere", "Delete", "Deletes the selected sphere."),
     DESELECT(Group.EDIT, "Back to the picture", "Esc", "Leaves the panel; in the picture, selects nothing."),
-    RESET(Group.EDIT, "Reset everything", "Shortcut+Shift+Home", "Scene, engine and resolution as they were at first."),
+    RESET(Group.EDIT, "Reset everything", "Shortcut+Shift+Home", "Everything in the panel as it was at first."),
     PANEL(Group.VIEW, "Panel", "F9", "Shows or hides the panel; so does Tab, in the picture."),
     FRAME_TIMES(Group.VIEW, "Frame times", "F3", "Shows or hides frames a second and their graph."),
     FULL_SCREEN(Group.VIEW, "Full screen", "F11", "The window fills the screen, or no longer."),

@@ -15,7 +15,7 @@ import javafx.scene.text.TextAlignment;
 /** Frames a second, milliseconds, and a graph of the last ten seconds, over the picture's corner. */
 final class FrameTimesView extends VBox {
     /** Faster than one reads. */
-    private static final long REDRAW_NANOS = 100_000_000;
+    private static final long REDRAW_NANOS = 200_000_000;
 
     private static final double NANOS_PER_SECOND = 1e9;
     private static final double WIDTH_EM = 28;

@@ -89,13 +89,14 @@ final class Panel extends ScrollPane {
         row.firstControl().requestFocus();
     }
 
-    /** Engine, resolution and scene as they were at first. */
+    /** Engine, resolution, scene and refinement as they were at first. */
     static void resetAll(Studio studio, EngineList engines, String usualEngine) {
         studio.edit("everything", scene -> studio.original().withCamera(scene.camera()));
         studio.endGesture();
         studio.goHome();
         studio.setMoving(false);
         studio.setResolution(ResolutionMode.WINDOW);
+        studio.refiningProperty().set(true);
         if (!studio.engineProperty().get().offer().id().equals(usualEngine)) {
             engines.find(usualEngine).ifPresent(studio::chooseEngine);
         }

@@ -22,6 +22,7 @@ final class PictureView extends Pane {
     private final ImageView view = new ImageView();
     private final Map<Frame, ShownFrame> frames = new HashMap<>();
     private final Studio studio;
+    private double laidOutScale;
 
     /** A frame as JavaFX sees it. */
     private record ShownFrame(PixelBuffer<IntBuffer> pixels, WritableImage image) {
@@ -61,6 +62,9 @@ final class PictureView extends Pane {
     /** Asks for a picture of as many pixels as the screen has here. */
     void tellSize() {
         Window window = getScene().getWindow();
+        if (window.getOutputScaleX() != laidOutScale) {
+            requestLayout();
+        }
         studio.setViewSize(getWidth() * window.getOutputScaleX(), getHeight() * window.getOutputScaleY());
     }
 
@@ -71,6 +75,7 @@ final class PictureView extends Pane {
             return;
         }
         Window window = getScene().getWindow();
+        laidOutScale = window.getOutputScaleX();
         double width = image.getWidth() / window.getOutputScaleX();
         double height = image.getHeight() / window.getOutputScaleY();
         double fit = Math.min(getWidth() / width, getHeight() / height);
@@ -90,7 +95,10 @@ final class PictureView extends Pane {
         frames.keySet().removeIf(old -> old.width() != frame.width() || old.height() != frame.height());
         ShownFrame shown = frames.computeIfAbsent(frame, ShownFrame::of);
         shown.pixels().updateBuffer(_ -> null);
+        Image before = view.getImage();
         view.setImage(shown.image());
-        requestLayout();
+        if (before == null || before.getWidth() != frame.width() || before.getHeight() != frame.height()) {
+            requestLayout();
+        }
     }
 }

@@ -27,7 +27,9 @@ final class StatusLine extends HBox implements AutoCloseable {
         setHgrow(gap, Priority.ALWAYS);
         getChildren().addAll(facts, gap, notice, message);
         studio.pictureProperty()
-                .subscribe(picture -> picture.map(StatusText::facts).ifPresent(facts::setText));
+                .subscribe((before, picture) -> picture.filter(now -> before.filter(old -> StatusText.isSame(old, now))
+                                .isEmpty())
+                        .ifPresent(now -> facts.setText(StatusText.facts(now))));
         studio.noticeProperty().subscribe(text -> {
             notice.setText(text);
             if (!text.isEmpty()) {

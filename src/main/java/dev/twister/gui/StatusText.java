@@ -28,6 +28,15 @@ final class StatusText {
                 .collect(Collectors.joining(BETWEEN));
     }
 
+    /** Whether {@link #facts} are known to be the same for both, told without putting them together. */
+    static boolean isSame(DrawnPicture one, DrawnPicture other) {
+        return one.request().number() == other.request().number()
+                && one.samples() == other.samples()
+                && one.engine().equals(other.engine())
+                && one.isWhole()
+                && other.isWhole();
+    }
+
     /** What is going on, or went wrong; may be empty. */
     static String message(DrawingStatus status) {
         return Stream.of(

@@ -346,10 +346,13 @@ class PanelTest {
         driver.type(row("Light x").keys());
         driver.type(KeyCode.RIGHT);
         Scene edited = scene();
+        driver.type(row("Refine at rest").keys());
+        driver.type(KeyCode.SPACE);
         driver.run(() -> driver.window.workbench().panel().setVvalue(1));
         driver.pulse();
         driver.click(driver.find("#reset-everything", Button.class));
         assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(WindowDriver.call(driver.studio.refiningProperty()::get)).isTrue();
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
         assertThat(scene()).isEqualTo(edited);
     }

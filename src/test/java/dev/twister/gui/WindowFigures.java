@@ -28,11 +28,11 @@ import java.util.stream.Collectors;
  * -XX:ActiveProcessorCount=1} an engine draws on one thread.
  */
 final class WindowFigures {
-    /** The first is for the compiler. */
-    private static final int ROUNDS = Integer.getInteger("twister.rounds", 3);
+    /** Short and many: another's work on the machine comes and goes. The first half is for the compiler. */
+    private static final int ROUNDS = Integer.getInteger("twister.rounds", 12);
 
-    private static final long WARM_UP_NANOS = TimeUnit.MILLISECONDS.toNanos(1500);
-    private static final long NANOS = TimeUnit.SECONDS.toNanos(4);
+    private static final long WARM_UP_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
+    private static final long NANOS = TimeUnit.SECONDS.toNanos(Integer.getInteger("twister.seconds", 2));
     private static final double NANOS_PER_SECOND = 1e9;
 
     /** Room for 720p, pixel for pixel. */
@@ -50,14 +50,29 @@ final class WindowFigures {
                     .filter(one -> one.id().equals(parts[0]))
                     .findFirst()
                     .orElseThrow();
+            List<Round> rounds = new ArrayList<>();
             for (int round = 0; round < ROUNDS; round++) {
-                System.out.println(measure(offer, ResolutionMode.valueOf(parts[1])));
+                rounds.add(measure(offer, ResolutionMode.valueOf(parts[1])));
+                System.out.println(rounds.getLast().text());
             }
+            System.out.printf(
+                    Locale.ROOT,
+                    "%s: median ratio of the last %d rounds %.3f%n",
+                    argument,
+                    ROUNDS - ROUNDS / 2,
+                    median(rounds.subList(ROUNDS / 2, ROUNDS)));
         }
         System.exit(0);
     }
 
-    private static String measure(EngineOffer offer, ResolutionMode size) {
+    private record Round(double ratio, String text) {}
+
+    private static double median(List<Round> rounds) {
+        double[] ratios = rounds.stream().mapToDouble(Round::ratio).sorted().toArray();
+        return (ratios[(ratios.length - 1) / 2] + ratios[ratios.length / 2]) / 2;
+    }
+
+    private static Round measure(EngineOffer offer, ResolutionMode size) {
         Scene scene = WindowScenes.shipped("benchmark");
         PulseRecord pulses = new PulseRecord();
         double windowRate;
@@ -87,7 +102,7 @@ final class WindowFigures {
             input = last.input();
         }
         double engineRate = engineAlone(offer, input);
-        return String.format(
+        String text = String.format(
                 Locale.ROOT,
                 "%s %s: %.2f FPS in the window, %.2f alone, ratio %.2f; %.1f pulses a second, longest gap %.1f ms,"
                         + " interface's thread %.3f ms a pulse, %.1f at most%n    processors: %s",
@@ -101,6 +116,7 @@ final class WindowFigures {
                 pulses.meanMillis(),
                 pulses.maxMillis(),
                 processors);
+        return new Round(windowRate / engineRate, text);
     }
 
     private static DrawnPicture newest(WindowDriver driver) {
