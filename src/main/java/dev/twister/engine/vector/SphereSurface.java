@@ -7,10 +7,45 @@ import jdk.incubator.vector.VectorOperators;
 
 /** Spheres where they are met; lanes of a packet that met something else keep what they had. */
 final class SphereSurface {
+    private static final int PICK = 0;
+    private static final int COPY = 1;
+
+    /** By the numbers above; in an array, so that each keeps its own inlining budget: see {@link Stage}. */
+    private static final Fetch[] FETCHES = {
+        (tile, bodies) -> pick(tile, bodies), (tile, bodies) -> copy(tile, bodies),
+    };
+
     private SphereSurface() {}
 
     /** Copies each lane's sphere into the lane. The centre goes to the normal's columns. */
     static void fetch(Tile tile, BodyColumns bodies) {
+        FETCHES[bodies.count <= Lanes.COUNT ? PICK : COPY].run(tile, bodies);
+    }
+
+    /** Where one vector holds a column of all bodies. */
+    private static void pick(Tile tile, BodyColumns bodies) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.spheres.count; k++) {
+            int at = tile.spheres.places[k];
+            FloatVector hit = Lanes.load(t, at + Tile.HIT);
+            VectorMask<Float> here = hit.compare(VectorOperators.GT, Layout.PLANE);
+            pick(t, at + Tile.NORMAL_X, bodies.x, hit, here);
+            pick(t, at + Tile.NORMAL_Y, bodies.y, hit, here);
+            pick(t, at + Tile.NORMAL_Z, bodies.z, hit, here);
+            pick(t, at + Tile.RADIUS, bodies.radius, hit, here);
+            pick(t, at + Tile.ALBEDO_RED, bodies.red, hit, here);
+            pick(t, at + Tile.ALBEDO_GREEN, bodies.green, hit, here);
+            pick(t, at + Tile.ALBEDO_BLUE, bodies.blue, hit, here);
+            pick(t, at + Tile.REFLECTIVITY, bodies.reflectivity, hit, here);
+        }
+    }
+
+    private static void pick(float[] t, int to, float[] column, FloatVector body, VectorMask<Float> here) {
+        Lanes.load(t, to).blend(body.selectFrom(Lanes.load(column, 0)), here).intoArray(t, to);
+    }
+
+    /** Lane by lane. */
+    private static void copy(Tile tile, BodyColumns bodies) {
         float[] t = tile.values;
         for (int k = 0; k < tile.spheres.count; k++) {
             int at = tile.spheres.places[k];
@@ -73,5 +108,11 @@ final class SphereSurface {
         FloatVector center = Lanes.load(t, at + normal);
         Lanes.load(t, at + point).blend(unit.fma(radius, center), here).intoArray(t, at + point);
         center.blend(unit, here).intoArray(t, at + normal);
+    }
+
+    /** Brings the bodies' columns into the lanes. */
+    @FunctionalInterface
+    private interface Fetch {
+        void run(Tile tile, BodyColumns bodies);
     }
 }
