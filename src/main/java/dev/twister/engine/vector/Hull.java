@@ -139,6 +139,12 @@ final class Hull {
         radius = 0f;
     }
 
+    /** Holds the rays' mirror images in the level plane of that height instead. */
+    void mirror(float height) {
+        baseY = 2f * height - baseY;
+        axisY = -axisY;
+    }
+
     /** Starts in a ball about the origins of the live rays, or the points of the lanes whose {@code lanes} column is above 0. */
     void startAround(Tile tile, PacketList packets, int column, int lanes) {
         float squared = 0f;

@@ -47,8 +47,14 @@ final class SkyDirection {
         }
     }
 
-    /** Replaces a column's ratios, in [0, 1], by their arc tangents: the scalar kernel's polynomial. */
-    static void findArcTangents(Tile tile, int column) {
+    /** Replaces both columns' ratios, in [0, 1], by their arc tangents. */
+    static void findArcTangents(Tile tile) {
+        findArcTangents(tile, Tile.SKY_TO_RIGHT);
+        findArcTangents(tile, Tile.SKY_TO_BOTTOM);
+    }
+
+    /** The scalar kernel's polynomial. */
+    private static void findArcTangents(Tile tile, int column) {
         float[] t = tile.values;
         for (int k = 0; k < tile.skies.count; k++) {
             int at = tile.skies.places[k] + column;
@@ -65,8 +71,11 @@ final class SkyDirection {
         }
     }
 
-    /** Turns the arc tangents into angles about the vertical, in [-pi, pi]. */
-    static void findAzimuths(Tile tile) {
+    /**
+     * Turns the arc tangents into angles about the vertical, in [-pi, pi], and those into columns of the padded sky, in
+     * texels, whole where a texel's centre is.
+     */
+    static void findColumns(Tile tile, PaddedSky sky) {
         float[] t = tile.values;
         for (int k = 0; k < tile.skies.count; k++) {
             int at = tile.skies.places[k];
@@ -76,12 +85,18 @@ final class SkyDirection {
             FloatVector quadrant =
                     octant.blend(Lanes.all(HALF_PI).sub(octant), z.abs().compare(VectorOperators.GT, x.abs()));
             FloatVector half = quadrant.blend(Lanes.all(PI).sub(quadrant), x.compare(VectorOperators.LT, 0f));
-            half.blend(half.neg(), z.compare(VectorOperators.LT, 0f)).intoArray(t, at + Tile.SKY_TO_RIGHT);
+            // The border counts 1 more, and the texels' centres lie half a texel in.
+            half.blend(half.neg(), z.compare(VectorOperators.LT, 0f))
+                    .mul(TURNS_PER_RADIAN)
+                    .add(0.5f)
+                    .mul(sky.width)
+                    .add(0.5f)
+                    .intoArray(t, at + Tile.SKY_TO_RIGHT);
         }
     }
 
-    /** Turns the arc tangents into angles above the horizon, in [-pi / 2, pi / 2]. */
-    static void findElevations(Tile tile) {
+    /** Turns the arc tangents into angles above the horizon, in [-pi / 2, pi / 2], and those into rows in the same way. */
+    static void findRows(Tile tile, PaddedSky sky) {
         float[] t = tile.values;
         for (int k = 0; k < tile.skies.count; k++) {
             int at = tile.skies.places[k];
@@ -92,24 +107,9 @@ final class SkyDirection {
             FloatVector octant = Lanes.load(t, at + Tile.SKY_TO_BOTTOM);
             FloatVector quadrant =
                     octant.blend(Lanes.all(HALF_PI).sub(octant), y.abs().compare(VectorOperators.GT, level));
-            quadrant.blend(quadrant.neg(), y.compare(VectorOperators.LT, 0f)).intoArray(t, at + Tile.SKY_TO_BOTTOM);
-        }
-    }
-
-    /** Turns the angles into columns and rows of the padded sky, in texels, whole where a texel's centre is. */
-    static void findPlaces(Tile tile, PaddedSky sky) {
-        float[] t = tile.values;
-        for (int k = 0; k < tile.skies.count; k++) {
-            int at = tile.skies.places[k];
-            // The border counts 1 more, and the texels' centres lie half a texel in.
-            Lanes.load(t, at + Tile.SKY_TO_RIGHT)
-                    .mul(TURNS_PER_RADIAN)
-                    .add(0.5f)
-                    .mul(sky.width)
-                    .add(0.5f)
-                    .intoArray(t, at + Tile.SKY_TO_RIGHT);
+            FloatVector elevation = quadrant.blend(quadrant.neg(), y.compare(VectorOperators.LT, 0f));
             Lanes.all(0.5f)
-                    .sub(Lanes.load(t, at + Tile.SKY_TO_BOTTOM).mul(HALF_TURNS_PER_RADIAN))
+                    .sub(elevation.mul(HALF_TURNS_PER_RADIAN))
                     .mul(sky.height)
                     .add(0.5f)
                     .intoArray(t, at + Tile.SKY_TO_BOTTOM);

@@ -28,11 +28,9 @@ final class TileRenderer {
     private static final Stage[] SKY = {
         (tile, drawing) -> SkyDirection.findAzimuthRatios(tile),
         (tile, drawing) -> SkyDirection.findElevationRatios(tile),
-        (tile, drawing) -> SkyDirection.findArcTangents(tile, Tile.SKY_TO_RIGHT),
-        (tile, drawing) -> SkyDirection.findArcTangents(tile, Tile.SKY_TO_BOTTOM),
-        (tile, drawing) -> SkyDirection.findAzimuths(tile),
-        (tile, drawing) -> SkyDirection.findElevations(tile),
-        (tile, drawing) -> SkyDirection.findPlaces(tile, drawing.sky),
+        (tile, drawing) -> SkyDirection.findArcTangents(tile),
+        (tile, drawing) -> SkyDirection.findColumns(tile, drawing.sky),
+        (tile, drawing) -> SkyDirection.findRows(tile, drawing.sky),
         (tile, drawing) -> SkyPatches.sort(tile),
         (tile, drawing) -> SkyPatches.add(tile, drawing.sky),
         (tile, drawing) -> SkyRadiance.findTexels(tile, drawing.sky),
@@ -58,7 +56,11 @@ final class TileRenderer {
         (tile, drawing) -> Bounce.leave(tile),
     };
 
-    private static final Stage[] NEXT_ORIGINS = {
+    private static final Stage[] HOLD_MIRRORED = {
+        (tile, drawing) -> tile.rays.mirror(drawing.planeHeight),
+    };
+
+    private static final Stage[] HOLD_ANEW = {
         (tile, drawing) -> tile.rays.startAround(tile, tile.live, Tile.ORIGIN_X, Tile.THROUGHPUT),
         (tile, drawing) -> tile.rays.holdRays(tile, tile.live),
     };
@@ -114,7 +116,7 @@ final class TileRenderer {
         for (int bounce = 0; bounce <= drawing.bounceLimit && tile.live.count > 0; bounce++) {
             tile.last = bounce == drawing.bounceLimit;
             if (bounce > 0) {
-                Stage.runAll(NEXT_ORIGINS, tile, drawing);
+                Stage.runAll(bounce == 1 && tile.spheres.count == 0 ? HOLD_MIRRORED : HOLD_ANEW, tile, drawing);
             }
             Stage.runAll(drawing.crowded ? NEAREST_OF_MANY : NEAREST_OF_FEW, tile, drawing);
             Stage.runAll(HIT, tile, drawing);
