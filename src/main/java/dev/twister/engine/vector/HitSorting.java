@@ -9,13 +9,29 @@ import jdk.incubator.vector.VectorOperators;
 final class HitSorting {
     private HitSorting() {}
 
-    /** Fills the lists of skies, lights, grounds, spheres and surfaces. */
-    static void sort(Tile tile) {
+    /** Fills the lists where no ray of the tile can meet anything. */
+    static void sortSkies(Tile tile) {
+        clear(tile);
+        float[] t = tile.values;
+        for (int k = 0; k < tile.live.count; k++) {
+            int at = tile.live.places[k];
+            VectorMask<Float> ended = Lanes.load(t, at + Tile.THROUGHPUT).compare(VectorOperators.LE, 0f);
+            Lanes.all(Layout.NOTHING).blend(Tile.ENDED, ended).intoArray(t, at + Tile.HIT);
+            tile.skies.add(at);
+        }
+    }
+
+    private static void clear(Tile tile) {
         tile.skies.clear();
         tile.lights.clear();
         tile.grounds.clear();
         tile.spheres.clear();
         tile.surfaces.clear();
+    }
+
+    /** Fills the lists of skies, lights, grounds, spheres and surfaces. */
+    static void sort(Tile tile) {
+        clear(tile);
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];

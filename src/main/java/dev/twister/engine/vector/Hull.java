@@ -145,6 +145,12 @@ final class Hull {
         axisY = -axisY;
     }
 
+    /** Whether all rays start above that height and rise. */
+    boolean rises(float height) {
+        float level = (float) Math.sqrt(Math.max(0f, 1f - axisY * axisY));
+        return !everything && baseY - radius > height && axisY * cosine > level * sine;
+    }
+
     /** Starts in a ball about the origins of the live rays, or the points of the lanes whose {@code lanes} column is above 0. */
     void startAround(Tile tile, PacketList packets, int column, int lanes) {
         float squared = 0f;

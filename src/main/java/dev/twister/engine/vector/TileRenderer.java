@@ -10,8 +10,15 @@ final class TileRenderer {
         (tile, drawing) -> ViewRays.bound(tile, drawing),
     };
 
-    private static final Stage[] NEAREST_OF_FEW = {
+    private static final Stage[] CULL = {
         (tile, drawing) -> tile.rays.cull(drawing.bodies, Layout.LIGHT, tile.candidates),
+    };
+
+    private static final Stage[] NOTHING_HIT = {
+        (tile, drawing) -> HitSorting.sortSkies(tile),
+    };
+
+    private static final Stage[] NEAREST_OF_FEW = {
         (tile, drawing) -> NearestSphere.find(tile, drawing.bodies, tile.candidates),
     };
 
@@ -54,10 +61,6 @@ final class TileRenderer {
         (tile, drawing) -> Bounce.shade(tile, drawing.bodies, drawing.ambient),
         (tile, drawing) -> Bounce.reflect(tile),
         (tile, drawing) -> Bounce.leave(tile),
-    };
-
-    private static final Stage[] HOLD_MIRRORED = {
-        (tile, drawing) -> tile.rays.mirror(drawing.planeHeight),
     };
 
     private static final Stage[] HOLD_ANEW = {
@@ -115,11 +118,12 @@ final class TileRenderer {
                 camera[Layout.CAMERA_POSITION], camera[Layout.CAMERA_POSITION + 1], camera[Layout.CAMERA_POSITION + 2]);
         for (int bounce = 0; bounce <= drawing.bounceLimit && tile.live.count > 0; bounce++) {
             tile.last = bounce == drawing.bounceLimit;
-            if (bounce > 0) {
-                Stage.runAll(bounce == 1 && tile.spheres.count == 0 ? HOLD_MIRRORED : HOLD_ANEW, tile, drawing);
+            if (drawing.crowded) {
+                Stage.runAll(NEAREST_OF_MANY, tile, drawing);
+                Stage.runAll(HIT, tile, drawing);
+            } else {
+                meetFew(drawing, bounce);
             }
-            Stage.runAll(drawing.crowded ? NEAREST_OF_MANY : NEAREST_OF_FEW, tile, drawing);
-            Stage.runAll(HIT, tile, drawing);
             if (tile.skies.count > 0) {
                 Stage.runAll(SKY, tile, drawing);
             }
@@ -128,6 +132,23 @@ final class TileRenderer {
             } else {
                 tile.live.clear();
             }
+        }
+    }
+
+    /** Sorts the live rays by what they meet, where the hulls of all rays tell what cannot be met. */
+    private void meetFew(Drawing drawing, int bounce) {
+        boolean offPlane = bounce == 1 && tile.spheres.count == 0;
+        if (offPlane) {
+            tile.rays.mirror(drawing.planeHeight);
+        } else if (bounce > 0) {
+            Stage.runAll(HOLD_ANEW, tile, drawing);
+        }
+        Stage.runAll(CULL, tile, drawing);
+        if (tile.candidates.count == 0 && (offPlane || tile.rays.rises(drawing.planeHeight))) {
+            Stage.runAll(NOTHING_HIT, tile, drawing);
+        } else {
+            Stage.runAll(NEAREST_OF_FEW, tile, drawing);
+            Stage.runAll(HIT, tile, drawing);
         }
     }
 }

@@ -15,6 +15,9 @@ final class VectorEngine implements Engine {
     /** With fewer bodies, a look at all of them a tile is faster; measured, see {@code benchmarks/NOTES.md}. */
     static final int CROWD = 400;
 
+    /** Taking turns waits until a thread's pixels are in memory, so not for each tile. */
+    private static final int TILES_A_TURN = 4;
+
     private final int threads;
     private final int crowd;
     private final TileRenderer[] renderers;
@@ -70,10 +73,12 @@ final class VectorEngine implements Engine {
     private void drawTiles(int thread) {
         TileRenderer renderer = renderers[thread];
         int tiles = drawing.tiles();
-        int tile = nextTile.getAndIncrement();
-        while (tile < tiles) {
-            renderer.draw(drawing, tile);
-            tile = nextTile.getAndIncrement();
+        int first = nextTile.getAndAdd(TILES_A_TURN);
+        while (first < tiles) {
+            for (int tile = first; tile < Math.min(first + TILES_A_TURN, tiles); tile++) {
+                renderer.draw(drawing, tile);
+            }
+            first = nextTile.getAndAdd(TILES_A_TURN);
         }
     }
 
