@@ -13,6 +13,9 @@ import jdk.incubator.vector.VectorOperators;
  * be too large to be inlined, and its vectors become objects, in some JVMs and not in others.
  */
 final class ShadowConics {
+    /** Where the second candidate's facts begin. */
+    private static final int SECOND = ShadowScratch.STRIDE;
+
     private static final int LOWER = 0;
     private static final int COUNT = 1;
 
@@ -77,6 +80,35 @@ final class ShadowConics {
             blockedToo = blockedToo.blend(blockedToo.add(oneMore), conicToo.compare(VectorOperators.LE, 0f));
         }
         blocked.add(blockedToo).intoArray(scratch.frame, ShadowScratch.BLOCKED);
+    }
+
+    /** Counts the samples that any of two candidates blocks. */
+    static void countTwo(ShadowScratch scratch, float[] disc, int samples) {
+        float[] facts = scratch.facts;
+        FloatVector xx = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.XX);
+        FloatVector xy = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.XY);
+        FloatVector yy = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.YY);
+        FloatVector linearX = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.X);
+        FloatVector linearY = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.Y);
+        FloatVector constant = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.CONSTANT);
+        FloatVector xxToo = FloatVector.fromArray(Lanes.FLOATS, facts, SECOND + ShadowScratch.XX);
+        FloatVector xyToo = FloatVector.fromArray(Lanes.FLOATS, facts, SECOND + ShadowScratch.XY);
+        FloatVector yyToo = FloatVector.fromArray(Lanes.FLOATS, facts, SECOND + ShadowScratch.YY);
+        FloatVector linearXToo = FloatVector.fromArray(Lanes.FLOATS, facts, SECOND + ShadowScratch.X);
+        FloatVector linearYToo = FloatVector.fromArray(Lanes.FLOATS, facts, SECOND + ShadowScratch.Y);
+        FloatVector constantToo = FloatVector.fromArray(Lanes.FLOATS, facts, SECOND + ShadowScratch.CONSTANT);
+        FloatVector blocked = FloatVector.zero(Lanes.FLOATS);
+        for (int at = 0; at < 2 * samples; at += 2) {
+            FloatVector x = FloatVector.broadcast(Lanes.FLOATS, disc[at]);
+            FloatVector y = FloatVector.broadcast(Lanes.FLOATS, disc[at + 1]);
+            FloatVector inX = xy.fma(y, xx.fma(x, linearX)).fma(x, constant);
+            FloatVector inXToo = xyToo.fma(y, xxToo.fma(x, linearXToo)).fma(x, constantToo);
+            FloatVector conic = yy.fma(y, linearY).fma(y, inX);
+            FloatVector conicToo = yyToo.fma(y, linearYToo).fma(y, inXToo);
+            FloatVector lower = conic.blend(conicToo, conicToo.compare(VectorOperators.LT, conic));
+            blocked = blocked.blend(blocked.add(1f), lower.compare(VectorOperators.LE, 0f));
+        }
+        blocked.intoArray(scratch.frame, ShadowScratch.BLOCKED);
     }
 
     /** Counts the samples that any of the candidates blocks. */

@@ -112,6 +112,8 @@ final class Shadows {
             ShadowRays.countAny(tile.shadow, tile.values, at + Tile.LIGHT_DISTANCE, disc, samples);
         } else if (tile.shadow.candidates.count == 1) {
             ShadowConics.countOne(tile.shadow, disc, samples);
+        } else if (tile.shadow.candidates.count == 2) {
+            ShadowConics.countTwo(tile.shadow, disc, samples);
         } else {
             ShadowConics.countAny(tile.shadow, disc, samples);
         }
