@@ -50,7 +50,7 @@ final class Beam {
         end = Math.min(metres * (1f + SPREAD), EVERYWHERE);
     }
 
-    /** The rays of the packet that go on. */
+    /** The rays of the packet that keep {@link Tile#TOGETHER}. */
     void holdRays(float[] t, int at) {
         rays(x, t, at, Tile.ORIGIN_X, Tile.DIRECTION_X);
         rays(y, t, at, Tile.ORIGIN_Y, Tile.DIRECTION_Y);
@@ -60,10 +60,10 @@ final class Beam {
 
     private static void rays(Slab slab, float[] t, int at, int origin, int direction) {
         slab.set(
-                least(t, at + origin, at + Tile.THROUGHPUT),
-                most(t, at + origin, at + Tile.THROUGHPUT),
-                least(t, at + direction, at + Tile.THROUGHPUT) - SPREAD,
-                most(t, at + direction, at + Tile.THROUGHPUT) + SPREAD);
+                least(t, at + origin, at + Tile.TOGETHER),
+                most(t, at + origin, at + Tile.TOGETHER),
+                least(t, at + direction, at + Tile.TOGETHER) - SPREAD,
+                most(t, at + direction, at + Tile.TOGETHER) + SPREAD);
     }
 
     /** The lines from the point of that pixel to the light's disc, as far as its outermost sample. */

@@ -6,21 +6,21 @@ package dev.twister.engine.vector;
  */
 final class LaneSteps {
     static final int START_PACKET = 0;
-    static final int KEEP_TOGETHER = 1;
+    static final int GATHER = 1;
     static final int MEET_SPHERE = 2;
     static final int FARTHEST = 3;
     static final int BETWEEN = 4;
     static final int OUTSIDE = 5;
     static final int HIDES_DISC = 6;
     static final int FINISH_PACKET = 7;
+    static final int OPEN = 8;
+    static final int OPEN_ON_GROUND = 9;
+    static final int NARROW = 10;
 
     /** The steps, by the numbers above; an array, so that the compiler does not know which it calls. */
     private static final LaneStep[] STEPS = {
-        (tile, drawing, at, item) -> {
-            PacketHits.start(tile.values, at, drawing.bodies);
-            return 0;
-        },
-        (tile, drawing, at, item) -> PacketHits.keepTogether(tile.values, at),
+        (tile, drawing, at, item) -> PacketHits.start(tile.values, at, drawing.bodies),
+        (tile, drawing, at, item) -> PacketHits.gather(tile.values, at, item),
         (tile, drawing, at, item) -> {
             PacketHits.meet(tile.values, at, drawing.hierarchy.spheres, item);
             return 0;
@@ -30,6 +30,12 @@ final class LaneSteps {
         (tile, drawing, at, item) -> ShadowCandidates.isOutside(tile.values, at, drawing.bodies, item),
         (tile, drawing, at, item) -> ShadowCandidates.hidesDisc(tile.values, at, drawing.bodies, item),
         (tile, drawing, at, item) -> ShadowCandidates.finish(tile.values, at, tile.shadow),
+        (tile, drawing, at, item) -> ShadowCandidates.open(tile.values, at),
+        (tile, drawing, at, item) -> ShadowCandidates.openOnGround(tile.values, at),
+        (tile, drawing, at, item) -> {
+            ShadowCandidates.narrow(tile.values, at, item);
+            return 0;
+        },
     };
 
     private LaneSteps() {}

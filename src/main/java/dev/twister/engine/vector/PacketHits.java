@@ -8,12 +8,15 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Which sphere, or the light, each ray meets first, by way of the hierarchy: packets whose rays keep together walk it as
- * one; of the others each ray has a way of its own, all of them level by level.
+ * Which sphere, or the light, each ray meets first, by way of the hierarchy: a packet's rays that keep together walk it
+ * as one; each of the others has a way of its own, all of them level by level.
  */
 final class PacketHits {
     /** Where the directions' cosines about one of them are less, rays do not keep together. */
     private static final float TOGETHER_COSINE = 0.98f;
+
+    /** Fewer rays than these are better off alone. */
+    private static final int FEWEST_TOGETHER = 4;
 
     /** Where a ray meets more leaves, it is better off with those in front alone. */
     private static final int MOST_LEAVES = 24;
@@ -24,11 +27,13 @@ final class PacketHits {
     static void find(Tile tile, Drawing drawing) {
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
-            LaneSteps.run(LaneSteps.START_PACKET, tile, drawing, at, 0);
-            if (LaneSteps.run(LaneSteps.KEEP_TOGETHER, tile, drawing, at, 0) != 0) {
+            int goesOn = (int) LaneSteps.run(LaneSteps.START_PACKET, tile, drawing, at, 0);
+            int together = (int) LaneSteps.run(LaneSteps.GATHER, tile, drawing, at, goesOn);
+            if (together != 0) {
                 walkTogether(tile, drawing, at);
-            } else {
-                walkAlone(tile, drawing, at);
+            }
+            if (together != goesOn) {
+                walkAlone(tile, drawing, at, goesOn & ~together);
             }
         }
     }
@@ -67,13 +72,10 @@ final class PacketHits {
         return Float.intBitsToFloat((int) LaneSteps.run(LaneSteps.FARTHEST, tile, drawing, at, 0));
     }
 
-    private static void walkAlone(Tile tile, Drawing drawing, int at) {
+    private static void walkAlone(Tile tile, Drawing drawing, int at, long wanted) {
         float[] t = tile.values;
         PacketLeaves leaves = tile.packetLeaves;
         tile.packetBeams.holdRays(t, at);
-        long wanted = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.THROUGHPUT)
-                .compare(VectorOperators.GT, 0f)
-                .toLong();
         boolean found = leaves.find(drawing.hierarchy, tile.packetBeams, wanted);
         for (long rest = wanted; rest != 0L; rest &= rest - 1) {
             int lane = Long.numberOfTrailingZeros(rest);
@@ -177,8 +179,8 @@ final class PacketHits {
         }
     }
 
-    /** The light where it is met; rays that have ended meet nothing any more. */
-    static void start(float[] t, int at, BodyColumns bodies) {
+    /** The light where it is met; rays that have ended meet nothing any more. Returns one bit a ray that goes on. */
+    static long start(float[] t, int at, BodyColumns bodies) {
         VectorMask<Float> goesOn = Lanes.load(t, at + Tile.THROUGHPUT).compare(VectorOperators.GT, 0f);
         FloatVector closest = Lanes.all(0f).blend(Intersection.MISS, goesOn);
         FloatVector near = NearestSphere.near(
@@ -191,6 +193,7 @@ final class PacketHits {
         VectorMask<Float> met = near.compare(VectorOperators.GT, 0f).and(near.compare(VectorOperators.LT, closest));
         closest.blend(near, met).intoArray(t, at + Tile.DISTANCE);
         Lanes.all(Layout.NOTHING).blend(Layout.LIGHT, met).intoArray(t, at + Tile.HIT);
+        return goesOn.toLong();
     }
 
     /** One sphere and all rays. */
@@ -209,20 +212,38 @@ final class PacketHits {
         hit.blend(body, closer).intoArray(t, at + Tile.HIT);
     }
 
-    /** The bits, as a float, of the farthest of the packet's closest hits. */
+    /** The bits, as a float, of the farthest of the closest hits of those that keep together. */
     static long farthest(float[] t, int at) {
-        return Float.floatToIntBits(Lanes.load(t, at + Tile.DISTANCE).reduceLanes(VectorOperators.MAX));
+        return Float.floatToIntBits(Lanes.load(t, at + Tile.DISTANCE)
+                .mul(Lanes.load(t, at + Tile.TOGETHER))
+                .reduceLanes(VectorOperators.MAX));
     }
 
-    /** Whether the directions of the rays that go on are nearly the same. */
-    static long keepTogether(float[] t, int at) {
-        VectorMask<Float> goesOn = Lanes.load(t, at + Tile.THROUGHPUT).compare(VectorOperators.GT, 0f);
-        int first = at + Long.numberOfTrailingZeros(goesOn.toLong());
-        VectorMask<Float> near = Lanes.load(t, at + Tile.DIRECTION_X)
-                .mul(t[first + Tile.DIRECTION_X])
-                .add(Lanes.load(t, at + Tile.DIRECTION_Y).mul(t[first + Tile.DIRECTION_Y]))
-                .add(Lanes.load(t, at + Tile.DIRECTION_Z).mul(t[first + Tile.DIRECTION_Z]))
-                .compare(VectorOperators.GT, TOGETHER_COSINE);
-        return goesOn.andNot(near).anyTrue() ? 0 : 1;
+    /**
+     * Chooses the rays that keep {@link Tile#TOGETHER}: of those that leave the ground, or if none does of all, those with
+     * nearly the direction of the first, where they are many enough.
+     *
+     * @param goesOn one bit a ray that goes on
+     * @return one bit a ray that keeps together
+     */
+    static long gather(float[] t, int at, long goesOn) {
+        long ground = goesOn
+                & Lanes.load(t, at + Tile.LEAVING)
+                        .compare(VectorOperators.EQ, Layout.PLANE)
+                        .toLong();
+        long kind = ground != 0L ? ground : goesOn;
+        int first = at + Long.numberOfTrailingZeros(kind);
+        long together = kind
+                & Lanes.load(t, at + Tile.DIRECTION_X)
+                        .mul(t[first + Tile.DIRECTION_X])
+                        .add(Lanes.load(t, at + Tile.DIRECTION_Y).mul(t[first + Tile.DIRECTION_Y]))
+                        .add(Lanes.load(t, at + Tile.DIRECTION_Z).mul(t[first + Tile.DIRECTION_Z]))
+                        .compare(VectorOperators.GT, TOGETHER_COSINE)
+                        .toLong();
+        if (together != goesOn && Long.bitCount(together) < FEWEST_TOGETHER) {
+            together = 0L;
+        }
+        Lanes.all(0f).blend(1f, VectorMask.fromLong(Lanes.FLOATS, together)).intoArray(t, at + Tile.TOGETHER);
+        return together;
     }
 }

@@ -1,5 +1,6 @@
 package dev.twister.engine.vector;
 
+import dev.twister.kernel.Layout;
 import dev.twister.kernel.SoftShadow;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
@@ -79,6 +80,26 @@ final class ShadowCandidates {
                 .blend(0f, VectorMask.fromLong(Lanes.FLOATS, dark))
                 .intoArray(t, at + Tile.VISIBLE);
         Lanes.all(0f).blend(1f, VectorMask.fromLong(Lanes.FLOATS, undecided)).intoArray(t, at + Tile.SHADOW_OPEN);
+    }
+
+    /** One bit an open lane. */
+    static long open(float[] t, int at) {
+        return Lanes.load(t, at + Tile.SHADOW_OPEN)
+                .compare(VectorOperators.GT, 0f)
+                .toLong();
+    }
+
+    /** One bit an open lane whose point lies on the ground. */
+    static long openOnGround(float[] t, int at) {
+        return Lanes.load(t, at + Tile.HIT)
+                .compare(VectorOperators.EQ, Layout.PLANE)
+                .and(Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f))
+                .toLong();
+    }
+
+    /** Leaves those lanes open alone. */
+    static void narrow(float[] t, int at, long lanes) {
+        Lanes.all(0f).blend(1f, VectorMask.fromLong(Lanes.FLOATS, lanes)).intoArray(t, at + Tile.SHADOW_OPEN);
     }
 
     /** One bit a lane where the sphere may meet the cone from the point to the disc. */

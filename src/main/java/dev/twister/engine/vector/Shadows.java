@@ -55,19 +55,31 @@ final class Shadows {
                 drawing.discRadius * drawing.rim);
     }
 
+    /** Points on the ground and on spheres are looked at apart: between them there are many spheres that shade neither. */
     private static void sampleInCrowd(Tile tile, Drawing drawing) {
-        SphereColumns near = tile.near;
         float radius = drawing.discRadius * drawing.rim;
         for (int k = 0; k < tile.shadows.count; k++) {
             int at = tile.shadows.places[k];
-            tile.beam.holdLines(tile.values, at, drawing.bodies, Layout.LIGHT, radius);
-            if (!findNear(tile, drawing.hierarchy)) {
-                LoneShadows.find(tile, at, drawing);
-            } else if (near.count > MOST_TOGETHER) {
-                LoneShadows.findAmong(near, tile, at, drawing);
-            } else if (near.count > 0 && ShadowCandidates.findAmong(near, tile, at, drawing)) {
-                sample(tile, drawing, at);
+            int open = (int) LaneSteps.run(LaneSteps.OPEN, tile, drawing, at, 0);
+            int ground = (int) LaneSteps.run(LaneSteps.OPEN_ON_GROUND, tile, drawing, at, 0);
+            if (ground != 0 && ground != open) {
+                LaneSteps.run(LaneSteps.NARROW, tile, drawing, at, ground);
+                sampleInCrowd(tile, drawing, at, radius);
+                LaneSteps.run(LaneSteps.NARROW, tile, drawing, at, open & ~ground);
             }
+            sampleInCrowd(tile, drawing, at, radius);
+        }
+    }
+
+    private static void sampleInCrowd(Tile tile, Drawing drawing, int at, float radius) {
+        SphereColumns near = tile.near;
+        tile.beam.holdLines(tile.values, at, drawing.bodies, Layout.LIGHT, radius);
+        if (!findNear(tile, drawing.hierarchy)) {
+            LoneShadows.find(tile, at, drawing);
+        } else if (near.count > MOST_TOGETHER) {
+            LoneShadows.findAmong(near, tile, at, drawing);
+        } else if (near.count > 0 && ShadowCandidates.findAmong(near, tile, at, drawing)) {
+            sample(tile, drawing, at);
         }
     }
 

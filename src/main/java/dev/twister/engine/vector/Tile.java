@@ -97,7 +97,10 @@ final class Tile {
     /** What a cosine's power is multiplied by. */
     static final int SPECULAR_WEIGHT = 37 * SIZE;
 
-    private static final int COLUMNS = 38;
+    /** 1 where a packet's rays are walked with as one, else 0. */
+    static final int TOGETHER = 38 * SIZE;
+
+    private static final int COLUMNS = 39;
 
     /** The hit of a lane whose path ended before. */
     static final float ENDED = -2f;
