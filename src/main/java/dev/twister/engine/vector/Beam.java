@@ -163,13 +163,15 @@ final class Beam {
                 .toLong();
     }
 
-    /** One bit a sphere of the columns, from {@code first} on, whose box the beam may meet before its end. */
+    /** One bit a sphere of the packet at that place whose box the beam may meet before its end. */
     long meeting(SphereColumns spheres, int first) {
-        FloatVector radius =
-                FloatVector.fromArray(Lanes.FLOATS, spheres.radius, first).mul(SPHERE_MARGIN);
-        FloatVector fromX = FloatVector.fromArray(Lanes.FLOATS, spheres.x, first);
-        FloatVector fromY = FloatVector.fromArray(Lanes.FLOATS, spheres.y, first);
-        FloatVector fromZ = FloatVector.fromArray(Lanes.FLOATS, spheres.z, first);
+        float[] values = spheres.values;
+        int stride = spheres.stride;
+        FloatVector radius = FloatVector.fromArray(Lanes.FLOATS, values, first + SphereColumns.RADIUS * stride)
+                .mul(SPHERE_MARGIN);
+        FloatVector fromX = FloatVector.fromArray(Lanes.FLOATS, values, first);
+        FloatVector fromY = FloatVector.fromArray(Lanes.FLOATS, values, first + SphereColumns.Y * stride);
+        FloatVector fromZ = FloatVector.fromArray(Lanes.FLOATS, values, first + SphereColumns.Z * stride);
         FloatVector near =
                 fromX.sub(x.nearOrigin).add(radius.mul(2 * x.nearSide - 1)).mul(x.nearScale);
         FloatVector nearY =

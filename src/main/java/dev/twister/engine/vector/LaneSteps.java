@@ -22,7 +22,7 @@ final class LaneSteps {
         (tile, drawing, at, item) -> PacketHits.start(tile.values, at, drawing.bodies),
         (tile, drawing, at, item) -> PacketHits.gather(tile.values, at, item),
         (tile, drawing, at, item) -> {
-            PacketHits.meet(tile.values, at, drawing.hierarchy.spheres, item);
+            PacketHits.meet(tile.values, at, drawing.hierarchy.spheres.values, item);
             return 0;
         },
         (tile, drawing, at, item) -> PacketHits.farthest(tile.values, at),

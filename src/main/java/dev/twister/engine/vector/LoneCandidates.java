@@ -87,12 +87,14 @@ final class LoneCandidates {
      * Adds those of some spheres that are candidates; returns whether one of them hides the whole disc.
      *
      * @param first the first sphere's place in the columns
-     * @param end the place behind the last
+     * @param number how many there are
      */
-    boolean add(SphereColumns spheres, int first, int end) {
+    boolean add(SphereColumns spheres, int first, int number) {
         boolean dark = false;
-        for (int at = first; at < end && !dark; at += Lanes.COUNT) {
-            dark = judge(spheres, at, (1L << Math.min(Lanes.COUNT, end - at)) - 1);
+        int at = first;
+        for (int left = number; left > 0 && !dark; left -= Lanes.COUNT) {
+            dark = judge(spheres.values, spheres.stride, at, (1L << Math.min(Lanes.COUNT, left)) - 1);
+            at += spheres.step;
         }
         return dark;
     }
@@ -107,11 +109,13 @@ final class LoneCandidates {
     }
 
     /** {@link SoftShadow#judge}, a sphere in each lane: adds the candidates, and returns whether one hides the disc. */
-    private boolean judge(SphereColumns spheres, int at, long wanted) {
-        FloatVector x = FloatVector.fromArray(Lanes.FLOATS, spheres.x, at).sub(pointX);
-        FloatVector y = FloatVector.fromArray(Lanes.FLOATS, spheres.y, at).sub(pointY);
-        FloatVector z = FloatVector.fromArray(Lanes.FLOATS, spheres.z, at).sub(pointZ);
-        FloatVector radius = FloatVector.fromArray(Lanes.FLOATS, spheres.radius, at);
+    private boolean judge(float[] spheres, int stride, int at, long wanted) {
+        FloatVector x = FloatVector.fromArray(Lanes.FLOATS, spheres, at).sub(pointX);
+        FloatVector y = FloatVector.fromArray(Lanes.FLOATS, spheres, at + SphereColumns.Y * stride)
+                .sub(pointY);
+        FloatVector z = FloatVector.fromArray(Lanes.FLOATS, spheres, at + SphereColumns.Z * stride)
+                .sub(pointZ);
+        FloatVector radius = FloatVector.fromArray(Lanes.FLOATS, spheres, at + SphereColumns.RADIUS * stride);
         FloatVector a = x.mul(axisX).add(y.mul(axisY)).add(z.mul(axisZ));
         FloatVector u = y.mul(uY).add(z.mul(uZ));
         FloatVector w = x.mul(wX).add(y.mul(wY)).add(z.mul(wZ));
@@ -127,7 +131,8 @@ final class LoneCandidates {
                 .and(reach.compare(VectorOperators.GT, 0f))
                 .and(across.compare(VectorOperators.LE, reach.mul(reach)))
                 .and(a.mul(a).add(across).compare(VectorOperators.GT, radiusSquared))
-                .and(FloatVector.fromArray(Lanes.FLOATS, spheres.body, at).compare(VectorOperators.NE, own));
+                .and(FloatVector.fromArray(Lanes.FLOATS, spheres, at + SphereColumns.BODY * stride)
+                        .compare(VectorOperators.NE, own));
         long found = between.toLong() & wanted;
         boolean dark = false;
         if (found != 0L) {

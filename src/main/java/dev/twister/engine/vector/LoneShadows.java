@@ -11,13 +11,13 @@ final class LoneShadows {
     private LoneShadows() {}
 
     /** Writes the visible parts at the packet's open points, out of the spheres that are near any of them. */
-    static void findAmong(SphereColumns near, Tile tile, int at, Drawing drawing) {
+    static void findAmong(SphereColumns near, int count, Tile tile, int at, Drawing drawing) {
         float[] t = tile.values;
         LoneCandidates candidates = tile.shadow.lone;
         for (int pixel = at; pixel < at + Lanes.COUNT; pixel++) {
             if (t[pixel + Tile.SHADOW_OPEN] > 0f) {
                 candidates.start(t, pixel, drawing.discRadius);
-                boolean dark = candidates.add(near, 0, near.count);
+                boolean dark = candidates.add(near, 0, count);
                 t[pixel + Tile.VISIBLE] = dark ? 0f : visible(candidates, drawing);
             }
         }
@@ -75,7 +75,6 @@ final class LoneShadows {
     }
 
     private static boolean add(WideHierarchy hierarchy, int leaf, LoneCandidates candidates) {
-        int first = hierarchy.links[leaf];
-        return candidates.add(hierarchy.spheres, first, first + hierarchy.counts[leaf]);
+        return candidates.add(hierarchy.spheres, hierarchy.links[leaf], hierarchy.counts[leaf]);
     }
 }

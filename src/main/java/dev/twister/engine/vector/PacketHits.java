@@ -2,7 +2,6 @@ package dev.twister.engine.vector;
 
 import dev.twister.kernel.Intersection;
 import dev.twister.kernel.Layout;
-import java.util.Arrays;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
@@ -47,18 +46,16 @@ final class PacketHits {
         descent.start(hierarchy, beam);
         int leaf = descent.nextLeaf(hierarchy, beam);
         while (leaf >= 0) {
-            int sphere = hierarchy.links[leaf];
-            int end = sphere + hierarchy.counts[leaf];
             boolean tested = false;
-            while (sphere < end) {
-                long near = beam.meeting(hierarchy.spheres, sphere) & (1L << Math.min(Lanes.COUNT, end - sphere)) - 1;
+            int first = hierarchy.links[leaf];
+            for (int left = hierarchy.counts[leaf]; left > 0; left -= Lanes.COUNT) {
+                long near = beam.meeting(hierarchy.spheres, first) & (1L << Math.min(Lanes.COUNT, left)) - 1;
                 tested |= near != 0L;
                 while (near != 0L) {
-                    int item = sphere + Long.numberOfTrailingZeros(near);
-                    LaneSteps.run(LaneSteps.MEET_SPHERE, tile, drawing, at, item);
+                    LaneSteps.run(LaneSteps.MEET_SPHERE, tile, drawing, at, first + Long.numberOfTrailingZeros(near));
                     near &= near - 1;
                 }
-                sphere += Lanes.COUNT;
+                first += hierarchy.spheres.step;
             }
             if (tested) {
                 beam.endAt(farthest(tile, drawing, at));
@@ -90,18 +87,11 @@ final class PacketHits {
     /** One ray and the spheres of all leaves that it may meet. */
     private static void meetLeaves(Tile tile, Drawing drawing, int pixel, int lane) {
         PacketLeaves leaves = tile.packetLeaves;
-        start(tile, pixel);
         int first = lane * PacketLeaves.MOST;
         int end = first + leaves.counts[lane];
         for (int k = first; k < end; k++) {
             meetLeaf(tile, pixel, drawing.hierarchy, leaves.places[k]);
         }
-        takeNearest(tile, pixel);
-    }
-
-    private static void start(Tile tile, int pixel) {
-        Arrays.fill(tile.distances, tile.values[pixel + Tile.DISTANCE]);
-        Arrays.fill(tile.bodies, tile.values[pixel + Tile.HIT]);
     }
 
     /** One ray and the spheres of the leaves that it meets before a hit, the nearest first. */
@@ -112,67 +102,63 @@ final class PacketHits {
         WideHierarchy hierarchy = drawing.hierarchy;
         beam.holdRay(t, pixel);
         beam.endAt(t[pixel + Tile.DISTANCE]);
-        start(tile, pixel);
         descent.start(hierarchy, beam);
         int leaf = descent.nextLeaf(hierarchy, beam);
         while (leaf >= 0) {
             meetLeaf(tile, pixel, hierarchy, leaf);
-            takeNearest(tile, pixel);
             beam.endAt(t[pixel + Tile.DISTANCE]);
             leaf = descent.nextLeaf(hierarchy, beam);
         }
     }
 
     private static void meetLeaf(Tile tile, int pixel, WideHierarchy hierarchy, int leaf) {
-        int end = hierarchy.links[leaf] + hierarchy.counts[leaf];
-        for (int first = hierarchy.links[leaf]; first < end; first += Lanes.COUNT) {
-            meet(tile, pixel, hierarchy.spheres, first, (1L << Math.min(Lanes.COUNT, end - first)) - 1);
+        SphereColumns spheres = hierarchy.spheres;
+        int first = hierarchy.links[leaf];
+        for (int left = hierarchy.counts[leaf]; left > 0; left -= Lanes.COUNT) {
+            meet(tile, pixel, spheres.values, first, (1L << Math.min(Lanes.COUNT, left)) - 1);
+            first += spheres.step;
         }
     }
 
-    /** One ray and the wanted ones of the spheres from {@code first} on, each against what its lane has met so far. */
-    private static void meet(Tile tile, int pixel, SphereColumns spheres, int first, long wanted) {
+    /** One ray and the wanted ones of a block of spheres; few rays meet any, so that the rest is done one by one. */
+    private static void meet(Tile tile, int pixel, float[] spheres, int first, long wanted) {
         float[] t = tile.values;
         float directionX = t[pixel + Tile.DIRECTION_X];
         float directionY = t[pixel + Tile.DIRECTION_Y];
         float directionZ = t[pixel + Tile.DIRECTION_Z];
-        FloatVector x = FloatVector.fromArray(Lanes.FLOATS, spheres.x, first).sub(t[pixel + Tile.ORIGIN_X]);
-        FloatVector y = FloatVector.fromArray(Lanes.FLOATS, spheres.y, first).sub(t[pixel + Tile.ORIGIN_Y]);
-        FloatVector z = FloatVector.fromArray(Lanes.FLOATS, spheres.z, first).sub(t[pixel + Tile.ORIGIN_Z]);
-        FloatVector radius = FloatVector.fromArray(Lanes.FLOATS, spheres.radius, first);
-        FloatVector body = FloatVector.fromArray(Lanes.FLOATS, spheres.body, first);
+        FloatVector x = FloatVector.fromArray(Lanes.FLOATS, spheres, first).sub(t[pixel + Tile.ORIGIN_X]);
+        FloatVector y = FloatVector.fromArray(Lanes.FLOATS, spheres, first + SphereColumns.Y * Lanes.COUNT)
+                .sub(t[pixel + Tile.ORIGIN_Y]);
+        FloatVector z = FloatVector.fromArray(Lanes.FLOATS, spheres, first + SphereColumns.Z * Lanes.COUNT)
+                .sub(t[pixel + Tile.ORIGIN_Z]);
+        FloatVector radius = FloatVector.fromArray(Lanes.FLOATS, spheres, first + SphereColumns.RADIUS * Lanes.COUNT);
         FloatVector along = x.mul(directionX).add(y.mul(directionY)).add(z.mul(directionZ));
         FloatVector acrossX = x.sub(along.mul(directionX));
         FloatVector acrossY = y.sub(along.mul(directionY));
         FloatVector acrossZ = z.sub(along.mul(directionZ));
         FloatVector acrossSquared =
                 acrossX.mul(acrossX).add(acrossY.mul(acrossY)).add(acrossZ.mul(acrossZ));
-        FloatVector near = along.sub(radius.mul(radius).sub(acrossSquared).sqrt());
-        FloatVector closest = FloatVector.fromArray(Lanes.FLOATS, tile.distances, 0);
-        FloatVector met = FloatVector.fromArray(Lanes.FLOATS, tile.bodies, 0);
-        VectorMask<Float> closer = near.compare(VectorOperators.EQ, closest)
-                .and(met.compare(VectorOperators.GT, body))
-                .or(near.compare(VectorOperators.LT, closest))
-                .and(near.compare(VectorOperators.GT, 0f))
-                .and(body.compare(VectorOperators.NE, t[pixel + Tile.LEAVING]))
-                .and(VectorMask.fromLong(Lanes.FLOATS, wanted));
-        closest.blend(near, closer).intoArray(tile.distances, 0);
-        met.blend(body, closer).intoArray(tile.bodies, 0);
+        FloatVector within = radius.mul(radius).sub(acrossSquared);
+        long met = along.compare(VectorOperators.GT, 0f)
+                        .and(within.compare(VectorOperators.GE, 0f))
+                        .toLong()
+                & wanted;
+        if (met != 0L) {
+            along.sub(within.sqrt()).intoArray(tile.distances, 0);
+            takeNearest(tile, pixel, spheres, first + SphereColumns.BODY * Lanes.COUNT, met);
+        }
     }
 
-    /** The nearest hit in any lane, and of equals the body with the lowest number. */
-    private static void takeNearest(Tile tile, int pixel) {
+    /** The nearest of some spheres met, and of equals the one with the lowest number. */
+    private static void takeNearest(Tile tile, int pixel, float[] bodies, int first, long met) {
         float[] t = tile.values;
-        long closer = FloatVector.fromArray(Lanes.FLOATS, tile.bodies, 0)
-                .compare(VectorOperators.NE, t[pixel + Tile.HIT])
-                .toLong();
-        while (closer != 0L) {
-            int lane = Long.numberOfTrailingZeros(closer);
-            closer &= closer - 1;
+        for (long rest = met; rest != 0L; rest &= rest - 1) {
+            int lane = Long.numberOfTrailingZeros(rest);
             float distance = tile.distances[lane];
-            float body = tile.bodies[lane];
+            float body = bodies[first + lane];
             float closest = t[pixel + Tile.DISTANCE];
-            if (distance < closest || (distance == closest && body < t[pixel + Tile.HIT])) {
+            boolean closer = distance < closest || (distance == closest && body < t[pixel + Tile.HIT]);
+            if (closer && distance > 0f && body != t[pixel + Tile.LEAVING]) {
                 t[pixel + Tile.DISTANCE] = distance;
                 t[pixel + Tile.HIT] = body;
             }
@@ -197,10 +183,15 @@ final class PacketHits {
     }
 
     /** One sphere and all rays. */
-    static void meet(float[] t, int at, SphereColumns spheres, int sphere) {
-        float body = spheres.body[sphere];
+    static void meet(float[] t, int at, float[] spheres, int sphere) {
+        float body = spheres[sphere + SphereColumns.BODY * Lanes.COUNT];
         FloatVector near = NearestSphere.near(
-                t, at, spheres.x[sphere], spheres.y[sphere], spheres.z[sphere], spheres.radius[sphere]);
+                t,
+                at,
+                spheres[sphere],
+                spheres[sphere + SphereColumns.Y * Lanes.COUNT],
+                spheres[sphere + SphereColumns.Z * Lanes.COUNT],
+                spheres[sphere + SphereColumns.RADIUS * Lanes.COUNT]);
         FloatVector closest = Lanes.load(t, at + Tile.DISTANCE);
         FloatVector hit = Lanes.load(t, at + Tile.HIT);
         VectorMask<Float> closer = near.compare(VectorOperators.EQ, closest)

@@ -49,11 +49,11 @@ final class ShadowCandidates {
     }
 
     /** The same out of the spheres that are near the packet's lines. */
-    static boolean findAmong(SphereColumns near, Tile tile, int at, Drawing drawing) {
+    static boolean findAmong(SphereColumns near, int count, Tile tile, int at, Drawing drawing) {
         ShadowScratch scratch = tile.shadow;
         scratch.startPacket();
-        for (int sphere = 0; sphere < near.count; sphere++) {
-            judge(tile, drawing, at, (int) near.body[sphere]);
+        for (int sphere = 0; sphere < count; sphere++) {
+            judge(tile, drawing, at, (int) near.values[sphere + SphereColumns.BODY * near.stride]);
         }
         return LaneSteps.run(LaneSteps.FINISH_PACKET, tile, drawing, at, 0) != 0;
     }

@@ -74,32 +74,32 @@ final class Shadows {
     private static void sampleInCrowd(Tile tile, Drawing drawing, int at, float radius) {
         SphereColumns near = tile.near;
         tile.beam.holdLines(tile.values, at, drawing.bodies, Layout.LIGHT, radius);
-        if (!findNear(tile, drawing.hierarchy)) {
+        int count = findNear(tile, drawing.hierarchy);
+        if (count > MOST_NEAR) {
             LoneShadows.find(tile, at, drawing);
-        } else if (near.count > MOST_TOGETHER) {
-            LoneShadows.findAmong(near, tile, at, drawing);
-        } else if (near.count > 0 && ShadowCandidates.findAmong(near, tile, at, drawing)) {
+        } else if (count > MOST_TOGETHER) {
+            LoneShadows.findAmong(near, count, tile, at, drawing);
+        } else if (count > 0 && ShadowCandidates.findAmong(near, count, tile, at, drawing)) {
             sample(tile, drawing, at);
         }
     }
 
-    /** Lists the spheres that the beam may meet; returns whether they are few enough to be of use. */
-    private static boolean findNear(Tile tile, WideHierarchy hierarchy) {
-        SphereColumns near = tile.near;
+    /** Lists the spheres that the beam may meet; returns how many, more than {@link #MOST_NEAR} standing for any number. */
+    private static int findNear(Tile tile, WideHierarchy hierarchy) {
         Leaves leaves = tile.leaves;
-        near.count = 0;
-        boolean few = leaves.find(hierarchy, tile.beam, MOST_LEAVES);
-        for (int k = 0; k < leaves.count && few; k++) {
-            int first = hierarchy.links[leaves.places[k]];
-            int end = first + hierarchy.counts[leaves.places[k]];
-            while (first < end && few) {
-                long met = tile.beam.meeting(hierarchy.spheres, first) & (1L << Math.min(Lanes.COUNT, end - first)) - 1;
-                near.add(hierarchy.spheres, first, met);
-                first += Lanes.COUNT;
-                few = near.count <= MOST_NEAR;
+        SphereColumns spheres = hierarchy.spheres;
+        int count = leaves.find(hierarchy, tile.beam, MOST_LEAVES) ? 0 : MOST_NEAR + 1;
+        for (int k = 0; k < leaves.count && count <= MOST_NEAR; k++) {
+            int leaf = leaves.places[k];
+            int first = hierarchy.links[leaf];
+            for (int left = hierarchy.counts[leaf]; left > 0 && count <= MOST_NEAR; left -= Lanes.COUNT) {
+                long met = tile.beam.meeting(spheres, first) & (1L << Math.min(Lanes.COUNT, left)) - 1;
+                tile.near.copy(count, spheres, first, met);
+                count += Long.bitCount(met);
+                first += spheres.step;
             }
         }
-        return few;
+        return count;
     }
 
     private static void sample(Tile tile, Drawing drawing) {

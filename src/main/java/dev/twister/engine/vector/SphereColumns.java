@@ -1,35 +1,59 @@
 package dev.twister.engine.vector;
 
-/** Spheres side by side, with as many blanks behind as one load may reach too far; grows, never shrinks. */
+import java.util.Arrays;
+
+/**
+ * Spheres side by side in columns of one array: what is known of the sphere at a place lies there and so many times
+ * {@link #stride} further on. Some lanes behind a column's last sphere may be read, and mean nothing.
+ */
 final class SphereColumns {
-    float[] x = {};
-    float[] y = {};
-    float[] z = {};
-    float[] radius = {};
+    /** By how many strides the facts of a sphere lie behind its x. */
+    static final int Y = 1;
 
-    /** The spheres' numbers among the bodies: whole, and exact in a float. */
-    float[] body = {};
+    static final int Z = 2;
+    static final int RADIUS = 3;
 
-    int count;
+    /** The sphere's number among the bodies: whole, and exact in a float. */
+    static final int BODY = 4;
 
-    /** Makes room for so many; what was in the columns is lost where they grow. */
-    void reserve(int most) {
-        if (x.length < most + Lanes.COUNT) {
-            x = new float[most + Lanes.COUNT];
-            y = new float[most + Lanes.COUNT];
-            z = new float[most + Lanes.COUNT];
-            radius = new float[most + Lanes.COUNT];
-            body = new float[most + Lanes.COUNT];
+    static final int COLUMNS = 5;
+
+    float[] values = {};
+
+    /** From one column to the next. */
+    int stride;
+
+    /** From one packet of spheres to the next. */
+    int step;
+
+    /** Makes room for so many spheres, one column whole behind the other; what was there is lost where they grow. */
+    void reserveList(int most) {
+        if (stride < most + Lanes.COUNT) {
+            stride = most + Lanes.COUNT;
+            step = Lanes.COUNT;
+            values = new float[COLUMNS * stride];
         }
     }
 
-    /** Adds some of the other columns' spheres: one bit each, from {@code first} on. */
-    void add(SphereColumns from, int first, long lanes) {
-        Lanes.pack(from.x, first, lanes, x, count);
-        Lanes.pack(from.y, first, lanes, y, count);
-        Lanes.pack(from.z, first, lanes, z, count);
-        Lanes.pack(from.radius, first, lanes, radius, count);
-        Lanes.pack(from.body, first, lanes, body, count);
-        count += Long.bitCount(lanes);
+    /** Makes room for so many blocks of {@link Lanes#COUNT} spheres; what is there stays. */
+    void reserveBlocks(int most) {
+        stride = Lanes.COUNT;
+        step = COLUMNS * Lanes.COUNT;
+        if (values.length < most * step) {
+            values = Arrays.copyOf(values, 2 * most * step);
+        }
+    }
+
+    /**
+     * Copies some spheres of others, close together; room is needed for one packet more.
+     *
+     * @param to the place of the first
+     * @param from the place of the others' first
+     * @param lanes one bit a sphere that is copied
+     */
+    void copy(int to, SphereColumns others, int from, long lanes) {
+        for (int column = 0; column < COLUMNS; column++) {
+            Lanes.pack(others.values, from + column * others.stride, lanes, values, to + column * stride);
+        }
     }
 }

@@ -155,10 +155,8 @@ final class Tile {
     final PacketLeaves packetLeaves = new PacketLeaves();
     final Descent descent = new Descent();
 
-    /** The nearest of one ray's hits, in each lane, and the bodies met there. */
+    /** Of one ray to each of a block of spheres. */
     final float[] distances = new float[Lanes.COUNT];
-
-    final float[] bodies = new float[Lanes.COUNT];
 
     /** For one packet's shadows at a time. */
     final ShadowScratch shadow = new ShadowScratch();

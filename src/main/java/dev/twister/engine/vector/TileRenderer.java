@@ -84,7 +84,7 @@ final class TileRenderer {
     void reserve(int bodies) {
         tile.candidates.reserve(bodies);
         tile.shadow.reserveBodies(bodies);
-        tile.near.reserve(Shadows.MOST_NEAR + Lanes.COUNT);
+        tile.near.reserveList(Shadows.MOST_NEAR + Lanes.COUNT);
     }
 
     /** Draws the tile of that number, counted along the rows of tiles from the top left. */

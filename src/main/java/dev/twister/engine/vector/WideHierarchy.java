@@ -6,7 +6,7 @@ import java.util.Arrays;
 
 /**
  * The input's hierarchy with as many children a node as there are lanes, so that one test serves them all; kept while the
- * input's is the same. A child is a node, or a leaf of spheres that lie side by side in the columns.
+ * input's is the same. A child is a node, or a leaf of spheres, which begin a block of their own.
  */
 final class WideHierarchy {
     /** Columns of a node: its children's low sides x, y, z and high sides x, y, z. */
@@ -20,13 +20,13 @@ final class WideHierarchy {
 
     float[] boxes = {};
 
-    /** Of each child, {@link Lanes#COUNT} a node: the node's number, or the leaf's first place in the columns. */
+    /** Of each child, {@link Lanes#COUNT} a node: the node's number, or the place of the leaf's first block. */
     int[] links = {};
 
     /** Of each child: how many spheres are in the leaf, or {@link #NODE}. */
     int[] counts = {};
 
-    /** Leaf by leaf. */
+    /** In blocks, leaf by leaf. */
     final SphereColumns spheres = new SphereColumns();
 
     /** What becomes of a subtree of the source: a leaf, a node, or part of one. */
@@ -41,6 +41,7 @@ final class WideHierarchy {
     private byte[] kinds = {};
 
     private int nodes;
+    private int blocks;
     private float[] source = {};
     private int sourceBodies;
 
@@ -49,8 +50,8 @@ final class WideHierarchy {
         if (source != input.hierarchy() || sourceBodies != input.bodies()) {
             source = input.hierarchy();
             sourceBodies = input.bodies();
-            copySpheres();
             nodes = 0;
+            blocks = 0;
             int root = Layout.root(sourceBodies);
             int places = (source.length - root) / Layout.NODE_STRIDE;
             if (kinds.length < places) {
@@ -61,20 +62,6 @@ final class WideHierarchy {
             kinds[0] = group(root) < LEVEL ? LEAF : INNER;
             widen(root);
         }
-    }
-
-    private void copySpheres() {
-        int count = sourceBodies - Layout.FIRST_SPHERE;
-        spheres.reserve(count);
-        for (int sphere = 0; sphere < count; sphere++) {
-            int at = sphere * Layout.SPHERE_STRIDE;
-            spheres.x[sphere] = source[at + Layout.SPHERE_CENTER];
-            spheres.y[sphere] = source[at + Layout.SPHERE_CENTER + 1];
-            spheres.z[sphere] = source[at + Layout.SPHERE_CENTER + 2];
-            spheres.radius[sphere] = source[at + Layout.SPHERE_RADIUS];
-            spheres.body[sphere] = source[at + Layout.SPHERE_BODY];
-        }
-        spheres.count = count;
     }
 
     /**
@@ -185,9 +172,28 @@ final class WideHierarchy {
             int child = widen(from);
             links[at] = child;
         } else {
-            links[at] = firstSphere(from);
-            counts[at] = lastSphere(from) - links[at];
+            int first = firstSphere(from);
+            counts[at] = lastSphere(from) - first;
+            links[at] = blocks * SphereColumns.COLUMNS * Lanes.COUNT;
+            copySpheres(first, counts[at]);
         }
+    }
+
+    /** Copies spheres that follow each other in the source to the next blocks. */
+    private void copySpheres(int first, int count) {
+        int end = blocks + (count + Lanes.COUNT - 1) / Lanes.COUNT;
+        spheres.reserveBlocks(end);
+        float[] to = spheres.values;
+        for (int k = 0; k < count; k++) {
+            int from = (first + k) * Layout.SPHERE_STRIDE;
+            int place = (blocks + k / Lanes.COUNT) * spheres.step + k % Lanes.COUNT;
+            to[place] = source[from + Layout.SPHERE_CENTER];
+            to[place + SphereColumns.Y * Lanes.COUNT] = source[from + Layout.SPHERE_CENTER + 1];
+            to[place + SphereColumns.Z * Lanes.COUNT] = source[from + Layout.SPHERE_CENTER + 2];
+            to[place + SphereColumns.RADIUS * Lanes.COUNT] = source[from + Layout.SPHERE_RADIUS];
+            to[place + SphereColumns.BODY * Lanes.COUNT] = source[from + Layout.SPHERE_BODY];
+        }
+        blocks = end;
     }
 
     private void reserve(int count) {
