@@ -63,7 +63,7 @@ final class ContactBook {
                     double[] old = earlier.lists[earlier.list[other]].impulses;
                     int from = Contacts.IMPULSES * found;
                     contacts.impulses[to] = old[from];
-                    // Across the normal they acted on the other body.
+                    // It acted on the other body.
                     contacts.impulses[to + 1] = -old[from + 1];
                     contacts.impulses[to + 2] = -old[from + 2];
                     contacts.impulses[to + 3] = -old[from + 3];

@@ -47,7 +47,8 @@ final class ContactSolver {
     private double gravityX;
     private double gravityY;
     private double gravityZ;
-    private double gravityStrength;
+    private final double friction;
+    private double mostNewLoad;
     private double impactSpeed;
     private double wakeSpeedSquared;
 
@@ -55,6 +56,7 @@ final class ContactSolver {
         this.bodies = bodies;
         this.surroundings = surroundings;
         numbers = bodies.numbers;
+        friction = surroundings.friction();
     }
 
     /** Says how long the sub-steps are from now on, in seconds. */
@@ -64,7 +66,7 @@ final class ContactSolver {
         gravityY = surroundings.gravity().y() * square;
         gravityZ = surroundings.gravity().z() * square;
         double strength = surroundings.gravityStrength();
-        gravityStrength = strength * square;
+        mostNewLoad = MOST_NEW_LOAD * strength * square;
         impactSpeed = Rest.impactSpeed(strength) * seconds;
         wakeSpeedSquared = Rest.wakeSpeedSquared(strength) * square;
     }
@@ -101,15 +103,14 @@ final class ContactSolver {
         double dx = n[a + BodyStore.MOVE] - n[b + BodyStore.MOVE];
         double dy = n[a + BodyStore.MOVE + 1] - n[b + BodyStore.MOVE + 1];
         double dz = n[a + BodyStore.MOVE + 2] - n[b + BodyStore.MOVE + 2];
-        double path = dx * dx + dy * dy + dz * dz;
         double closing = px * dx + py * dy + pz * dz;
-        if (outside > 0 && impulses[at] == 0 && missed(outside, closing, path)) {
+        boolean loaded = impulses[at] != 0;
+        if (outside > 0 && !loaded && missed(outside, closing, dx * dx + dy * dy + dz * dz)) {
             return;
         }
         double wa = bodies.state[one] == BodyStore.ASLEEP ? 0 : n[a + BodyStore.INVERSE_MASS];
         double wb = bodies.state[two] == BodyStore.ASLEEP ? 0 : n[b + BodyStore.INVERSE_MASS];
-        double both = wa + wb;
-        if (both == 0) {
+        if (wa + wb == 0) {
             return;
         }
         double distance = Math.sqrt(square);
@@ -121,6 +122,11 @@ final class ContactSolver {
             nx = px * inverse;
             ny = py * inverse;
             nz = pz * inverse;
+            if (!loaded
+                    && -closing * inverse > impactSpeed
+                    && impact(impulses, at, a, b, wa, wb, px, py, pz, outside, closing, dx * dx + dy * dy + dz * dz)) {
+                return;
+            }
         } else {
             // Any direction does; which one follows from the bodies' numbers, so that many at one point part in many.
             int axis = (one + two) % 3;
@@ -129,60 +135,77 @@ final class ContactSolver {
             nz = axis == 2 ? 1 : 0;
         }
         double gap = distance - radii;
-        double along = dx * nx + dy * ny + dz * nz;
-        if (impulses[at] == 0
-                && -along > impactSpeed
-                && impact(impulses, at, a, b, wa, wb, px, py, pz, outside, closing, path)) {
-            return;
-        }
-        // Rest: the bodies may close the gap, not more.
-        double mass = 1 / both;
-        double old = impulses[at];
-        double built = Math.max(0, old - (along + Math.max(0, gap)) * mass);
-        double change = built - old;
-        double ofHeavier = Math.min(wa, wb);
-        double load = load(built, old, ofHeavier > 0 ? ofHeavier : both);
-        impulses[at] = load;
-        double sx = change * nx;
-        double sy = change * ny;
-        double sz = change * nz;
-        double tx = 0;
-        double ty = 0;
-        double tz = 0;
-        double friction = surroundings.friction();
-        if (friction > 0) {
-            // What was built up across the normal, turned with it; then as much more as stops the sliding.
-            double stray = impulses[at + 1] * nx + impulses[at + 2] * ny + impulses[at + 3] * nz;
-            double ox = impulses[at + 1] - stray * nx;
-            double oy = impulses[at + 2] - stray * ny;
-            double oz = impulses[at + 3] - stray * nz;
-            tx = ox - (dx - along * nx) * mass;
-            ty = oy - (dy - along * ny) * mass;
-            tz = oz - (dz - along * nz) * mass;
-            double wanted = tx * tx + ty * ty + tz * tz;
-            // Without a branch, which nothing could predict; what is added keeps 0 / 0 away.
-            double scale = Math.min(1, friction * built / Math.sqrt(wanted + Double.MIN_NORMAL));
-            tx *= scale;
-            ty *= scale;
-            tz *= scale;
-            sx += tx - impulses[at + 1];
-            sy += ty - impulses[at + 2];
-            sz += tz - impulses[at + 3];
-            double kept = kept(load, built);
-            tx *= kept;
-            ty *= kept;
-            tz *= kept;
-            impulses[at + 1] = tx;
-            impulses[at + 2] = ty;
-            impulses[at + 3] = tz;
-        }
         double most = 2 * MOST_PUSH * Math.min(n[a + BodyStore.RADIUS], n[b + BodyStore.RADIUS]);
-        double push = Math.max(0, Math.min(PUSH_SHARE * (-gap - SLOP * radii), most)) * mass;
-        double cx = load * nx + tx;
-        double cy = load * ny + ty;
-        double cz = load * nz + tz;
-        apply(a, wa, sx, sy, sz, push * nx, push * ny, push * nz, cx, cy, cz);
-        apply(b, wb, -sx, -sy, -sz, -push * nx, -push * ny, -push * nz, -cx, -cy, -cz);
+        double push = Math.max(0, Math.min(PUSH_SHARE * (-gap - SLOP * radii), most));
+        hold(impulses, at, a, b, wa, wb, nx, ny, nz, dx, dy, dz, gap, push);
+    }
+
+    /**
+     * Lets two bodies at rest close the gap between them, not more, and slide no further than friction lets them.
+     *
+     * @param at where the contact's impulses are
+     * @param b the second body's numbers; not read where its inverse mass is 0
+     * @param wa the first body's inverse mass, and the other alike
+     * @param nx and the other two: the normal, towards the first body
+     * @param dx and the other two: what the first body moves more than the second one
+     * @param push how far they are to be pushed apart
+     */
+    private void hold(
+            double[] impulses,
+            int at,
+            int a,
+            int b,
+            double wa,
+            double wb,
+            double nx,
+            double ny,
+            double nz,
+            double dx,
+            double dy,
+            double dz,
+            double gap,
+            double push) {
+        double mass = 1 / (wa + wb);
+        double ox = impulses[at + 1];
+        double oy = impulses[at + 2];
+        double oz = impulses[at + 3];
+        // The impulse that would stop one relative to the other, with what the sub-step started with.
+        double qx = ox - mass * dx;
+        double qy = oy - mass * dy;
+        double qz = oz - mass * dz;
+        double along = qx * nx + qy * ny + qz * nz;
+        double built = Math.max(0, along - Math.max(0, gap) * mass);
+        double tx = qx - along * nx;
+        double ty = qy - along * ny;
+        double tz = qz - along * nz;
+        double across = tx * tx + ty * ty + tz * tz;
+        // Without a branch, which nothing could predict; what is added keeps 0 / 0 away.
+        double share = Math.min(1, friction * built / Math.sqrt(across + Double.MIN_NORMAL));
+        double ix = built * nx + share * tx;
+        double iy = built * ny + share * ty;
+        double iz = built * nz + share * tz;
+        double sx = ix - ox;
+        double sy = iy - oy;
+        double sz = iz - oz;
+        double old = impulses[at];
+        double ofHeavier = wa > 0 && wb > 0 ? Math.min(wa, wb) : wa + wb;
+        if ((built - old) * ofHeavier > mostNewLoad) {
+            double load = old + mostNewLoad / ofHeavier;
+            double kept = load / built;
+            built = load;
+            ix *= kept;
+            iy *= kept;
+            iz *= kept;
+        }
+        impulses[at] = built;
+        impulses[at + 1] = ix;
+        impulses[at + 2] = iy;
+        impulses[at + 3] = iz;
+        double px = push * mass * nx;
+        double py = push * mass * ny;
+        double pz = push * mass * nz;
+        apply(a, wa, sx, sy, sz, px, py, pz, ix, iy, iz);
+        apply(b, -wb, sx, sy, sz, px, py, pz, ix, iy, iz);
     }
 
     /**
@@ -236,7 +259,7 @@ final class ContactSolver {
         double ty = along * ny - dy;
         double tz = along * nz - dz;
         double sliding = Math.sqrt(tx * tx + ty * ty + tz * tz);
-        double share = sliding > 0 ? Math.min(1 / both, surroundings.friction() * impulse / sliding) : 0;
+        double share = sliding > 0 ? Math.min(1 / both, friction * impulse / sliding) : 0;
         double sx = impulse * nx + share * tx;
         double sy = impulse * ny + share * ty;
         double sz = impulse * nz + share * tz;
@@ -288,7 +311,6 @@ final class ContactSolver {
             return;
         }
         double weight = n[a + BodyStore.INVERSE_MASS];
-        double friction = surroundings.friction();
         double pull = gravityX * nx + gravityY * ny + gravityZ * nz;
         // The sub-step's start is half a sub-step before the time of the move.
         double atStart = along - pull / 2;
@@ -316,51 +338,8 @@ final class ContactSolver {
                     back * nz);
             return;
         }
-        double built = Math.max(0, old - (along + Math.max(0, gap)) / weight);
-        double change = built - old;
-        double load = load(built, old, weight);
-        impulses[at] = load;
-        double sx = change * nx;
-        double sy = change * ny;
-        double sz = change * nz;
-        double fx = 0;
-        double fy = 0;
-        double fz = 0;
-        if (friction > 0) {
-            fx = impulses[at + 1] + tx / weight;
-            fy = impulses[at + 2] + ty / weight;
-            fz = impulses[at + 3] + tz / weight;
-            double wanted = fx * fx + fy * fy + fz * fz;
-            double most = friction * built;
-            if (wanted > most * most) {
-                double scale = most / Math.sqrt(wanted);
-                fx *= scale;
-                fy *= scale;
-                fz *= scale;
-            }
-            sx += fx - impulses[at + 1];
-            sy += fy - impulses[at + 2];
-            sz += fz - impulses[at + 3];
-            double kept = kept(load, built);
-            fx *= kept;
-            fy *= kept;
-            fz *= kept;
-            impulses[at + 1] = fx;
-            impulses[at + 2] = fy;
-            impulses[at + 3] = fz;
-        }
-        double push = Math.max(0, Math.min(PUSH_SHARE * (-gap - SLOP * radius), MOST_SURFACE_PUSH * radius)) / weight;
-        apply(a, weight, sx, sy, sz, push * nx, push * ny, push * nz, load * nx + fx, load * ny + fy, load * nz + fz);
-    }
-
-    /** What the next sub-step starts with of an impulse along the normal; by the inverse mass of the heavier body. */
-    private double load(double built, double old, double inverseMass) {
-        return Math.min(built, old + MOST_NEW_LOAD * gravityStrength / inverseMass);
-    }
-
-    /** The share of friction's impulse that goes with a load; what is added keeps 0 / 0 away. */
-    private static double kept(double load, double built) {
-        return load / (built + Double.MIN_NORMAL);
+        double push = Math.max(0, Math.min(PUSH_SHARE * (-gap - SLOP * radius), MOST_SURFACE_PUSH * radius));
+        hold(impulses, at, a, a, weight, 0, nx, ny, nz, dx, dy, dz, gap, push);
     }
 
     // A miss needs no root: moving apart, never near enough, or not yet at the end of the sub-step.
@@ -401,7 +380,11 @@ final class ContactSolver {
         apply(a, 1, dx, dy, dz, px, py, pz, 0, 0, 0);
     }
 
-    /** Changes a body's move by an impulse, its place by a push, and what it starts the next sub-step with. */
+    /**
+     * Changes a body's move by an impulse, its place by a push, and what it starts the next sub-step with.
+     *
+     * @param weight its inverse mass, below 0 where they act the other way
+     */
     private void apply(
             int a,
             double weight,
@@ -414,7 +397,7 @@ final class ContactSolver {
             double cx,
             double cy,
             double cz) {
-        if (weight > 0) {
+        if (weight != 0) {
             double[] n = numbers;
             n[a] += weight * px;
             n[a + 1] += weight * py;

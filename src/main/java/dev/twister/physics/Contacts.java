@@ -5,7 +5,7 @@ import java.util.function.IntPredicate;
 
 /** A growing list of pairs that touch or may come to touch, with the impulses that they have built up. */
 final class Contacts {
-    /** Impulses for each contact: along the normal, then across it in x, y, z. */
+    /** Impulses for each contact: the whole one's share along the normal, then the whole one in x, y, z. */
     static final int IMPULSES = 4;
 
     private static final int LEAST_ROOM = 64;
