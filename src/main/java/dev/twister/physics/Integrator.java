@@ -8,6 +8,13 @@ import dev.twister.scene.Vector3;
  * "Geometric numerical integration illustrated by the Störmer-Verlet method", 2003).
  */
 final class Integrator {
+    /**
+     * The most that a body's contacts may carry of it into the next sub-step, in its weights: at rest they carry one. A
+     * small sphere between a heavy one and the ground has thousands of weights on both sides; where one side's impulse
+     * comes late, the difference would shoot it away.
+     */
+    private static final double MOST_SUPPORT = 64;
+
     private final BodyStore bodies;
     private final Surroundings surroundings;
     private double seconds;
@@ -16,6 +23,7 @@ final class Integrator {
     private double gravityY;
     private double gravityZ;
     private double longestMove;
+    private double mostSupportSquared;
 
     Integrator(BodyStore bodies, Surroundings surroundings) {
         this.bodies = bodies;
@@ -33,6 +41,8 @@ final class Integrator {
         gravityY = gravity.y() * square;
         gravityZ = gravity.z() * square;
         longestMove = Simulation.MAX_SPEED * seconds;
+        double mostSupport = MOST_SUPPORT * surroundings.gravityStrength() * seconds * seconds;
+        mostSupportSquared = mostSupport * mostSupport;
     }
 
     /** What a body moves before its first sub-step so that it starts with a velocity, on one axis. */
@@ -70,9 +80,11 @@ final class Integrator {
             byte state = bodies.state[body];
             if (state == BodyStore.AWAKE) {
                 int at = BodyStore.STRIDE * body + BodyStore.MOVE;
-                double x = kept * n[at] + gravityX + n[at + 3];
-                double y = kept * n[at + 1] + gravityY + n[at + 4];
-                double z = kept * n[at + 2] + gravityZ + n[at + 5];
+                double support = n[at + 3] * n[at + 3] + n[at + 4] * n[at + 4] + n[at + 5] * n[at + 5];
+                double carried = support > mostSupportSquared ? Math.sqrt(mostSupportSquared / support) : 1;
+                double x = kept * n[at] + gravityX + carried * n[at + 3];
+                double y = kept * n[at + 1] + gravityY + carried * n[at + 4];
+                double z = kept * n[at + 2] + gravityZ + carried * n[at + 5];
                 double square = x * x + y * y + z * z;
                 if (square > longestMove * longestMove) {
                     double scale = longestMove / Math.sqrt(square);

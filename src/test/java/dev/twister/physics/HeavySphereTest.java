@@ -1,0 +1,39 @@
+package dev.twister.physics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.scene.Palette;
+import dev.twister.scene.Physics;
+import dev.twister.scene.Pour;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Small spheres under and beside ones that weigh thousands of times as much. */
+class HeavySphereTest {
+    private static final int POURED = 4000;
+
+    /** Metres a second; nothing falls any more that could be faster. */
+    private static final double TOP_SPEED = 4;
+
+    @Test
+    void aHeavySphereShootsNoSmallOneAway() {
+        List<Sphere> heavy = List.of(Motion.sphere(-1.2, 2, 0.6, 2), Motion.sphere(2.2, 1.6, -1.4, 1.6));
+        Pour pour = new Pour(POURED, 2000, new Vector3(0, 5, 0), 3, 3, 0.1, 0.16, Palette.DUSK, 8, 2);
+        Physics physics = Physics.DEFAULT.withElasticity(0.3).withFriction(0.2);
+        Scene scene = Motion.scene(physics, 8, heavy).withPour(pour);
+        try (Simulation simulation = Simulation.of(scene)) {
+            Motion.run(simulation, 6);
+            double fastest = 0;
+            for (int step = 0; step < 600; step++) {
+                simulation.step();
+                for (int body = 1; body <= heavy.size() + POURED; body++) {
+                    fastest = Math.max(fastest, Motion.speed(simulation, body));
+                }
+            }
+            assertThat(fastest).isLessThan(TOP_SPEED);
+        }
+    }
+}
