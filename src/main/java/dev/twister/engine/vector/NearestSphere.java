@@ -10,17 +10,40 @@ import jdk.incubator.vector.VectorOperators;
 final class NearestSphere {
     private NearestSphere() {}
 
-    /** Writes the bodies met and their distances; {@code candidates} are all that could be met, in ascending order. */
+    /**
+     * Writes the bodies met and their distances; {@code candidates} are all that could be met, in ascending order. It is
+     * {@link #near} written out, for the reason that {@link ShadowConics} has.
+     */
     static void find(Tile tile, BodyColumns bodies, BodyList candidates) {
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
-            FloatVector leaving = Lanes.load(t, at + Tile.LEAVING);
-            FloatVector closest = Lanes.all(Intersection.MISS);
-            FloatVector hit = Lanes.all(Layout.NOTHING);
+            FloatVector leaving = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.LEAVING);
+            FloatVector closest = FloatVector.broadcast(Lanes.FLOATS, Intersection.MISS);
+            FloatVector hit = FloatVector.broadcast(Lanes.FLOATS, Layout.NOTHING);
             for (int c = 0; c < candidates.count; c++) {
                 int body = candidates.bodies[c];
-                FloatVector near = near(t, at, bodies.x[body], bodies.y[body], bodies.z[body], bodies.radius[body]);
+                float radius = bodies.radius[body];
+                FloatVector directionX = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_X);
+                FloatVector directionY = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_Y);
+                FloatVector directionZ = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_Z);
+                FloatVector originX = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.ORIGIN_X);
+                FloatVector originY = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.ORIGIN_Y);
+                FloatVector originZ = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.ORIGIN_Z);
+                FloatVector x =
+                        FloatVector.broadcast(Lanes.FLOATS, bodies.x[body]).sub(originX);
+                FloatVector y =
+                        FloatVector.broadcast(Lanes.FLOATS, bodies.y[body]).sub(originY);
+                FloatVector z =
+                        FloatVector.broadcast(Lanes.FLOATS, bodies.z[body]).sub(originZ);
+                FloatVector along = x.fma(directionX, y.fma(directionY, z.mul(directionZ)));
+                FloatVector acrossX = x.sub(along.mul(directionX));
+                FloatVector acrossY = y.sub(along.mul(directionY));
+                FloatVector acrossZ = z.sub(along.mul(directionZ));
+                FloatVector across = acrossX.fma(acrossX, acrossY.fma(acrossY, acrossZ.mul(acrossZ)));
+                FloatVector inside =
+                        FloatVector.broadcast(Lanes.FLOATS, radius * radius).sub(across);
+                FloatVector near = along.sub(inside.sqrt());
                 VectorMask<Float> closer = near.compare(VectorOperators.GT, 0f)
                         .and(near.compare(VectorOperators.LT, closest))
                         .and(leaving.compare(VectorOperators.NE, body));

@@ -34,7 +34,10 @@ final class SkyRadiance {
         }
     }
 
-    /** Looks the sky up for every lane, one pixel a step: its four texels are four vectors, with no gather. */
+    /**
+     * Looks the sky up for every lane, one pixel a step: its four texels are four vectors, with no gather. Without helpers,
+     * for the reason that {@link ShadowConics} has.
+     */
     static void blend(Tile tile, PaddedSky sky) {
         float[] t = tile.values;
         float[] texels = sky.texels;
@@ -44,18 +47,18 @@ final class SkyRadiance {
             for (int pixel = first; pixel < first + Lanes.COUNT; pixel++) {
                 int texel = PaddedSky.FLOATS_A_TEXEL * tile.texels[pixel];
                 FloatVector toRight = FloatVector.broadcast(TEXEL, t[pixel + Tile.SKY_TO_RIGHT]);
-                FloatVector upper = between(texels, texel, toRight);
-                FloatVector lower = between(texels, texel + below, toRight);
+                FloatVector upper = FloatVector.fromArray(TEXEL, texels, texel);
+                FloatVector lower = FloatVector.fromArray(TEXEL, texels, texel + below);
+                upper = FloatVector.fromArray(TEXEL, texels, texel + PaddedSky.FLOATS_A_TEXEL)
+                        .sub(upper)
+                        .fma(toRight, upper);
+                lower = FloatVector.fromArray(TEXEL, texels, texel + below + PaddedSky.FLOATS_A_TEXEL)
+                        .sub(lower)
+                        .fma(toRight, lower);
                 FloatVector toBottom = FloatVector.broadcast(TEXEL, t[pixel + Tile.SKY_TO_BOTTOM]);
                 lower.sub(upper).fma(toBottom, upper).intoArray(tile.skyColors, COLOR * pixel);
             }
         }
-    }
-
-    private static FloatVector between(float[] texels, int left, FloatVector toRight) {
-        FloatVector leftTexel = FloatVector.fromArray(TEXEL, texels, left);
-        FloatVector rightTexel = FloatVector.fromArray(TEXEL, texels, left + PaddedSky.FLOATS_A_TEXEL);
-        return rightTexel.sub(leftTexel).fma(toRight, leftTexel);
     }
 
     /** Adds what {@link #blend} found to the lanes that met nothing. */
