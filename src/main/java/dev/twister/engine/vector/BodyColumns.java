@@ -20,6 +20,9 @@ final class BodyColumns {
     float[] blue = {};
     float[] reflectivity = {};
 
+    /** The columns above in their order: all that shading asks of a body. */
+    float[][] surfaces = {x, y, z, radius, red, green, blue, reflectivity};
+
     /** Light, plane and spheres, without the blanks. */
     int count;
 
@@ -54,6 +57,7 @@ final class BodyColumns {
             green = new float[padded];
             blue = new float[padded];
             reflectivity = new float[padded];
+            surfaces = new float[][] {x, y, z, radius, red, green, blue, reflectivity};
             round.reserve(padded);
         }
         round.clear();

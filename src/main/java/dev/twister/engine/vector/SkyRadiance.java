@@ -3,6 +3,7 @@ package dev.twister.engine.vector;
 import dev.twister.kernel.Layout;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
@@ -10,12 +11,6 @@ import jdk.incubator.vector.VectorSpecies;
 final class SkyRadiance {
     /** A texel: red, green, blue and a blank. */
     private static final VectorSpecies<Float> TEXEL = FloatVector.SPECIES_128;
-
-    /** Floats a pixel of {@link Tile#skyColors}. */
-    private static final int COLOR = 4;
-
-    /** From one pixel's colour to the next's. */
-    private static final int[] PIXELS = VectorSteps.of(COLOR);
 
     private SkyRadiance() {}
 
@@ -56,7 +51,10 @@ final class SkyRadiance {
                         .sub(lower)
                         .fma(toRight, lower);
                 FloatVector toBottom = FloatVector.broadcast(TEXEL, t[pixel + Tile.SKY_TO_BOTTOM]);
-                lower.sub(upper).fma(toBottom, upper).intoArray(tile.skyColors, COLOR * pixel);
+                lower.sub(upper).fma(toBottom, upper).intoArray(tile.skyColor, 0);
+                t[pixel + Tile.SKY_RED] = tile.skyColor[0];
+                t[pixel + Tile.SKY_GREEN] = tile.skyColor[1];
+                t[pixel + Tile.SKY_BLUE] = tile.skyColor[2];
             }
         }
     }
@@ -66,18 +64,15 @@ final class SkyRadiance {
         float[] t = tile.values;
         for (int k = 0; k < tile.scatteredSkies.count; k++) {
             int at = tile.scatteredSkies.places[k];
-            FloatVector throughput = Lanes.all(0f)
-                    .blend(
-                            Lanes.load(t, at + Tile.THROUGHPUT),
-                            Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.NOTHING));
-            addChannel(tile, at, throughput, Tile.RED, 0);
-            addChannel(tile, at, throughput, Tile.GREEN, 1);
-            addChannel(tile, at, throughput, Tile.BLUE, 2);
+            VectorMask<Float> met =
+                    FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.NOTHING);
+            FloatVector throughput = FloatVector.zero(Lanes.FLOATS)
+                    .blend(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.THROUGHPUT), met);
+            for (int channel = at; channel < at + 3 * Tile.SIZE; channel += Tile.SIZE) {
+                FloatVector radiance = FloatVector.fromArray(Lanes.FLOATS, t, channel + Tile.SKY_RED);
+                FloatVector before = FloatVector.fromArray(Lanes.FLOATS, t, channel + Tile.RED);
+                throughput.fma(radiance, before).intoArray(t, channel + Tile.RED);
+            }
         }
-    }
-
-    private static void addChannel(Tile tile, int at, FloatVector throughput, int column, int channel) {
-        FloatVector radiance = FloatVector.fromArray(Lanes.FLOATS, tile.skyColors, COLOR * at + channel, PIXELS, 0);
-        throughput.fma(radiance, Lanes.load(tile.values, at + column)).intoArray(tile.values, at + column);
     }
 }

@@ -15,6 +15,18 @@ final class SphereSurface {
         (tile, bodies) -> pick(tile, bodies), (tile, bodies) -> copy(tile, bodies),
     };
 
+    /** Where {@link BodyColumns#surfaces} go. */
+    private static final int[] FETCHED = {
+        Tile.NORMAL_X,
+        Tile.NORMAL_Y,
+        Tile.NORMAL_Z,
+        Tile.RADIUS,
+        Tile.ALBEDO_RED,
+        Tile.ALBEDO_GREEN,
+        Tile.ALBEDO_BLUE,
+        Tile.REFLECTIVITY
+    };
+
     private SphereSurface() {}
 
     /** Copies each lane's sphere into the lane. The centre goes to the normal's columns. */
@@ -27,21 +39,14 @@ final class SphereSurface {
         float[] t = tile.values;
         for (int k = 0; k < tile.spheres.count; k++) {
             int at = tile.spheres.places[k];
-            FloatVector hit = Lanes.load(t, at + Tile.HIT);
+            FloatVector hit = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.HIT);
             VectorMask<Float> here = hit.compare(VectorOperators.GT, Layout.PLANE);
-            pick(t, at + Tile.NORMAL_X, bodies.x, hit, here);
-            pick(t, at + Tile.NORMAL_Y, bodies.y, hit, here);
-            pick(t, at + Tile.NORMAL_Z, bodies.z, hit, here);
-            pick(t, at + Tile.RADIUS, bodies.radius, hit, here);
-            pick(t, at + Tile.ALBEDO_RED, bodies.red, hit, here);
-            pick(t, at + Tile.ALBEDO_GREEN, bodies.green, hit, here);
-            pick(t, at + Tile.ALBEDO_BLUE, bodies.blue, hit, here);
-            pick(t, at + Tile.REFLECTIVITY, bodies.reflectivity, hit, here);
+            for (int column = 0; column < FETCHED.length; column++) {
+                int to = at + FETCHED[column];
+                FloatVector picked = hit.selectFrom(FloatVector.fromArray(Lanes.FLOATS, bodies.surfaces[column], 0));
+                FloatVector.fromArray(Lanes.FLOATS, t, to).blend(picked, here).intoArray(t, to);
+            }
         }
-    }
-
-    private static void pick(float[] t, int to, float[] column, FloatVector body, VectorMask<Float> here) {
-        Lanes.load(t, to).blend(body.selectFrom(Lanes.load(column, 0)), here).intoArray(t, to);
     }
 
     /** Lane by lane. */

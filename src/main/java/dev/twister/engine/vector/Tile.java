@@ -70,6 +70,12 @@ final class Tile {
     static final int FROM_CENTER_Y = TO_LIGHT_Y;
     static final int FROM_CENTER_Z = TO_LIGHT_Z;
 
+    /** The sky's radiance, red, green and blue in turn; needed only until surfaces are shaded. */
+    static final int SKY_RED = TO_LIGHT_X;
+
+    static final int SKY_GREEN = TO_LIGHT_Y;
+    static final int SKY_BLUE = TO_LIGHT_Z;
+
     /** S, the visible part of the light. */
     static final int VISIBLE = 28 * SIZE;
 
@@ -123,8 +129,8 @@ final class Tile {
     /** From the padded sky's start to the upper left texel, in texels. */
     final int[] texels = new int[SIZE];
 
-    /** Red, green, blue and a blank of the sky, pixel by pixel. */
-    final float[] skyColors = new float[4 * SIZE];
+    /** Red, green, blue and a blank of the sky, for one pixel at a time. */
+    final float[] skyColor = new float[4];
 
     /** The finished pixels. */
     final int[] argb = new int[SIZE];
