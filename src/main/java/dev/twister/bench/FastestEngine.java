@@ -114,10 +114,7 @@ public final class FastestEngine {
         List<EngineOffer> candidates = candidates(all.get());
         Optional<String> known = remembered(candidates);
         known.ifPresent(id -> store.write(MachineKey.beforeDevices(candidates), id));
-        return known.or(() -> fastestOf(measure(candidates, cancelled)))
-                .filter(id -> !id.equals(drawing.id()) && !cancelled.getAsBoolean())
-                .flatMap(id -> find(candidates, id))
-                .flatMap(FastestEngine::opened);
+        return successor(drawing, known.or(() -> fastestOf(measure(candidates, cancelled))), candidates, cancelled);
     }
 
     private static Optional<String> fastestOf(List<EngineTime> times) {
@@ -149,8 +146,12 @@ public final class FastestEngine {
     private Optional<Engine> measuredBeside(
             Engine drawing, String standIn, List<EngineOffer> candidates, BooleanSupplier cancelled) {
         waiting.await(WARMING, () -> !drawing.id().equals(standIn) || cancelled.getAsBoolean());
-        return fastestOf(measure(candidates, cancelled))
-                .filter(id -> !id.equals(drawing.id()) && !cancelled.getAsBoolean())
+        return successor(drawing, fastestOf(measure(candidates, cancelled)), candidates, cancelled);
+    }
+
+    private static Optional<Engine> successor(
+            Engine drawing, Optional<String> fastest, List<EngineOffer> candidates, BooleanSupplier cancelled) {
+        return fastest.filter(id -> !id.equals(drawing.id()) && !cancelled.getAsBoolean())
                 .flatMap(id -> find(candidates, id))
                 .flatMap(FastestEngine::opened);
     }

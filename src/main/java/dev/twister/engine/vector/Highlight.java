@@ -12,12 +12,14 @@ final class Highlight {
     private static final int FRACTION_DIGITS = 12;
 
     // Called by way of arrays, so that each keeps its own inlining budget: see Stage.
-    private static final Power[] FRACTIONS = {
-        (t, at) -> findFraction(t, at), (t, at) -> raiseEach(t, at), (t, at) -> multiply(t, at)
+    private static final PacketStage[] FRACTIONS = {
+        (tile, drawing, at) -> findFraction(tile.values, at),
+        (tile, drawing, at) -> raiseEach(tile.values, at),
+        (tile, drawing, at) -> multiply(tile.values, at),
     };
 
-    private static final Power[] WHOLE = {(t, at) -> raiseEach(t, at)};
-    private static final Power[] SAME = {(t, at) -> raiseAll(t, at)};
+    private static final PacketStage[] WHOLE = {(tile, drawing, at) -> raiseEach(tile.values, at)};
+    private static final PacketStage[] SAME = {(tile, drawing, at) -> raiseAll(tile.values, at)};
 
     private Highlight() {}
 
@@ -60,15 +62,15 @@ final class Highlight {
     }
 
     /** Raises the cosines to the reflectivities' powers where anything shines. */
-    static void raise(Tile tile) {
+    static void raise(Tile tile, Drawing drawing) {
         float[] t = tile.values;
         for (int k = 0; k < tile.surfaces.count; k++) {
             int at = tile.surfaces.places[k];
             if (Lanes.load(t, at + Tile.SPECULAR_WEIGHT)
                     .compare(VectorOperators.GT, 0f)
                     .anyTrue()) {
-                for (Power power : powers(t, at)) {
-                    power.apply(t, at);
+                for (PacketStage power : powers(t, at)) {
+                    power.run(tile, drawing, at);
                 }
             }
         }
@@ -86,14 +88,14 @@ final class Highlight {
     }
 
     /** What replaces one packet's cosines by their powers. */
-    private static Power[] powers(float[] t, int at) {
+    private static PacketStage[] powers(float[] t, int at) {
         FloatVector exponent = Lanes.load(t, at + Tile.REFLECTIVITY);
         boolean same =
                 !exponent.compare(VectorOperators.NE, t[at + Tile.REFLECTIVITY]).anyTrue();
         boolean whole = !Lanes.toFloats(Lanes.truncated(exponent))
                 .compare(VectorOperators.NE, exponent)
                 .anyTrue();
-        Power[] ofWhole = same ? SAME : WHOLE;
+        PacketStage[] ofWhole = same ? SAME : WHOLE;
         return whole ? ofWhole : FRACTIONS;
     }
 
@@ -146,11 +148,5 @@ final class Highlight {
         Lanes.load(t, at + Tile.SPECULAR)
                 .mul(Lanes.load(t, at + Tile.FRACTION_POWER))
                 .intoArray(t, at + Tile.SPECULAR);
-    }
-
-    /** One step of raising a packet's cosines. */
-    @FunctionalInterface
-    private interface Power {
-        void apply(float[] t, int at);
     }
 }

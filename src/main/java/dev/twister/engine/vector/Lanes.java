@@ -38,6 +38,11 @@ final class Lanes {
         };
     }
 
+    /** One bit each of the first lanes: so many, or all where there are fewer. */
+    static long first(int number) {
+        return (1L << Math.min(COUNT, number)) - 1;
+    }
+
     static FloatVector all(float value) {
         return FloatVector.broadcast(FLOATS, value);
     }

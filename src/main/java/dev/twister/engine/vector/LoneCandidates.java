@@ -93,7 +93,7 @@ final class LoneCandidates {
         boolean dark = false;
         int at = first;
         for (int left = number; left > 0 && !dark; left -= Lanes.COUNT) {
-            dark = judge(spheres.values, spheres.stride, at, (1L << Math.min(Lanes.COUNT, left)) - 1);
+            dark = judge(spheres.values, spheres.stride, at, Lanes.first(left));
             at += spheres.step;
         }
         return dark;
@@ -199,7 +199,7 @@ final class LoneCandidates {
         findConics();
         int blocked = 0;
         for (int sample = 0; sample < samples && count > 0; sample += Lanes.COUNT) {
-            long wanted = (1L << Math.min(Lanes.COUNT, samples - sample)) - 1;
+            long wanted = Lanes.first(samples - sample);
             blocked += Long.bitCount(blocked(discX, discY, sample, wanted));
         }
         return 1f - (float) blocked / samples;

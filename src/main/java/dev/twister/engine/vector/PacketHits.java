@@ -49,7 +49,7 @@ final class PacketHits {
             boolean tested = false;
             int first = hierarchy.links[leaf];
             for (int left = hierarchy.counts[leaf]; left > 0; left -= Lanes.COUNT) {
-                long near = beam.meeting(hierarchy.spheres, first) & (1L << Math.min(Lanes.COUNT, left)) - 1;
+                long near = beam.meeting(hierarchy.spheres, first) & Lanes.first(left);
                 tested |= near != 0L;
                 while (near != 0L) {
                     LaneSteps.run(LaneSteps.MEET_SPHERE, tile, drawing, at, first + Long.numberOfTrailingZeros(near));
@@ -115,7 +115,7 @@ final class PacketHits {
         SphereColumns spheres = hierarchy.spheres;
         int first = hierarchy.links[leaf];
         for (int left = hierarchy.counts[leaf]; left > 0; left -= Lanes.COUNT) {
-            meet(tile, pixel, spheres.values, first, (1L << Math.min(Lanes.COUNT, left)) - 1);
+            meet(tile, pixel, spheres.values, first, Lanes.first(left));
             first += spheres.step;
         }
     }

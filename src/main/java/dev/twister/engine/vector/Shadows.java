@@ -93,7 +93,7 @@ final class Shadows {
             int leaf = leaves.places[k];
             int first = hierarchy.links[leaf];
             for (int left = hierarchy.counts[leaf]; left > 0 && count <= MOST_NEAR; left -= Lanes.COUNT) {
-                long met = tile.beam.meeting(spheres, first) & (1L << Math.min(Lanes.COUNT, left)) - 1;
+                long met = tile.beam.meeting(spheres, first) & Lanes.first(left);
                 tile.near.copy(count, spheres, first, met);
                 count += Long.bitCount(met);
                 first += spheres.step;

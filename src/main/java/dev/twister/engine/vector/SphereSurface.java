@@ -11,8 +11,8 @@ final class SphereSurface {
     private static final int COPY = 1;
 
     /** By the numbers above; in an array, so that each keeps its own inlining budget: see {@link Stage}. */
-    private static final Fetch[] FETCHES = {
-        (tile, bodies) -> pick(tile, bodies), (tile, bodies) -> copy(tile, bodies),
+    private static final Stage[] FETCHES = {
+        (tile, drawing) -> pick(tile, drawing.bodies), (tile, drawing) -> copy(tile, drawing.bodies),
     };
 
     /** Where {@link BodyColumns#surfaces} go. */
@@ -30,8 +30,8 @@ final class SphereSurface {
     private SphereSurface() {}
 
     /** Copies each lane's sphere into the lane. The centre goes to the normal's columns. */
-    static void fetch(Tile tile, BodyColumns bodies) {
-        FETCHES[bodies.count <= Lanes.COUNT ? PICK : COPY].run(tile, bodies);
+    static void fetch(Tile tile, Drawing drawing) {
+        FETCHES[drawing.bodies.count <= Lanes.COUNT ? PICK : COPY].run(tile, drawing);
     }
 
     /** Where one vector holds a column of all bodies. */
@@ -60,14 +60,9 @@ final class SphereSurface {
             while (rest != 0) {
                 int pixel = at + Long.numberOfTrailingZeros(rest);
                 int body = (int) t[pixel + Tile.HIT];
-                t[pixel + Tile.NORMAL_X] = bodies.x[body];
-                t[pixel + Tile.NORMAL_Y] = bodies.y[body];
-                t[pixel + Tile.NORMAL_Z] = bodies.z[body];
-                t[pixel + Tile.RADIUS] = bodies.radius[body];
-                t[pixel + Tile.ALBEDO_RED] = bodies.red[body];
-                t[pixel + Tile.ALBEDO_GREEN] = bodies.green[body];
-                t[pixel + Tile.ALBEDO_BLUE] = bodies.blue[body];
-                t[pixel + Tile.REFLECTIVITY] = bodies.reflectivity[body];
+                for (int column = 0; column < FETCHED.length; column++) {
+                    t[pixel + FETCHED[column]] = bodies.surfaces[column][body];
+                }
                 rest &= rest - 1;
             }
         }
@@ -113,11 +108,5 @@ final class SphereSurface {
         FloatVector center = Lanes.load(t, at + normal);
         Lanes.load(t, at + point).blend(unit.fma(radius, center), here).intoArray(t, at + point);
         center.blend(unit, here).intoArray(t, at + normal);
-    }
-
-    /** Brings the bodies' columns into the lanes. */
-    @FunctionalInterface
-    private interface Fetch {
-        void run(Tile tile, BodyColumns bodies);
     }
 }

@@ -7,6 +7,9 @@ final class TileRenderer {
     private static final Stage[] START = {
         (tile, drawing) -> ViewRays.start(tile, drawing),
         (tile, drawing) -> ViewRays.place(tile, drawing.input.camera()),
+    };
+
+    private static final Stage[] HOLD_VIEW = {
         (tile, drawing) -> ViewRays.bound(tile, drawing),
     };
 
@@ -48,7 +51,7 @@ final class TileRenderer {
     private static final Stage[] SURFACE = {
         (tile, drawing) -> GroundSurface.findPoints(tile, drawing),
         (tile, drawing) -> GroundSurface.findColors(tile, drawing),
-        (tile, drawing) -> SphereSurface.fetch(tile, drawing.bodies),
+        (tile, drawing) -> SphereSurface.fetch(tile, drawing),
         (tile, drawing) -> SphereSurface.findOffsets(tile),
         (tile, drawing) -> SphereSurface.findPoints(tile),
         (tile, drawing) -> LightDirection.find(tile, drawing.bodies),
@@ -56,7 +59,7 @@ final class TileRenderer {
         (tile, drawing) -> Shadows.find(tile, drawing),
         (tile, drawing) -> Highlight.findCosines(tile),
         (tile, drawing) -> Highlight.findWeights(tile),
-        (tile, drawing) -> Highlight.raise(tile),
+        (tile, drawing) -> Highlight.raise(tile, drawing),
         (tile, drawing) -> Highlight.scale(tile),
         (tile, drawing) -> Bounce.shade(tile, drawing.bodies, drawing.ambient),
         (tile, drawing) -> Bounce.reflect(tile),
@@ -113,9 +116,6 @@ final class TileRenderer {
     }
 
     private void follow(Drawing drawing) {
-        float[] camera = drawing.input.camera();
-        tile.rays.startAt(
-                camera[Layout.CAMERA_POSITION], camera[Layout.CAMERA_POSITION + 1], camera[Layout.CAMERA_POSITION + 2]);
         for (int bounce = 0; bounce <= drawing.bounceLimit && tile.live.count > 0; bounce++) {
             tile.last = bounce == drawing.bounceLimit;
             if (drawing.crowded) {
@@ -140,8 +140,8 @@ final class TileRenderer {
         boolean offPlane = bounce == 1 && tile.spheres.count == 0;
         if (offPlane) {
             tile.rays.mirror(drawing.planeHeight);
-        } else if (bounce > 0) {
-            Stage.runAll(HOLD_ANEW, tile, drawing);
+        } else {
+            Stage.runAll(bounce == 0 ? HOLD_VIEW : HOLD_ANEW, tile, drawing);
         }
         Stage.runAll(CULL, tile, drawing);
         if (tile.candidates.count == 0 && (offPlane || tile.rays.rises(drawing.planeHeight))) {

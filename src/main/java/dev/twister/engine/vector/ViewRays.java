@@ -35,7 +35,7 @@ final class ViewRays {
         }
     }
 
-    /** Narrows the tile's hull to a cone about its middle that its corners, and so all of it, lie in. */
+    /** Makes the tile's hull a cone from the camera about its middle that its corners, and so all of it, lie in. */
     static void bound(Tile tile, Drawing drawing) {
         float[] camera = drawing.input.camera();
         float half = 0.5f * Tile.SIDE;
@@ -43,6 +43,8 @@ final class ViewRays {
         float middleY = drawing.input.height() * 0.5f - (drawing.input.firstRow() + tile.top + half);
         float step = drawing.viewportStep;
         Hull rays = tile.rays;
+        rays.startAt(
+                camera[Layout.CAMERA_POSITION], camera[Layout.CAMERA_POSITION + 1], camera[Layout.CAMERA_POSITION + 2]);
         float u = middleX * step;
         float v = middleY * step;
         rays.setAxis(turned(u, v, camera, 0), turned(u, v, camera, 1), turned(u, v, camera, 2));
