@@ -7,7 +7,6 @@ import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 import dev.twister.world.World;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -62,9 +61,6 @@ public final class Benchmark {
             benchmark.drawReferences();
         }
         plan.engines().forEach(benchmark::measure);
-        // Each engine is opened once, for all sizes; a reader compares engines at one size.
-        benchmark.measurements.sort(
-                Comparator.comparingInt(measurement -> plan.sizes().indexOf(measurement.size())));
         return new BenchmarkReport(
                 MachineInfo.ofThisMachine(), plan, scene, benchmark.measurements, benchmark.failures);
     }
@@ -87,10 +83,11 @@ public final class Benchmark {
         try (Engine engine = opener.apply(id)) {
             for (PictureSize size : plan.sizes()) {
                 progress.begins(engine.id(), size, plan.warmupFrames() + plan.frames());
-                measurements.add(
-                        motion.isPresent()
-                                ? measureMoving(engine, size, motion.get())
-                                : measuring.measure(engine, inputAt(size), references.get(size)));
+                Measurement measurement = motion.isPresent()
+                        ? measureMoving(engine, size, motion.get())
+                        : measuring.measure(engine, inputAt(size), references.get(size));
+                measurements.add(measurement);
+                progress.measured(measurement);
             }
         } catch (EngineException failure) {
             failures.add(new EngineFailure(id, failure.getMessage()));

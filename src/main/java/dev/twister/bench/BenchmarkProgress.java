@@ -9,6 +9,9 @@ public interface BenchmarkProgress {
 
         @Override
         public void drewFrame() {}
+
+        @Override
+        public void measured(Measurement measurement) {}
     };
 
     /** An engine starts on a size, with so many frames to come at most. */
@@ -16,4 +19,7 @@ public interface BenchmarkProgress {
 
     /** A frame, warm-up or measured, is there. */
     void drewFrame();
+
+    /** An engine is done with a size. */
+    void measured(Measurement measurement);
 }

@@ -1,5 +1,6 @@
 package dev.twister.bench;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
@@ -7,7 +8,7 @@ import java.util.Optional;
  * What a benchmark found.
  *
  * @param scene its name or file
- * @param measurements by size, then by engine, as the plan has them
+ * @param measurements in any order; kept by size, as the plan has them, and within a size as they came
  * @param failures engines that did not finish
  */
 public record BenchmarkReport(
@@ -18,7 +19,10 @@ public record BenchmarkReport(
         List<EngineFailure> failures)
         implements SpeedupSource {
     public BenchmarkReport {
-        measurements = List.copyOf(measurements);
+        // Each engine is opened once, for all sizes; a reader compares engines at one size.
+        measurements = measurements.stream()
+                .sorted(Comparator.comparingInt(measurement -> plan.sizes().indexOf(measurement.size())))
+                .toList();
         failures = List.copyOf(failures);
     }
 

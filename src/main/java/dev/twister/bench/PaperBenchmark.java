@@ -71,8 +71,10 @@ public final class PaperBenchmark {
             letCompile(engine, plan.settings().getFirst());
             for (PaperSetting setting : plan.settings()) {
                 progress.begins(engine.id(), setting.size(), plan.framesEach());
-                measurements.add(measuring.measure(
-                        engine, inputAt(setting), references.get(setting).argb()));
+                Measurement measurement = measuring.measure(
+                        engine, inputAt(setting), references.get(setting).argb());
+                measurements.add(measurement);
+                progress.measured(measurement);
             }
         } catch (EngineException failure) {
             failures.add(new EngineFailure(id, failure.getMessage()));

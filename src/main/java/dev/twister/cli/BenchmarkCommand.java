@@ -7,6 +7,7 @@ import dev.twister.bench.BenchmarkReport;
 import dev.twister.bench.CsvReport;
 import dev.twister.bench.FastestEngine;
 import dev.twister.bench.JsonReport;
+import dev.twister.bench.MachineInfo;
 import dev.twister.bench.MotionPlan;
 import dev.twister.bench.PaperPlan;
 import dev.twister.bench.PictureSize;
@@ -193,7 +194,10 @@ final class BenchmarkCommand implements Callable<Integer> {
         Optional<MotionPlan> moving = motion.isOn()
                 ? Optional.of(new MotionPlan(scene, motion.startSeconds(), motion.secondsPerFrame()))
                 : Optional.empty();
-        try (BenchmarkLines lines = new BenchmarkLines(spec.commandLine().getErr())) {
+        try (BenchmarkLines lines = new BenchmarkLines(
+                spec.commandLine().getOut(),
+                spec.commandLine().getErr(),
+                measured -> new BenchmarkReport(MachineInfo.ofThisMachine(), plan, sceneName, measured, List.of()))) {
             return Benchmark.run(BenchmarkEngines::open, plan, sceneName, world, moving, lines);
         }
     }

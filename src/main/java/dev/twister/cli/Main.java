@@ -26,7 +26,11 @@ public final class Main {
         PrintWriter out = new PrintWriter(System.out, true, outCharset);
         PrintWriter err = new PrintWriter(System.err, true, errCharset);
         int exitCode = run(out, err, arguments);
-        out.flush();
+        // A writer keeps to itself that a disk is full or a pipe closed.
+        if (out.checkError() && exitCode == OK) {
+            err.println("twister: not all of the output could be written: its disk is full, or its reader is gone");
+            exitCode = BAD_INPUT;
+        }
         err.flush();
         System.exit(exitCode);
     }

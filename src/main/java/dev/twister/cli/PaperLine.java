@@ -1,17 +1,25 @@
 package dev.twister.cli;
 
 import dev.twister.bench.BenchmarkProgress;
+import dev.twister.bench.Measurement;
 import dev.twister.bench.PaperPlan;
 import dev.twister.bench.PictureSize;
 import java.io.PrintWriter;
 
-/** One progress bar for the whole evaluation, with the time left. */
+/**
+ * One progress bar for the whole evaluation, with the time left. Where the process ends before that, it says where that
+ * was.
+ */
 final class PaperLine implements BenchmarkProgress, AutoCloseable {
+    private final PrintWriter err;
     private final ProgressLine line;
+    private final Unfinished unfinished = Unfinished.until(this::giveUp);
+    private volatile String task = "its start";
     private long next;
     private long drawn;
 
     PaperLine(PrintWriter err, PaperPlan plan) {
+        this.err = err;
         long settings = plan.settings().size();
         line = ProgressLine.start(
                 err, "evaluation", settings + settings * plan.engines().size() * plan.framesEach());
@@ -23,7 +31,8 @@ final class PaperLine implements BenchmarkProgress, AutoCloseable {
         drawn = next;
         next += frames;
         line.stepTo(drawn);
-        line.says(engine + " " + size);
+        task = engine + " " + size;
+        line.says(task);
     }
 
     @Override
@@ -33,7 +42,17 @@ final class PaperLine implements BenchmarkProgress, AutoCloseable {
     }
 
     @Override
+    public void measured(Measurement measurement) {}
+
+    private void giveUp() {
+        line.close();
+        err.println("twister: ended at " + task + ", before the evaluation was done; nothing was written");
+        err.flush();
+    }
+
+    @Override
     public void close() {
+        unfinished.close();
         line.close();
     }
 }

@@ -9,42 +9,57 @@ import me.tongfei.progressbar.ProgressBarStyle;
 
 /** A progress bar on a terminal; nothing at all elsewhere. Gone without a trace when it is closed. */
 final class ProgressLine implements AutoCloseable {
-    /** Set by the launcher, which knows whether the error output is a terminal; Java does not. */
-    private static final String TERMINAL_PROPERTY = "twister.terminal";
+    /**
+     * Set by the launcher, which knows whether the error output is a terminal, and how many columns it has; Java does not. 0
+     * where it is none.
+     */
+    private static final String COLUMNS_PROPERTY = "twister.terminal.columns";
 
-    private static final int COLUMNS = 79;
+    /** Longer lines are hard to read. */
+    private static final int MOST_COLUMNS = 100;
+
     private static final int UPDATE_MILLIS = 200;
 
     private final PrintWriter err;
+    private final int columns;
     private final Optional<ProgressBar> bar;
 
-    private ProgressLine(PrintWriter err, Optional<ProgressBar> bar) {
+    private ProgressLine(PrintWriter err, int columns, Optional<ProgressBar> bar) {
         this.err = err;
+        this.columns = columns;
         this.bar = bar;
     }
 
     static ProgressLine start(PrintWriter err, String task, long steps) {
-        return new ProgressLine(err, onTerminal() ? Optional.of(bar(err, task, steps)) : Optional.empty());
+        return start(err, task, steps, Integer.getInteger(COLUMNS_PROPERTY, 0));
+    }
+
+    /**
+     * The same for a terminal of some width.
+     *
+     * @param terminal its columns; below 2 there is none
+     */
+    static ProgressLine start(PrintWriter err, String task, long steps, int terminal) {
+        // Terminals begin a new line after their last column.
+        int columns = Math.min(MOST_COLUMNS, terminal - 1);
+        return new ProgressLine(
+                err, columns, columns > 0 ? Optional.of(bar(err, task, steps, columns)) : Optional.empty());
     }
 
     // Own consumer, own width: the library's would load a terminal library with native code to ask for them.
-    private static ProgressBar bar(PrintWriter err, String task, long steps) {
+    private static ProgressBar bar(PrintWriter err, String task, long steps, int columns) {
         return new ProgressBarBuilder()
                 .setTaskName(task)
                 .setInitialMax(steps)
                 .setStyle(ProgressBarStyle.ASCII)
                 .setUpdateIntervalMillis(UPDATE_MILLIS)
-                .setConsumer(new DelegatingProgressBarConsumer(text -> show(err, text), COLUMNS))
+                .setConsumer(new DelegatingProgressBarConsumer(text -> show(err, text), columns))
                 .build();
     }
 
     private static void show(PrintWriter err, String text) {
         err.print("\r" + text);
         err.flush();
-    }
-
-    private static boolean onTerminal() {
-        return Boolean.getBoolean(TERMINAL_PROPERTY);
     }
 
     void step() {
@@ -64,7 +79,7 @@ final class ProgressLine implements AutoCloseable {
     public void close() {
         bar.ifPresent(shown -> {
             shown.close();
-            show(err, " ".repeat(COLUMNS) + "\r");
+            show(err, " ".repeat(columns) + "\r");
         });
     }
 }

@@ -103,6 +103,11 @@ class BenchmarkTest {
                     public void drewFrame() {
                         heard.add("frame");
                     }
+
+                    @Override
+                    public void measured(Measurement measurement) {
+                        heard.add("measured " + measurement.engine() + " " + measurement.size());
+                    }
                 });
 
         assertThat(heard)
@@ -114,9 +119,11 @@ class BenchmarkTest {
                         "sequential 5x3 2",
                         "frame",
                         "frame",
+                        "measured sequential 5x3",
                         "sequential 9x4 2",
                         "frame",
-                        "frame");
+                        "frame",
+                        "measured sequential 9x4");
     }
 
     @Test
