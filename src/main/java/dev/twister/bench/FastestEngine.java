@@ -59,8 +59,8 @@ public final class FastestEngine {
 
     /**
      * Opens an engine that draws at once, and that goes over to the one that was the fastest when it was measured as soon
-     * as that is warm. Where none was measured yet, the one that mostly is the fastest stands in for it, and all are measured
-     * beside its frames.
+     * as that is warm. Where none was measured yet, the one that mostly is the fastest stands in for it, and those that may be
+     * faster are measured beside its frames.
      *
      * @throws EngineException where no engine can be opened
      */
@@ -73,12 +73,12 @@ public final class FastestEngine {
                 ? warming
                 : new AutoEngine(
                         warming,
-                        new Successor(cancelled -> measuredBeside(warming, standIn.id(), candidates, cancelled)));
+                        new Successor(cancelled -> confirmedBeside(warming, standIn.id(), () -> offers, cancelled)));
     }
 
     /**
-     * The same, but where one that needs no device was the fastest, it is taken without looking for devices: that is done
-     * when there is time, and where they are others than those measured, all engines are measured then.
+     * The same, but devices are looked for at once only where one of them was the fastest; otherwise that is done when there
+     * is time, and where they are others than those measured, the engines are measured then.
      *
      * @param atOnce the engines that need no device
      * @param all those, and the devices; may take a while
@@ -86,14 +86,15 @@ public final class FastestEngine {
      */
     public Engine openAtOnce(List<EngineOffer> atOnce, Supplier<List<EngineOffer>> all) {
         List<EngineOffer> candidates = candidates(atOnce);
-        return store.read(MachineKey.beforeDevices(candidates))
-                .filter(id -> find(candidates, id).isPresent())
-                .<Engine>map(id -> {
-                    Engine drawing = openWarming(openFirst(candidates, List.of()), id, candidates);
-                    return new AutoEngine(
-                            drawing, new Successor(cancelled -> confirmedBeside(drawing, all, cancelled)));
-                })
-                .orElseGet(() -> openAtOnce(all.get()));
+        Optional<String> known = store.read(MachineKey.beforeDevices(candidates));
+        boolean device = known.filter(id -> find(candidates, id).isEmpty()).isPresent();
+        if (candidates.isEmpty() || device) {
+            return openAtOnce(all.get());
+        }
+        Engine standIn = openFirst(candidates, List.of());
+        Engine drawing = openWarming(standIn, known.orElse(MOSTLY_FASTEST), candidates);
+        return new AutoEngine(
+                drawing, new Successor(cancelled -> confirmedBeside(drawing, standIn.id(), all, cancelled)));
     }
 
     private static Engine openWarming(Engine standIn, String id, List<EngineOffer> candidates) {
@@ -106,15 +107,42 @@ public final class FastestEngine {
 
     /** Whether what draws is the fastest of all engines, now that there is time to look for all of them. */
     private Optional<Engine> confirmedBeside(
-            Engine drawing, Supplier<List<EngineOffer>> all, BooleanSupplier cancelled) {
+            Engine drawing, String standIn, Supplier<List<EngineOffer>> all, BooleanSupplier cancelled) {
         waiting.await(WARMING, cancelled);
         if (cancelled.getAsBoolean()) {
             return Optional.empty();
         }
         List<EngineOffer> candidates = candidates(all.get());
         Optional<String> known = remembered(candidates);
-        known.ifPresent(id -> store.write(MachineKey.beforeDevices(candidates), id));
-        return successor(drawing, known.or(() -> fastestOf(measure(candidates, cancelled))), candidates, cancelled);
+        known.filter(id -> !store.read(MachineKey.beforeDevices(candidates)).equals(Optional.of(id)))
+                .ifPresent(id -> store.write(MachineKey.beforeDevices(candidates), id));
+        return known.or(() -> fastestBeside(drawing, standIn, candidates, cancelled))
+                .filter(fastest -> !fastest.equals(drawing.id()) && !cancelled.getAsBoolean())
+                .flatMap(fastest -> find(candidates, fastest))
+                .flatMap(FastestEngine::opened);
+    }
+
+    /**
+     * Trials take from the frames: there are none but of those that can be the fastest. An engine that went over to another
+     * has lost to it.
+     */
+    private Optional<String> fastestBeside(
+            Engine drawing, String standIn, List<EngineOffer> candidates, BooleanSupplier cancelled) {
+        boolean beaten = !drawing.id().equals(standIn);
+        List<EngineOffer> rivals = candidates.stream()
+                .filter(offer -> !beaten || !offer.id().equals(standIn))
+                .toList();
+        Optional<String> fastest =
+                rivals.size() == 1 ? Optional.of(rivals.getFirst().id()) : fastestOf(measure(rivals, cancelled));
+        remember(candidates, fastest, cancelled);
+        return fastest;
+    }
+
+    private void remember(List<EngineOffer> candidates, Optional<String> fastest, BooleanSupplier cancelled) {
+        fastest.filter(_ -> !cancelled.getAsBoolean()).ifPresent(id -> {
+            store.write(MachineKey.of(candidates), id);
+            store.write(MachineKey.beforeDevices(candidates), id);
+        });
     }
 
     private static Optional<String> fastestOf(List<EngineTime> times) {
@@ -139,21 +167,7 @@ public final class FastestEngine {
                 // Something changed since (a driver, say): measure again.
             }
         }
-        return openFirst(candidates, measure(candidates, () -> false));
-    }
-
-    /** Trials would take from the compiler what the engine that is warming needs: it has some time first. */
-    private Optional<Engine> measuredBeside(
-            Engine drawing, String standIn, List<EngineOffer> candidates, BooleanSupplier cancelled) {
-        waiting.await(WARMING, () -> !drawing.id().equals(standIn) || cancelled.getAsBoolean());
-        return successor(drawing, fastestOf(measure(candidates, cancelled)), candidates, cancelled);
-    }
-
-    private static Optional<Engine> successor(
-            Engine drawing, Optional<String> fastest, List<EngineOffer> candidates, BooleanSupplier cancelled) {
-        return fastest.filter(id -> !id.equals(drawing.id()) && !cancelled.getAsBoolean())
-                .flatMap(id -> find(candidates, id))
-                .flatMap(FastestEngine::opened);
+        return openFirst(candidates, measureAll(candidates));
     }
 
     private static void sleep(Duration time, BooleanSupplier cancelled) {
@@ -180,26 +194,24 @@ public final class FastestEngine {
 
     /** Measures with the patience that a device's compiler needs, and remembers; the fastest comes first. */
     public List<EngineTime> measurePatiently(List<EngineOffer> offers) {
-        return measure(candidates(offers), () -> false);
+        return measureAll(candidates(offers));
+    }
+
+    private List<EngineTime> measureAll(List<EngineOffer> candidates) {
+        List<EngineTime> times = measure(candidates, () -> false);
+        remember(candidates, fastestOf(times), () -> false);
+        return times;
     }
 
     /** The JVM's engines come first: they need no compiler that could still be at work beside the next trial. */
-    List<EngineTime> measure(List<EngineOffer> candidates, BooleanSupplier cancelled) {
-        List<EngineTime> times = candidates.stream()
+    private List<EngineTime> measure(List<EngineOffer> candidates, BooleanSupplier cancelled) {
+        return candidates.stream()
                 .sorted(Comparator.comparing(TrialLimits::isDevice))
                 .map(offer -> new EngineTime(
                         offer.id(), trial.frameTime(offer, TrialLimits.PATIENT.of(offer, candidates), cancelled)))
                 .sorted(Comparator.comparing(
                         time -> time.frame().orElse(null), Comparator.nullsLast(Comparator.naturalOrder())))
                 .toList();
-        times.stream()
-                .findFirst()
-                .filter(fastest -> fastest.frame().isPresent() && !cancelled.getAsBoolean())
-                .ifPresent(fastest -> {
-                    store.write(MachineKey.of(candidates), fastest.engine());
-                    store.write(MachineKey.beforeDevices(candidates), fastest.engine());
-                });
-        return times;
     }
 
     /** Those that drew, the fastest first; where none was ready in time, the paper's baseline, then any. */

@@ -109,7 +109,10 @@ final class PaperPage {
         return section(
                 PaperFigure.SHADOW_SAMPLES.title(),
                 plot(PaperFigure.SHADOW_SAMPLES.id(), "Points on the light's disc, with one bounce."),
-                PaperTables.fps(report, PaperFigure.SHADOW_SAMPLES, setting -> setting.shadowSamples() + " samples"));
+                PaperTables.fps(
+                        report,
+                        PaperFigure.SHADOW_SAMPLES,
+                        setting -> setting.shadowSamples() + (setting.shadowSamples() == 1 ? " sample" : " samples")));
     }
 
     private String bounces() {

@@ -9,16 +9,21 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 
 /** How a process that has just begun comes to its first frame, and to its full speed. */
 public final class StartUp {
-    /** What counts as full speed: this share of the frames a second at the end. */
+    /** What counts as full speed: this share of the most frames a second that last. */
     static final double FULL_SPEED = 0.9;
 
-    /** How many frames stand for the speed at a time, and at the end. */
+    /** How many frames stand for the speed at a time. */
     private static final int WINDOW = 5;
 
-    private static final int LAST_FRAMES = 50;
+    /**
+     * How many frames one after the other stand for a speed that lasts. Not those at the end: devices are tried beside them
+     * where that was never done.
+     */
+    private static final int LASTING = 100;
 
     private final LongSupplier nanosSinceStart;
     private final List<Long> ends = new ArrayList<>();
@@ -60,7 +65,10 @@ public final class StartUp {
 
     private StartUpReport report(String firstEngine, String lastEngine) {
         int frames = ends.size();
-        long full = median(frameNanos.subList(Math.max(0, frames - LAST_FRAMES), frames));
+        long full = IntStream.rangeClosed(0, Math.max(0, frames - LASTING))
+                .mapToLong(from -> median(frameNanos.subList(from, Math.min(frames, from + LASTING))))
+                .min()
+                .orElseThrow();
         int at = 0;
         while (at < frames - 1 && FULL_SPEED * Math.max(frameNanos.get(at), median(windowFrom(at))) > full) {
             at++;

@@ -19,6 +19,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
@@ -149,19 +150,69 @@ class FastestEngineTest {
     }
 
     @Test
-    void whatIsCancelledIsNotRemembered() {
-        List<EngineOffer> offers = offers("sequential", "parallel");
-        AtomicBoolean cancelled = new AtomicBoolean();
+    void whatIsCancelledIsNotRemembered() throws InterruptedException {
+        List<EngineOffer> offers = offers("parallel", "tornado:0:0");
+        CountDownLatch begun = new CountDownLatch(1);
+        CountDownLatch cancelledTrials = new CountDownLatch(2);
         FastestEngine fastest = new FastestEngine(
-                (offer, limit, asked) -> {
-                    cancelled.set(true);
-                    return Optional.of(Duration.ofMillis(asked.getAsBoolean() ? 1 : 2));
+                (offer, limit, cancelled) -> {
+                    begun.countDown();
+                    while (!cancelled.getAsBoolean()) {
+                        Thread.onSpinWait();
+                    }
+                    cancelledTrials.countDown();
+                    return Optional.of(Duration.ofMillis(1));
                 },
                 new ChoiceStore(Optional.of(folder)),
                 NO_WAIT);
-        fastest.measure(offers, cancelled::get);
+        try (Engine engine = fastest.openAtOnce(offers)) {
+            engine.render(SampleWorld.ofSize(8, 8).snapshot(), Frame.ofPixels(8, 8));
+            begun.await();
+        }
+        cancelledTrials.await();
 
         assertThat(fastest.remembered(offers)).isEmpty();
+    }
+
+    @Test
+    void whatHasLostIsNotTriedBesideTheFrames() {
+        List<EngineOffer> offers = offers("parallel", "vector", "tornado:0:0");
+
+        drawUntilRemembered(offers);
+
+        assertThat(tried).containsExactly("vector", "tornado:0:0");
+    }
+
+    @Test
+    void whatHasWonWithoutRivalsIsRememberedUntried() {
+        List<EngineOffer> offers = offers("parallel", "vector");
+
+        drawUntilRemembered(offers);
+
+        assertThat(tried).isEmpty();
+        assertThat(fastest().remembered(offers)).contains("vector");
+    }
+
+    /** Devices are looked for when vector draws. */
+    private void drawUntilRemembered(List<EngineOffer> offers) {
+        CountDownLatch won = new CountDownLatch(1);
+        FastestEngine fastest = new FastestEngine(
+                this::time, new ChoiceStore(Optional.of(folder)), (_, _) -> awaitUninterruptibly(won));
+        try (Engine engine = fastest.openAtOnce(offers("parallel", "vector"), () -> offers)) {
+            drawUntil(engine, "vector");
+            won.countDown();
+            while (fastest.remembered(offers).isEmpty()) {
+                Thread.onSpinWait();
+            }
+        }
+    }
+
+    private static void awaitUninterruptibly(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException _) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     @Test

@@ -15,6 +15,7 @@ class StartUpTest {
 
     private long now = 400 * MILLI;
     private int drawn;
+    private int slowFrom = Integer.MAX_VALUE;
 
     @Test
     void tellsTheFirstFrameAndWhenNineTenthsOfTheSpeedAreReached() {
@@ -35,12 +36,22 @@ class StartUpTest {
         assertThat(report.fullSpeed()).isEqualTo(report.firstFrame());
     }
 
+    @Test
+    void whatSlowsTheFramesDownLaterIsNoFullSpeed() {
+        slowFrom = 200;
+
+        StartUpReport report = start(8);
+
+        assertThat(report.fullFrame()).isEqualTo(Duration.ofMillis(10));
+        assertThat(report.fullSpeed()).isEqualTo(Duration.ofMillis(400 + 20 * 100 + 10));
+    }
+
     private StartUpReport start(int seconds) {
         return new StartUp(() -> now)
                 .run(WarmingEngine::new, SampleWorld.ofSize(8, 8).snapshot(), Duration.ofSeconds(seconds), () -> {});
     }
 
-    /** Takes 100 ms for each of 20 frames, then 10. */
+    /** Takes 100 ms for each of 20 frames, then 10, and 20 where it is slow again. */
     private final class WarmingEngine implements Engine {
         @Override
         public String id() {
@@ -55,7 +66,7 @@ class StartUpTest {
         @Override
         public void render(FrameInput input, Frame frame) {
             drawn++;
-            long nanos = (drawn <= 20 ? 100 : 10) * MILLI;
+            long nanos = (drawn <= 20 ? 100 : drawn < slowFrom ? 10 : 20) * MILLI;
             now += nanos;
             frame.setTimes(FrameTimes.onJvm(nanos));
         }
