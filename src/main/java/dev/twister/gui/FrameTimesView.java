@@ -2,6 +2,7 @@ package dev.twister.gui;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 import javafx.beans.value.ObservableDoubleValue;
 import javafx.geometry.VPos;
 import javafx.scene.canvas.Canvas;
@@ -18,7 +19,14 @@ final class FrameTimesView extends VBox {
     private static final long REDRAW_NANOS = 200_000_000;
 
     private static final double NANOS_PER_SECOND = 1e9;
-    private static final double WIDTH_EM = 28;
+    /** Wider than the usual numbers, so that it stays as wide when they change. */
+    private static final double WIDTH_EM = 33;
+
+    /** With less room the picture is what counts: frames a second, and nothing else. */
+    private static final double LEAST_WIDTH_EM = 18;
+
+    private static final String SEPARATOR = "   ";
+    private static final char NO_BREAK = '\u00a0';
     private static final double HEIGHT_EM = 6;
 
     /** For the scale's labels, which end there. */
@@ -54,25 +62,31 @@ final class FrameTimesView extends VBox {
     void refresh(long nanos) {
         if (isVisible() && nanos - drawnNanos >= REDRAW_NANOS) {
             drawnNanos = nanos;
-            numbers.setText(describe(history));
             double em = numbers.getFont().getSize();
-            double padding = getInsets().getLeft() + getInsets().getRight();
-            graph.setWidth(Math.max(0, Math.min(WIDTH_EM * em, room.get() - padding)));
-            numbers.setMaxWidth(room.get() - padding);
-            graph.setHeight(HEIGHT_EM * em);
-            draw(nanos, em);
+            double wide = room.get() - getInsets().getLeft() - getInsets().getRight();
+            boolean narrow = wide < LEAST_WIDTH_EM * em;
+            numbers.setText(String.join(SEPARATOR, narrow ? parts(history).subList(0, 1) : parts(history)));
+            numbers.setMaxWidth(wide);
+            graph.setVisible(!narrow);
+            graph.setManaged(!narrow);
+            if (!narrow) {
+                graph.setWidth(Math.min(WIDTH_EM * em, wide));
+                graph.setHeight(HEIGHT_EM * em);
+                draw(nanos, em);
+            }
         }
     }
 
-    static String describe(FrameHistory history) {
+    /** Frames a second, then what they took; a line breaks between the parts only. */
+    static List<String> parts(FrameHistory history) {
         FrameHistory.Entry mean = history.mean();
-        return String.format(
-                Locale.ROOT,
-                "%.1f FPS   render %.1f ms   transfer %.1f ms   display %.2f ms",
-                history.framesPerSecond(),
-                mean.renderMillis(),
-                mean.transferMillis(),
-                mean.displayMillis());
+        return Stream.of(
+                        String.format(Locale.ROOT, "%.1f FPS", history.framesPerSecond()),
+                        String.format(Locale.ROOT, "render %.1f ms", mean.renderMillis()),
+                        String.format(Locale.ROOT, "transfer %.1f ms", mean.transferMillis()),
+                        String.format(Locale.ROOT, "display %.2f ms", mean.displayMillis()))
+                .map(part -> part.replace(' ', NO_BREAK))
+                .toList();
     }
 
     private void draw(long nanos, double em) {

@@ -18,7 +18,8 @@ import javafx.scene.input.MouseEvent;
 final class NumberRow extends PanelRow {
     private static final PseudoClass WRONG = PseudoClass.getPseudoClass("wrong");
     private static final int PAGE = 10;
-    private static final int FIELD_COLUMNS = 6;
+    /** The widest letter's width each: digits are narrower. */
+    private static final int FIELD_COLUMNS = 4;
 
     private final NumberSetting setting;
     private final SceneEdit edit;
@@ -40,6 +41,8 @@ final class NumberRow extends PanelRow {
         this.edit = edit;
         this.complain = complain;
         field.setPrefColumnCount(FIELD_COLUMNS);
+        // The slider gives way first: a number that is cut off is a wrong one.
+        field.setMinWidth(USE_PREF_SIZE);
         slider.valueProperty().subscribe((_, place) -> {
             if (!showing) {
                 write(setting.numberAt(place.doubleValue()));

@@ -1,6 +1,7 @@
 package dev.twister.gui;
 
 import dev.twister.gui.model.ResolutionMode;
+import dev.twister.kernel.Layout;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -9,6 +10,7 @@ import javafx.geometry.Bounds;
 import javafx.scene.control.Button;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
 /** Everything that can be set, in sections. */
@@ -35,13 +37,15 @@ final class Panel extends ScrollPane {
         reset.setOnAction(_ -> actions.run(Command.RESET));
         PanelSection physicsSection = section("Physics", physics.rows());
         physicsSection.getChildren().add(physics.buttons());
+        PanelSection lightSection = section("Light", light.rows());
+        PanelSection selectionSection = new PanelSection("Selection", selection);
         VBox sections = new VBox(
                 section("Drawing", engine.rows()),
                 section("Picture", picture.rows()),
-                section("Light", light.rows()),
+                lightSection,
                 section("Sky", sky.rows()),
                 physicsSection,
-                new PanelSection("Selection", selection),
+                selectionSection,
                 reset);
         sections.getStyleClass().add("sections");
         setId("panel");
@@ -49,6 +53,11 @@ final class Panel extends ScrollPane {
         setFitToWidth(true);
         setHbarPolicy(ScrollBarPolicy.NEVER);
         setFocusTraversable(false);
+        studio.selectionProperty().subscribe((_, body) -> {
+            if (body.intValue() != Layout.NOTHING) {
+                scrollTo(body.intValue() == Layout.LIGHT ? lightSection : selectionSection);
+            }
+        });
     }
 
     /** All rows, in the order in which they are shown. */
@@ -77,16 +86,22 @@ final class Panel extends ScrollPane {
 
     /** Gives a row the focus, and scrolls to it. */
     void reveal(PanelRow row) {
+        scrollTo(row);
+        row.firstControl().requestFocus();
+    }
+
+    /** Scrolls so that what is there is in the middle, or as near to it as it comes; not where it is seen already. */
+    private void scrollTo(Region part) {
         applyCss();
         layout();
-        Bounds place = getContent().sceneToLocal(row.localToScene(row.getLayoutBounds()));
-        double hidden =
-                getContent().getLayoutBounds().getHeight() - getViewportBounds().getHeight();
-        if (hidden > 0) {
-            double above = place.getCenterY() - getViewportBounds().getHeight() / 2;
-            setVvalue(Math.clamp(above / hidden, 0, 1));
+        Bounds place = getContent().sceneToLocal(part.localToScene(part.getLayoutBounds()));
+        double height = getViewportBounds().getHeight();
+        double hidden = getContent().getLayoutBounds().getHeight() - height;
+        double seenFrom = getVvalue() * hidden;
+        boolean seen = place.getMinY() >= seenFrom && place.getMaxY() <= seenFrom + height;
+        if (hidden > 0 && !seen) {
+            setVvalue(Math.clamp((place.getCenterY() - height / 2) / hidden, 0, 1));
         }
-        row.firstControl().requestFocus();
     }
 
     /** Engine, resolution, scene and refinement as they were at first. */

@@ -51,8 +51,12 @@ class FrameHistoryTest {
 
         assertThat(history.mean().renderMillis()).isCloseTo(7, within(1e-9));
         assertThat(history.mean().transferMillis()).isCloseTo(3, within(1e-9));
-        assertThat(FrameTimesView.describe(history))
-                .isEqualTo("0.0 FPS   render 7.0 ms   transfer 3.0 ms   display 0.25 ms");
+        assertThat(FrameTimesView.parts(history))
+                .containsExactly(
+                        "0.0\u00a0FPS",
+                        "render\u00a07.0\u00a0ms",
+                        "transfer\u00a03.0\u00a0ms",
+                        "display\u00a00.25\u00a0ms");
     }
 
     @Test

@@ -11,6 +11,7 @@ import dev.twister.gui.model.SceneNumbers;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
+import dev.twister.scene.Vector3;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -96,6 +97,55 @@ class PanelTest {
         driver.typeWith(KeyCode.A, KeyCode.CONTROL);
         driver.run(() -> field.replaceSelection(text));
         driver.type(KeyCode.ENTER);
+    }
+
+    @Test
+    void thePanelScrollsToTheControlsOfWhatIsSelected() {
+        Panel panel = WindowDriver.call(() -> driver.window.workbench().panel());
+        double height = WindowDriver.call(driver.stage::getHeight);
+        driver.run(() -> {
+            driver.stage.setHeight(height / 2);
+            driver.studio.select(Layout.NOTHING);
+            panel.setVvalue(0);
+        });
+        driver.await(() -> panel.getHeight() < height / 2);
+        driver.pulse();
+        assertThat(isSeen(panel, driver.find("#reset-everything", Button.class)))
+                .isFalse();
+
+        driver.run(() -> driver.studio.select(SPHERE));
+        driver.pulse();
+        assertThat(isSeen(panel, row("Sphere radius"))).isTrue();
+
+        driver.run(() -> {
+            panel.setVvalue(1);
+            driver.studio.select(Layout.LIGHT);
+        });
+        driver.pulse();
+        assertThat(isSeen(panel, row("Light x"))).isTrue();
+        driver.run(() -> driver.stage.setHeight(height));
+    }
+
+    private static boolean isSeen(Panel panel, Node node) {
+        return WindowDriver.call(() ->
+                panel.localToScreen(panel.getLayoutBounds()).contains(node.localToScreen(node.getLayoutBounds())));
+    }
+
+    @Test
+    void aLongNumberIsSeenWhole() {
+        driver.run(() ->
+                driver.studio.edit("a place", scene -> BodyEdits.moved(scene, SPHERE, new Vector3(-88.88, 0, 0))));
+        driver.pulse();
+
+        TextField field = in(row("Sphere x"), ".text-field", TextField.class);
+        String shown = WindowDriver.call(field::getText);
+        assertThat(shown).isEqualTo("-88.88");
+        double text =
+                WindowDriver.call(() -> field.lookup(".text").getLayoutBounds().getWidth());
+        double room = WindowDriver.call(() -> field.getWidth()
+                - field.getInsets().getLeft()
+                - field.getInsets().getRight());
+        assertThat(text).isLessThanOrEqualTo(room);
     }
 
     @ParameterizedTest
