@@ -20,23 +20,26 @@ final class BodyStore {
     /** Numbers for each body: places 0 to 11. */
     static final int STRIDE = 12;
 
+    /** Numbers in each of a body's three groups: a vector's x, y and z, and one more, which suit four lanes of a processor. */
+    static final int GROUP = 4;
+
     /** The centre, in metres: x, y, z. */
     static final int POSITION = 0;
+
+    /** In metres. */
+    static final int RADIUS = 3;
 
     /**
      * What the centre moved in the last sub-step, in metres: the position less the previous one of Verlet's method,
      * which is kept instead of that one because it loses no digits far from the origin.
      */
-    static final int MOVE = 3;
+    static final int MOVE = 4;
+
+    /** 1 for the largest sphere of the scene; 0 for what no contact moves, which is the light and what sleeps. */
+    static final int INVERSE_MASS = 7;
 
     /** What the contacts' impulses of the last sub-step come to in {@link #MOVE}: the next one starts with them. */
-    static final int SUPPORT = 6;
-
-    /** In metres. */
-    static final int RADIUS = 9;
-
-    /** 1 for the largest sphere of the scene; 0 for the light, which nothing moves. */
-    static final int INVERSE_MASS = 10;
+    static final int SUPPORT = 8;
 
     /** How far from the centre something may touch the body until the pairs are looked for again, in metres. */
     static final int REACH = 11;
@@ -172,8 +175,7 @@ final class BodyStore {
         numbers[at + POSITION + 1] = position.y();
         numbers[at + POSITION + 2] = position.z();
         numbers[at + RADIUS] = radius;
-        double ratio = largestRadius / radius;
-        numbers[at + INVERSE_MASS] = ratio * ratio * ratio;
+        numbers[at + INVERSE_MASS] = inverseMass(radius);
         System.arraycopy(numbers, at + POSITION, before, 3 * body, 3);
         boolean above = position.y() >= planeHeight;
         boolean over = Math.abs(position.x()) <= halfSide && Math.abs(position.z()) <= halfSide;
@@ -186,6 +188,21 @@ final class BodyStore {
         state[body] = ASLEEP;
         calmSteps[body] = 0;
         int at = STRIDE * body;
-        Arrays.fill(numbers, at + MOVE, at + RADIUS, 0);
+        Arrays.fill(numbers, at + MOVE, at + MOVE + 3, 0);
+        Arrays.fill(numbers, at + SUPPORT, at + SUPPORT + 3, 0);
+        numbers[at + INVERSE_MASS] = 0;
+    }
+
+    /** Lets a sphere that sleeps be moved. */
+    void wake(int body, byte how) {
+        state[body] = how;
+        int at = STRIDE * body;
+        numbers[at + INVERSE_MASS] = inverseMass(numbers[at + RADIUS]);
+    }
+
+    /** Of a sphere that contacts move; 1 for the largest one. */
+    double inverseMass(double radius) {
+        double ratio = largestRadius / radius;
+        return ratio * ratio * ratio;
     }
 }

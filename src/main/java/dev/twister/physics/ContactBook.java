@@ -62,11 +62,11 @@ final class ContactBook {
                 if (found >= 0) {
                     double[] old = earlier.lists[earlier.list[other]].impulses;
                     int from = Contacts.IMPULSES * found;
-                    contacts.impulses[to] = old[from];
                     // It acted on the other body.
+                    contacts.impulses[to] = -old[from];
                     contacts.impulses[to + 1] = -old[from + 1];
                     contacts.impulses[to + 2] = -old[from + 2];
-                    contacts.impulses[to + 3] = -old[from + 3];
+                    contacts.impulses[to + Contacts.BUILT] = old[from + Contacts.BUILT];
                 } else {
                     Arrays.fill(contacts.impulses, to, to + Contacts.IMPULSES, 0);
                 }

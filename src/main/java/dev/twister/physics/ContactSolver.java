@@ -96,20 +96,19 @@ final class ContactSolver {
         double outside = square - radii * radii;
         double[] impulses = contacts.impulses;
         int at = Contacts.IMPULSES * contact;
-        boolean sleeper = bodies.state[one] == BodyStore.ASLEEP || bodies.state[two] == BodyStore.ASLEEP;
-        if (sleeper) {
+        if (n[a + BodyStore.INVERSE_MASS] == 0 || n[b + BodyStore.INVERSE_MASS] == 0) {
             wake(one, two, square, radii);
         }
         double dx = n[a + BodyStore.MOVE] - n[b + BodyStore.MOVE];
         double dy = n[a + BodyStore.MOVE + 1] - n[b + BodyStore.MOVE + 1];
         double dz = n[a + BodyStore.MOVE + 2] - n[b + BodyStore.MOVE + 2];
         double closing = px * dx + py * dy + pz * dz;
-        boolean loaded = impulses[at] != 0;
+        boolean loaded = impulses[at + Contacts.BUILT] != 0;
         if (outside > 0 && !loaded && missed(outside, closing, dx * dx + dy * dy + dz * dz)) {
             return;
         }
-        double wa = bodies.state[one] == BodyStore.ASLEEP ? 0 : n[a + BodyStore.INVERSE_MASS];
-        double wb = bodies.state[two] == BodyStore.ASLEEP ? 0 : n[b + BodyStore.INVERSE_MASS];
+        double wa = n[a + BodyStore.INVERSE_MASS];
+        double wb = n[b + BodyStore.INVERSE_MASS];
         if (wa + wb == 0) {
             return;
         }
@@ -166,9 +165,9 @@ final class ContactSolver {
             double gap,
             double push) {
         double mass = 1 / (wa + wb);
-        double ox = impulses[at + 1];
-        double oy = impulses[at + 2];
-        double oz = impulses[at + 3];
+        double ox = impulses[at];
+        double oy = impulses[at + 1];
+        double oz = impulses[at + 2];
         // The impulse that would stop one relative to the other, with what the sub-step started with.
         double qx = ox - mass * dx;
         double qy = oy - mass * dy;
@@ -187,7 +186,7 @@ final class ContactSolver {
         double sx = ix - ox;
         double sy = iy - oy;
         double sz = iz - oz;
-        double old = impulses[at];
+        double old = impulses[at + Contacts.BUILT];
         double ofHeavier = wa > 0 && wb > 0 ? Math.min(wa, wb) : wa + wb;
         if ((built - old) * ofHeavier > mostNewLoad) {
             double load = old + mostNewLoad / ofHeavier;
@@ -197,10 +196,10 @@ final class ContactSolver {
             iy *= kept;
             iz *= kept;
         }
-        impulses[at] = built;
-        impulses[at + 1] = ix;
-        impulses[at + 2] = iy;
-        impulses[at + 3] = iz;
+        impulses[at] = ix;
+        impulses[at + 1] = iy;
+        impulses[at + 2] = iz;
+        impulses[at + Contacts.BUILT] = built;
         double px = push * mass * nx;
         double py = push * mass * ny;
         double pz = push * mass * nz;
@@ -273,7 +272,8 @@ final class ContactSolver {
     private void solveSurface(double[] impulses, int at, int body, int surface) {
         int a = BodyStore.STRIDE * body;
         double[] n = numbers;
-        if (bodies.state[body] == BodyStore.ASLEEP) {
+        double weight = n[a + BodyStore.INVERSE_MASS];
+        if (weight == 0) {
             return;
         }
         double nx = 0;
@@ -306,11 +306,10 @@ final class ContactSolver {
         double dy = n[a + BodyStore.MOVE + 1];
         double dz = n[a + BodyStore.MOVE + 2];
         double along = dx * nx + dy * ny + dz * nz;
-        double old = impulses[at];
+        double old = impulses[at + Contacts.BUILT];
         if (old == 0 && gap + along >= 0) {
             return;
         }
-        double weight = n[a + BodyStore.INVERSE_MASS];
         double pull = gravityX * nx + gravityY * ny + gravityZ * nz;
         // The sub-step's start is half a sub-step before the time of the move.
         double atStart = along - pull / 2;
@@ -362,10 +361,8 @@ final class ContactSolver {
         double speedSquared =
                 numbers[at] * numbers[at] + numbers[at + 1] * numbers[at + 1] + numbers[at + 2] * numbers[at + 2];
         boolean hit = speedSquared > wakeSpeedSquared * numbers[BodyStore.STRIDE * sleeper + BodyStore.RADIUS];
-        if (hit
-                && bodies.state[sleeper] == BodyStore.ASLEEP
-                && numbers[BodyStore.STRIDE * sleeper + BodyStore.INVERSE_MASS] > 0) {
-            bodies.state[sleeper] = BodyStore.WOKEN;
+        if (hit && bodies.state[sleeper] == BodyStore.ASLEEP && sleeper != BodyStore.LIGHT) {
+            bodies.wake(sleeper, BodyStore.WOKEN);
         }
     }
 

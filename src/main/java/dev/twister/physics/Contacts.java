@@ -5,8 +5,11 @@ import java.util.function.IntPredicate;
 
 /** A growing list of pairs that touch or may come to touch, with the impulses that they have built up. */
 final class Contacts {
-    /** Impulses for each contact: the whole one's share along the normal, then the whole one in x, y, z. */
+    /** Impulses for each contact: the whole one in x, y, z, then its share along the normal. */
     static final int IMPULSES = 4;
+
+    /** Where among them that share is. */
+    static final int BUILT = 3;
 
     private static final int LEAST_ROOM = 64;
 

@@ -80,11 +80,12 @@ final class Integrator {
             byte state = bodies.state[body];
             if (state == BodyStore.AWAKE) {
                 int at = BodyStore.STRIDE * body + BodyStore.MOVE;
-                double support = n[at + 3] * n[at + 3] + n[at + 4] * n[at + 4] + n[at + 5] * n[at + 5];
+                int by = BodyStore.STRIDE * body + BodyStore.SUPPORT;
+                double support = n[by] * n[by] + n[by + 1] * n[by + 1] + n[by + 2] * n[by + 2];
                 double carried = support > mostSupportSquared ? Math.sqrt(mostSupportSquared / support) : 1;
-                double x = kept * n[at] + gravityX + carried * n[at + 3];
-                double y = kept * n[at + 1] + gravityY + carried * n[at + 4];
-                double z = kept * n[at + 2] + gravityZ + carried * n[at + 5];
+                double x = kept * n[at] + gravityX + carried * n[by];
+                double y = kept * n[at + 1] + gravityY + carried * n[by + 1];
+                double z = kept * n[at + 2] + gravityZ + carried * n[by + 2];
                 double square = x * x + y * y + z * z;
                 if (square > longestMove * longestMove) {
                     double scale = longestMove / Math.sqrt(square);
@@ -95,9 +96,9 @@ final class Integrator {
                 n[at] = x;
                 n[at + 1] = y;
                 n[at + 2] = z;
-                n[at + 3] = 0;
-                n[at + 4] = 0;
-                n[at + 5] = 0;
+                n[by] = 0;
+                n[by + 1] = 0;
+                n[by + 2] = 0;
             } else if (state == BodyStore.WOKEN) {
                 int at = BodyStore.STRIDE * body + BodyStore.SUPPORT;
                 n[at] = 0;

@@ -69,7 +69,7 @@ final class Motion {
     }
 
     static double mass(Simulation simulation, int body) {
-        return 1 / simulation.store().numbers[BodyStore.STRIDE * body + BodyStore.INVERSE_MASS];
+        return 1 / simulation.store().inverseMass(radius(simulation, body));
     }
 
     static double speed(Simulation simulation, int body) {
