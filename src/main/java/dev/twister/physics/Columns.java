@@ -75,14 +75,23 @@ final class Columns {
         return columnsX * columnsZ;
     }
 
-    /** How many rows of columns a colour has. */
-    int rows(int colour) {
-        return (columnsZ + 1 - colour) / 2;
+    int rows() {
+        return columnsZ;
     }
 
-    /** The first column of a colour's row; the others follow it. */
-    int firstOfRow(int colour, int row) {
-        return (2 * row + colour) * columnsX;
+    /** How many rows of columns a colour has. */
+    int rows(int colour) {
+        return (columnsZ + 1 - colour) / COLOURS;
+    }
+
+    /** The number, among all rows, of one of a colour. */
+    int row(int colour, int index) {
+        return COLOURS * index + colour;
+    }
+
+    /** The first column of a row; the others follow it. */
+    int firstOfRow(int row) {
+        return row * columnsX;
     }
 
     int columnsInRow() {

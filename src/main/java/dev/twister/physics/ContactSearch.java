@@ -13,6 +13,7 @@ final class ContactSearch {
     private final int firstBody;
     private final NeighbourGrid grid;
     private final Columns columns = new Columns();
+    private int[] ends = {};
     private ContactBook contacts;
     private ContactBook earlier;
 
@@ -30,14 +31,19 @@ final class ContactSearch {
         return columns;
     }
 
-    /** A column's contacts. */
-    Contacts contacts(int column) {
-        return contacts.list(column);
+    /** The contacts of a row of columns, one column's after the other's. */
+    Contacts contacts(int row) {
+        return contacts.list(row);
+    }
+
+    /** Where a column's contacts end in its row's list; the next one's begin there. */
+    int end(int column) {
+        return ends[column];
     }
 
     /** The contacts of the few very large or fast bodies, which no other list has. */
     Contacts giantsContacts() {
-        return contacts.list(columns.count());
+        return contacts.list(columns.rows());
     }
 
     void scaleImpulses(double factor) {
@@ -62,22 +68,20 @@ final class ContactSearch {
         ContactBook spare = earlier;
         earlier = contacts;
         contacts = spare;
-        contacts.open(columns.count() + 1);
+        contacts.open(columns.rows() + 1);
+        if (ends.length < columns.count()) {
+            ends = new int[columns.count()];
+        }
         for (int colour = 0; colour < Columns.COLOURS; colour++) {
             int own = colour;
-            team.each(columns.rows(colour), row -> {
-                int first = columns.firstOfRow(own, row);
-                for (int column = first; column < first + columns.columnsInRow(); column++) {
-                    searchColumn(column);
-                }
-            });
+            team.each(columns.rows(colour), index -> searchRow(columns.row(own, index)));
         }
         for (int slot = 0; slot < grid.slots; slot++) {
             if (grid.isGiant(slot)) {
                 Contacts list = giantsContacts();
                 int start = list.count;
                 grid.addGiantsPairs(slot, list);
-                finish(grid.body[slot], columns.count(), start);
+                finish(grid.body[slot], columns.rows(), start);
             }
         }
     }
@@ -112,13 +116,17 @@ final class ContactSearch {
         return place + 1;
     }
 
-    private void searchColumn(int column) {
-        Contacts list = contacts.list(column);
-        for (int index = columns.start(column); index < columns.end(column); index++) {
-            int slot = columns.slot(index);
-            int start = list.count;
-            grid.addPairs(slot, list);
-            finish(grid.body[slot], column, start);
+    private void searchRow(int row) {
+        Contacts list = contacts.list(row);
+        int first = columns.firstOfRow(row);
+        for (int column = first; column < first + columns.columnsInRow(); column++) {
+            for (int index = columns.start(column); index < columns.end(column); index++) {
+                int slot = columns.slot(index);
+                int start = list.count;
+                grid.addPairs(slot, list);
+                finish(grid.body[slot], row, start);
+            }
+            ends[column] = list.count;
         }
     }
 

@@ -71,9 +71,16 @@ final class ContactSolver {
         wakeSpeedSquared = Rest.wakeSpeedSquared(strength) * square;
     }
 
-    void solve(Contacts contacts) {
-        for (int offset = 0; offset < CONTACTS_APART; offset++) {
-            for (int contact = offset; contact < contacts.count; contact += CONTACTS_APART) {
+    /**
+     * Solves the contacts of a list.
+     *
+     * @param from the first one
+     * @param to the one after the last
+     */
+    void solve(Contacts contacts, int from, int to) {
+        contacts.fetched = fetch(contacts.second, from, to);
+        for (int offset = from; offset < from + CONTACTS_APART; offset++) {
+            for (int contact = offset; contact < to; contact += CONTACTS_APART) {
                 int other = contacts.second[contact];
                 if (other >= 0) {
                     solvePair(contacts, contact, contacts.first[contact], other);
@@ -82,6 +89,23 @@ final class ContactSolver {
                 }
             }
         }
+    }
+
+    /**
+     * Reads from each of the other bodies' cache lines, which then come from memory many at a time; solving waits for each
+     * contact's before it gets to those of the one after the next.
+     *
+     * @return what no one needs, so that the reading is not left out
+     */
+    private long fetch(int[] second, int from, int to) {
+        long bits = 0;
+        for (int contact = from; contact < to; contact++) {
+            int at = BodyStore.STRIDE * Math.max(0, second[contact]);
+            bits += Double.doubleToRawLongBits(numbers[at])
+                    + Double.doubleToRawLongBits(numbers[at + BodyStore.STRIDE / 2])
+                    + Double.doubleToRawLongBits(numbers[at + BodyStore.STRIDE - 1]);
+        }
+        return bits;
     }
 
     private void solvePair(Contacts contacts, int contact, int one, int two) {

@@ -27,6 +27,9 @@ final class Contacts {
 
     int count;
 
+    /** Written by the solver, and read by no one. */
+    long fetched;
+
     void clear() {
         count = 0;
     }

@@ -268,15 +268,22 @@ public final class Simulation implements AutoCloseable {
             inChunks(integrator::accelerate);
             for (int colour = 0; colour < Columns.COLOURS; colour++) {
                 int own = colour;
-                team.each(columns.rows(colour), row -> {
-                    int first = columns.firstOfRow(own, row);
-                    for (int column = first; column < first + columns.columnsInRow(); column++) {
-                        solver.solve(search.contacts(column));
-                    }
-                });
+                team.each(columns.rows(colour), index -> solveRow(columns.row(own, index)));
             }
-            solver.solve(search.giantsContacts());
+            solver.solve(search.giantsContacts(), 0, search.giantsContacts().count);
             inChunks(integrator::move);
+        }
+    }
+
+    private void solveRow(int row) {
+        Columns columns = search.columns();
+        Contacts contacts = search.contacts(row);
+        int first = columns.firstOfRow(row);
+        int from = 0;
+        for (int column = first; column < first + columns.columnsInRow(); column++) {
+            int to = search.end(column);
+            solver.solve(contacts, from, to);
+            from = to;
         }
     }
 

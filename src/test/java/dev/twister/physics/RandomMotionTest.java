@@ -77,8 +77,8 @@ class RandomMotionTest {
             search.search(new Survey(bodies, team, 1).reach(0.1, 4, 0.001));
             List<String> found = new ArrayList<>();
             collect(search.giantsContacts(), found);
-            for (int column = 0; column < search.columns().count(); column++) {
-                collect(search.contacts(column), found);
+            for (int row = 0; row < search.columns().rows(); row++) {
+                collect(search.contacts(row), found);
             }
             assertThat(found).containsExactlyInAnyOrderElementsOf(all(bodies));
         }
