@@ -134,6 +134,7 @@ final class ContactSearch {
         if (bodies.state[body] != BodyStore.ASLEEP) {
             addSurfaces(body, contacts.list(list));
         }
+        contacts.list(list).setFirst(body, start);
         contacts.setRange(body, list, start);
         contacts.inherit(earlier, body);
     }
@@ -146,20 +147,20 @@ final class ContactSearch {
         double reach = bodies.numbers[at + BodyStore.REACH];
         if (surroundings.isOver(x, z)) {
             if (bodies.side[body] * y <= reach) {
-                list.add(body, -1 - Surroundings.GROUND);
+                list.add(-1 - Surroundings.GROUND);
             }
         } else {
             double outX = x - surroundings.nearest(x);
             double outZ = z - surroundings.nearest(z);
             if (outX * outX + y * y + outZ * outZ <= reach * reach) {
-                list.add(body, -1 - Surroundings.GROUND);
+                list.add(-1 - Surroundings.GROUND);
             }
             bodies.side[body] = (byte) (y >= 0 ? 1 : -1);
         }
         if (bodies.walled[body]) {
             for (int wall = 0; wall < Surroundings.WALLS; wall++) {
                 if (surroundings.halfSide() - surroundings.towardsWall(wall, x, z) <= reach) {
-                    list.add(body, -1 - Surroundings.FIRST_WALL - wall);
+                    list.add(-1 - Surroundings.FIRST_WALL - wall);
                 }
             }
         }

@@ -34,9 +34,9 @@ final class Contacts {
         count = 0;
     }
 
-    void add(int one, int other) {
+    /** Adds a contact; its first body and its impulses are to be set. */
+    void add(int other) {
         reserve(1);
-        first[count] = one;
         second[count] = other;
         count++;
     }
@@ -47,10 +47,14 @@ final class Contacts {
         return second;
     }
 
-    /** Adds the pairs of a body with those that were written; their impulses are to be set. */
-    void addFound(int one, int newCount) {
-        Arrays.fill(first, count, newCount, one);
+    /** Adds the pairs with those that were written; their first body and their impulses are to be set. */
+    void addFound(int newCount) {
         count = newCount;
+    }
+
+    /** Says whose the contacts from one on are. */
+    void setFirst(int one, int from) {
+        Arrays.fill(first, from, count, one);
     }
 
     /** Keeps those of the pairs from one on whose other body is wanted. */

@@ -53,6 +53,7 @@ final class NeighbourGrid {
     final double[] reach;
     int from;
     int slots;
+    private boolean wide;
 
     /** The coarsest level whose bodies are many; those above it are giants, whose pairs are sought one by one. */
     int topLevel;
@@ -67,12 +68,13 @@ final class NeighbourGrid {
         keyOfBody = new long[room];
         bucketOfBody = new int[room];
         levelOfBody = new byte[room];
-        body = new int[room];
-        key = new long[room];
-        x = new double[room];
-        y = new double[room];
-        z = new double[room];
-        reach = new double[room];
+        // The last slots too may be read so many at once.
+        body = new int[room + WideScan.LANES];
+        key = new long[room + WideScan.LANES];
+        x = new double[room + WideScan.LANES];
+        y = new double[room + WideScan.LANES];
+        z = new double[room + WideScan.LANES];
+        reach = new double[room + WideScan.LANES];
     }
 
     double topCell() {
@@ -126,6 +128,7 @@ final class NeighbourGrid {
     void sort(int first, int giants) {
         from = first;
         slots = bodies.count - first;
+        wide = slots >= WideScan.MIN_SLOTS && WideScan.SUITS;
         int buckets = mask + 1;
         Arrays.fill(starts, 0);
         Arrays.fill(near, (byte) 0);
@@ -159,6 +162,9 @@ final class NeighbourGrid {
     /** Copies what a search reads of the bodies of some slots. */
     void gather(int fromSlot, int toSlot) {
         double[] numbers = bodies.numbers;
+        // The bodies of a bucket follow each other.
+        int announced = -1;
+        int announcedAwake = -1;
         for (int slot = fromSlot; slot < toSlot; slot++) {
             int number = body[slot];
             int at = BodyStore.STRIDE * number;
@@ -168,11 +174,15 @@ final class NeighbourGrid {
             z[slot] = numbers[at + BodyStore.POSITION + 2];
             double far = numbers[at + BodyStore.REACH];
             reach[slot] = bodies.state[number] == BodyStore.ASLEEP ? -far : far;
-            if (levelOfBody[number] > finestLevel && levelOfBody[number] <= topLevel) {
-                announce(near, bucketOfBody[number]);
+            int bucket = bucketOfBody[number];
+            boolean coarse = levelOfBody[number] > finestLevel && levelOfBody[number] <= topLevel;
+            if (coarse && bucket != announced) {
+                announce(near, bucket);
+                announced = bucket;
             }
-            if (reach[slot] > 0) {
-                announce(awakeNear, bucketOfBody[number]);
+            if (reach[slot] > 0 && bucket != announcedAwake) {
+                announce(awakeNear, bucket);
+                announcedAwake = bucket;
             }
         }
     }
@@ -261,6 +271,10 @@ final class NeighbourGrid {
     // Buckets hold other cells' bodies too: the keys tell. Without a branch for the distance, which nothing could
     // predict.
     private void scan(int slot, int start, int end, long firstKey, long span, Contacts contacts) {
+        if (wide) {
+            WideScan.scan(this, slot, start, end, firstKey, span, contacts);
+            return;
+        }
         double px = x[slot];
         double py = y[slot];
         double pz = z[slot];
@@ -280,7 +294,7 @@ final class NeighbourGrid {
                 count += 1 + (int) apart;
             }
         }
-        contacts.addFound(body[slot], count);
+        contacts.addFound(count);
     }
 
     private long cellKey(double px, double py, double pz, int level) {

@@ -264,15 +264,21 @@ public final class Simulation implements AutoCloseable {
         double fall = surroundings.gravityStrength() * seconds * seconds;
         search.search(survey.reach(MARGIN, moves, fall));
         Columns columns = search.columns();
-        for (int sub = 0; sub < SUBSTEPS; sub++) {
-            inChunks(integrator::accelerate);
+        inChunks(integrator::accelerate);
+        for (int sub = 1; sub <= SUBSTEPS; sub++) {
             for (int colour = 0; colour < Columns.COLOURS; colour++) {
                 int own = colour;
                 team.each(columns.rows(colour), index -> solveRow(columns.row(own, index)));
             }
             solver.solve(search.giantsContacts(), 0, search.giantsContacts().count);
-            inChunks(integrator::move);
+            inChunks(sub < SUBSTEPS ? this::moveAndAccelerate : integrator::move);
         }
+    }
+
+    // A chunk's bodies are still in the cache.
+    private void moveAndAccelerate(int from, int to) {
+        integrator.move(from, to);
+        integrator.accelerate(from, to);
     }
 
     private void solveRow(int row) {

@@ -1,0 +1,61 @@
+package dev.twister.physics;
+
+import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.LongVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorSpecies;
+
+/**
+ * The scan of a {@link NeighbourGrid} with eight neighbours at once, by the Vector API. It finds the same in the same
+ * order; its lanes are no wider than what the grid's arrays have to spare at their ends.
+ */
+final class WideScan {
+    /** Neighbours at once. */
+    static final int LANES = 8;
+
+    /** Until they are compiled, vectors are slow: too slow for fewer bodies. */
+    static final int MIN_SLOTS = 2500;
+
+    private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_512;
+    private static final VectorSpecies<Long> LONGS = LongVector.SPECIES_512;
+    private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
+
+    /** Whether the processor has such lanes; only those that have them can pack some of them together. */
+    static final boolean SUITS = DoubleVector.SPECIES_PREFERRED.equals(DOUBLES);
+
+    private WideScan() {}
+
+    /**
+     * Adds the pairs of a slot's body with those of other slots; their first body is to be set.
+     *
+     * @param start the first of the others
+     * @param end the one after the last
+     * @param firstKey the least key of a cell that counts, and how many more do
+     */
+    static void scan(NeighbourGrid grid, int slot, int start, int end, long firstKey, long span, Contacts contacts) {
+        double own = Math.abs(grid.reach[slot]);
+        double least = grid.reach[slot] > 0 ? Double.NEGATIVE_INFINITY : 0;
+        int[] found = contacts.roomFor(end - start + LANES);
+        int count = contacts.count;
+        for (int other = start; other < end; other += LANES) {
+            DoubleVector dx = DoubleVector.fromArray(DOUBLES, grid.x, other).sub(grid.x[slot]);
+            DoubleVector dy = DoubleVector.fromArray(DOUBLES, grid.y, other).sub(grid.y[slot]);
+            DoubleVector dz = DoubleVector.fromArray(DOUBLES, grid.z, other).sub(grid.z[slot]);
+            DoubleVector reach = DoubleVector.fromArray(DOUBLES, grid.reach, other);
+            DoubleVector sum = reach.abs().add(own);
+            DoubleVector square = dx.mul(dx).add(dy.mul(dy)).add(dz.mul(dz));
+            LongVector cell = LongVector.fromArray(LONGS, grid.key, other).sub(firstKey);
+            long meet = square.compare(VectorOperators.LE, sum.mul(sum)).toLong()
+                    & reach.compare(VectorOperators.GT, least).toLong()
+                    & cell.compare(VectorOperators.ULE, span).toLong()
+                    & ((1L << Math.min(LANES, end - other)) - 1);
+            IntVector.fromArray(INTS, grid.body, other)
+                    .compress(VectorMask.fromLong(INTS, meet))
+                    .intoArray(found, count);
+            count += Long.bitCount(meet);
+        }
+        contacts.addFound(count);
+    }
+}
