@@ -20,9 +20,6 @@ final class BodyStore {
     /** Numbers for each body: places 0 to 11. */
     static final int STRIDE = 12;
 
-    /** Numbers in each of a body's three groups: a vector's x, y and z, and one more, which suit four lanes of a processor. */
-    static final int GROUP = 4;
-
     /** The centre, in metres: x, y, z. */
     static final int POSITION = 0;
 

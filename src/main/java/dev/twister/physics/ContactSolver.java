@@ -92,8 +92,8 @@ final class ContactSolver {
     }
 
     /**
-     * Reads from each of the other bodies' cache lines, which then come from memory many at a time; solving waits for each
-     * contact's before it gets to those of the one after the next.
+     * Reads from every cache line of the second bodies, so that they come from memory many at a time. Solving alone asks
+     * for few at once: a contact's roots and divisions keep the processor from looking far ahead.
      *
      * @return what no one needs, so that the reading is not left out
      */
