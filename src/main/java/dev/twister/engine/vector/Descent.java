@@ -9,7 +9,9 @@ final class Descent {
     /** Where the beam meets each child of the node tested last. */
     private final float[] childEntries = new float[Lanes.COUNT];
 
+    /** Links. */
     private final int[] children = new int[ROOM];
+
     private final float[] entries = new float[ROOM];
     private int waiting;
 
@@ -34,7 +36,7 @@ final class Descent {
                 place--;
             }
             entries[place] = entry;
-            children[place] = node * Lanes.COUNT + child;
+            children[place] = hierarchy.links[node * Lanes.COUNT + child];
             waiting++;
         }
     }
@@ -42,7 +44,7 @@ final class Descent {
     /**
      * Goes down to the next leaf that the beam may meet before its end.
      *
-     * @return its place among the children of all nodes, or -1 where there is none
+     * @return the link to it, or -1 where there is none
      */
     int nextLeaf(WideHierarchy hierarchy, Beam beam) {
         int leaf = -1;
@@ -50,10 +52,10 @@ final class Descent {
             waiting--;
             if (entries[waiting] <= beam.end) {
                 int child = children[waiting];
-                if (hierarchy.counts[child] == WideHierarchy.NODE) {
-                    open(hierarchy, beam, hierarchy.links[child]);
-                } else {
+                if (WideHierarchy.isLeaf(child)) {
                     leaf = child;
+                } else {
+                    open(hierarchy, beam, child);
                 }
             }
         }

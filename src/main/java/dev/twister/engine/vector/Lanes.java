@@ -101,23 +101,22 @@ final class Lanes {
         return whole.blend(whole.sub(1f), whole.compare(VectorOperators.GT, values));
     }
 
-    /** Writes {@code first + lane} for each lane of {@code lanes}, close together; {@link #COUNT} places are written. */
-    static void pack(int first, long lanes, int[] to, int at) {
+    /** Writes the values of those lanes close together; {@link #COUNT} places are written. */
+    static void pack(int[] from, int first, long lanes, int[] to, int at) {
         if (PACK) {
-            IntVector.broadcast(INTS, first)
-                    .addIndex(1)
+            IntVector.fromArray(INTS, from, first)
                     .compress(VectorMask.fromLong(INTS, lanes))
                     .intoArray(to, at);
         } else {
             int place = at;
             for (long rest = lanes; rest != 0L; rest &= rest - 1) {
-                to[place] = first + Long.numberOfTrailingZeros(rest);
+                to[place] = from[first + Long.numberOfTrailingZeros(rest)];
                 place++;
             }
         }
     }
 
-    /** The same with values. */
+    /** The same with floats. */
     static void pack(float[] from, int first, long lanes, float[] to, int at) {
         if (PACK) {
             FloatVector.fromArray(FLOATS, from, first)

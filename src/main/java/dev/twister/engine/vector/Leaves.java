@@ -5,48 +5,39 @@ package dev.twister.engine.vector;
  * the CPU tests several nodes at a time.
  */
 final class Leaves {
-    /** The most that are found. */
-    static final int MOST = 64;
+    private static final int ROOM = 1024;
 
-    private static final int ROOM = 4 * MOST;
+    /** Links to nodes and leaves met, in the order in which they are looked at. */
+    final int[] links = new int[ROOM + Lanes.COUNT];
 
-    /** The leaves' places among the children of all nodes. */
-    final int[] places = new int[MOST];
+    /** Where the leaves begin among the links, and the place behind the last. */
+    int first;
 
-    int count;
-
-    /** Places of nodes and leaves met, in the order in which they are looked at. */
-    private final int[] queue = new int[ROOM + Lanes.COUNT];
+    int end;
 
     private final float[] entries = new float[Lanes.COUNT];
 
     /**
      * Finds them; where a beam meets too many, a {@link Descent} that goes to the nearest first is better.
      *
-     * @param most at most {@link #MOST}
+     * @param most at most {@value #ROOM}
      * @return whether there are at most so many
      */
     boolean find(WideHierarchy hierarchy, Beam beam, int most) {
-        count = 0;
-        int tail = append(hierarchy, beam, 0, 0);
         int head = 0;
-        int room = 4 * most;
-        while (head < tail && tail <= room && count < most) {
-            int place = queue[head];
+        int tail = append(hierarchy, beam, 0, 0);
+        while (head < tail && tail - head <= most && !WideHierarchy.isLeaf(links[head])) {
+            tail = append(hierarchy, beam, links[head], tail);
             head++;
-            if (hierarchy.counts[place] == WideHierarchy.NODE) {
-                tail = append(hierarchy, beam, hierarchy.links[place], tail);
-            } else {
-                places[count] = place;
-                count++;
-            }
         }
-        return head == tail && tail <= room;
+        first = head;
+        end = tail;
+        return tail - head <= most;
     }
 
     private int append(WideHierarchy hierarchy, Beam beam, int node, int tail) {
         long met = beam.meeting(hierarchy.boxes, node * WideHierarchy.BOX_STRIDE, entries);
-        Lanes.pack(node * Lanes.COUNT, met, queue, tail);
+        Lanes.pack(hierarchy.links, node * Lanes.COUNT, met, links, tail);
         return tail + Long.bitCount(met);
     }
 }

@@ -99,6 +99,11 @@ final class LoneCandidates {
         return dark;
     }
 
+    /** The same with the spheres of a leaf. */
+    boolean add(WideHierarchy hierarchy, int leaf) {
+        return add(hierarchy.spheres, WideHierarchy.firstBlock(leaf), WideHierarchy.blocks(leaf) * Lanes.COUNT);
+    }
+
     /** Makes room for as many candidates as there are lanes, twice. */
     private void reserve() {
         if (facts[A].length < count + 2 * Lanes.COUNT) {

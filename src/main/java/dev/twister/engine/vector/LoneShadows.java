@@ -33,13 +33,20 @@ final class LoneShadows {
                 .compare(VectorOperators.GT, 0f)
                 .toLong();
         boolean found = leaves.find(drawing.hierarchy, tile.packetBeams, open);
+        int from = leaves.first;
         for (long rest = open; rest != 0L; rest &= rest - 1) {
             int lane = Long.numberOfTrailingZeros(rest);
-            candidates.start(t, at + lane, drawing.discRadius);
-            boolean dark = (found && leaves.counts[lane] <= PacketLeaves.MOST)
-                    ? addLeaves(leaves, lane, drawing.hierarchy, candidates)
-                    : descend(tile, at + lane, drawing.hierarchy, candidates);
-            t[at + lane + Tile.VISIBLE] = dark ? 0f : visible(candidates, drawing);
+            int end = leaves.end(from, lane);
+            if (found && from == end) {
+                t[at + lane + Tile.VISIBLE] = 1f;
+            } else {
+                candidates.start(t, at + lane, drawing.discRadius);
+                boolean dark = found
+                        ? addLeaves(leaves, from, end, drawing.hierarchy, candidates)
+                        : descend(tile, at + lane, drawing.hierarchy, candidates);
+                t[at + lane + Tile.VISIBLE] = dark ? 0f : visible(candidates, drawing);
+            }
+            from = end;
         }
     }
 
@@ -49,12 +56,10 @@ final class LoneShadows {
 
     /** Lists the candidates out of the leaves found; returns whether one of them hides the whole disc. */
     private static boolean addLeaves(
-            PacketLeaves leaves, int lane, WideHierarchy hierarchy, LoneCandidates candidates) {
-        int first = lane * PacketLeaves.MOST;
-        int end = first + leaves.counts[lane];
+            PacketLeaves leaves, int from, int end, WideHierarchy hierarchy, LoneCandidates candidates) {
         boolean dark = false;
-        for (int k = first; k < end && !dark; k++) {
-            dark = add(hierarchy, leaves.places[k], candidates);
+        for (int k = from; k < end && !dark; k++) {
+            dark = candidates.add(hierarchy, leaves.links[k]);
         }
         return dark;
     }
@@ -68,13 +73,9 @@ final class LoneShadows {
         boolean dark = false;
         int leaf = descent.nextLeaf(hierarchy, beam);
         while (leaf >= 0) {
-            dark = add(hierarchy, leaf, candidates);
+            dark = candidates.add(hierarchy, leaf);
             leaf = dark ? -1 : descent.nextLeaf(hierarchy, beam);
         }
         return dark;
-    }
-
-    private static boolean add(WideHierarchy hierarchy, int leaf, LoneCandidates candidates) {
-        return candidates.add(hierarchy.spheres, hierarchy.links[leaf], hierarchy.counts[leaf]);
     }
 }

@@ -2,41 +2,42 @@ package dev.twister.engine.vector;
 
 import dev.twister.kernel.NodeBox;
 import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * A {@link Beam} for each lane of a packet: its ray, or its point's lines to the light's disc. All are made at once; then
- * each is tested against as many boxes as there are lanes.
+ * A {@link Beam} for each lane of a packet: its ray, or its point's lines to the light's disc. All are made at once; {@link PacketLeaves} then tests
+ * each against as many boxes as there are lanes.
  */
 final class PacketBeams {
     /** What a plane's t is made less or greater by, as a part of the origin's: it is rounded by two units of 2^-24. */
     private static final float ROUNDING = 2e-7f;
 
     // Three columns each, one an axis: what makes the t of the near side, of the far one, and of a second near one.
-    private static final int AXES = 3 * Lanes.COUNT;
-    private static final int NEAR_SCALE = 0;
-    private static final int NEAR_ADDITION = AXES;
-    private static final int FAR_SCALE = 2 * AXES;
-    private static final int FAR_ADDITION = 3 * AXES;
-    private static final int SECOND_SCALE = 4 * AXES;
-    private static final int SECOND_ADDITION = 5 * AXES;
+    static final int AXES = 3 * Lanes.COUNT;
+    static final int NEAR_SCALE = 0;
+    static final int NEAR_ADDITION = AXES;
+    static final int FAR_SCALE = 2 * AXES;
+    static final int FAR_ADDITION = 3 * AXES;
+    static final int SECOND_SCALE = 4 * AXES;
+    static final int SECOND_ADDITION = 5 * AXES;
 
     /** Metres a metre of t, lowest and highest. */
     private static final int LOW = 6 * AXES;
 
     private static final int HIGH = 7 * AXES;
 
-    /** The t at which the lines end, one column. */
-    private static final int END = 8 * AXES;
+    final float[] facts = new float[8 * AXES];
 
-    private final float[] facts = new float[END + Lanes.COUNT];
+    /** By axis, how far behind the low sides of {@link WideHierarchy#boxes} the near ones are: all that the high ones are, or 0. */
+    final int[] nearSides = new int[AXES];
 
-    /** One bit a lane where the slopes along an axis are less than 0: the near sides are the high ones. */
-    private final long[] falls = new long[3];
+    /** The bits of the t at which the lines end, as ints. */
+    final int[] ends = new int[Lanes.COUNT];
 
     /** One bit a lane whose slopes differ in sign along any axis. */
-    private long straddles;
+    long straddles;
 
     /** The packet's rays, as far as the closest hits so far. */
     void holdRays(float[] t, int at) {
@@ -48,7 +49,8 @@ final class PacketBeams {
         FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISTANCE)
                 .mul(1f + Beam.SPREAD)
                 .min(Beam.EVERYWHERE)
-                .intoArray(facts, END);
+                .reinterpretAsInts()
+                .intoArray(ends, 0);
         finish(t, at + Tile.ORIGIN_X);
     }
 
@@ -66,7 +68,8 @@ final class PacketBeams {
             middle.sub(reach).intoArray(facts, LOW + axis * Lanes.COUNT);
             middle.add(reach).intoArray(facts, HIGH + axis * Lanes.COUNT);
         }
-        FloatVector.broadcast(Lanes.FLOATS, 1f + Beam.DISC_SPREAD).intoArray(facts, END);
+        IntVector.broadcast(Lanes.INTS, Float.floatToRawIntBits(1f + Beam.DISC_SPREAD))
+                .intoArray(ends, 0);
         finish(t, at + Tile.POINT_X);
     }
 
@@ -104,50 +107,7 @@ final class PacketBeams {
         near.abs().mul(-ROUNDING).sub(near).intoArray(facts, NEAR_ADDITION + column);
         far.abs().mul(ROUNDING).sub(far).blend(Slab.NEVER, straddling).intoArray(facts, FAR_ADDITION + column);
         second.abs().mul(-ROUNDING).sub(second).intoArray(facts, SECOND_ADDITION + column);
-        falls[axis] = falling.toLong();
+        IntVector.zero(Lanes.INTS).blend(AXES, falling.cast(Lanes.INTS)).intoArray(nearSides, column);
         straddles |= straddling.toLong();
-    }
-
-    /**
-     * One bit a box that a lane's beam may meet before its end.
-     *
-     * @param boxes {@link WideHierarchy#boxes}
-     * @param at where the node's are
-     */
-    long meeting(float[] boxes, int at, int lane) {
-        float[] f = facts;
-        int x = at + AXES * (int) (falls[0] >>> lane & 1);
-        int y = at + AXES * (int) (falls[1] >>> lane & 1) + Lanes.COUNT;
-        int z = at + AXES * (int) (falls[2] >>> lane & 1) + 2 * Lanes.COUNT;
-        FloatVector near =
-                FloatVector.fromArray(Lanes.FLOATS, boxes, x).fma(f[NEAR_SCALE + lane], f[NEAR_ADDITION + lane]);
-        FloatVector nearY = FloatVector.fromArray(Lanes.FLOATS, boxes, y)
-                .fma(f[NEAR_SCALE + Lanes.COUNT + lane], f[NEAR_ADDITION + Lanes.COUNT + lane]);
-        FloatVector nearZ = FloatVector.fromArray(Lanes.FLOATS, boxes, z)
-                .fma(f[NEAR_SCALE + 2 * Lanes.COUNT + lane], f[NEAR_ADDITION + 2 * Lanes.COUNT + lane]);
-        near = near.blend(nearY, nearY.compare(VectorOperators.GT, near));
-        near = near.blend(nearZ, nearZ.compare(VectorOperators.GT, near));
-        FloatVector sideX = FloatVector.fromArray(Lanes.FLOATS, boxes, 2 * at + AXES - x);
-        FloatVector sideY = FloatVector.fromArray(Lanes.FLOATS, boxes, 2 * (at + Lanes.COUNT) + AXES - y);
-        FloatVector sideZ = FloatVector.fromArray(Lanes.FLOATS, boxes, 2 * (at + 2 * Lanes.COUNT) + AXES - z);
-        FloatVector far = sideX.fma(f[FAR_SCALE + lane], f[FAR_ADDITION + lane]);
-        FloatVector farY = sideY.fma(f[FAR_SCALE + Lanes.COUNT + lane], f[FAR_ADDITION + Lanes.COUNT + lane]);
-        FloatVector farZ = sideZ.fma(f[FAR_SCALE + 2 * Lanes.COUNT + lane], f[FAR_ADDITION + 2 * Lanes.COUNT + lane]);
-        far = far.blend(farY, farY.compare(VectorOperators.LT, far));
-        far = far.blend(farZ, farZ.compare(VectorOperators.LT, far));
-        if ((straddles >>> lane & 1) != 0) {
-            FloatVector secondX = sideX.fma(f[SECOND_SCALE + lane], f[SECOND_ADDITION + lane]);
-            FloatVector secondY =
-                    sideY.fma(f[SECOND_SCALE + Lanes.COUNT + lane], f[SECOND_ADDITION + Lanes.COUNT + lane]);
-            FloatVector secondZ =
-                    sideZ.fma(f[SECOND_SCALE + 2 * Lanes.COUNT + lane], f[SECOND_ADDITION + 2 * Lanes.COUNT + lane]);
-            near = near.blend(secondX, secondX.compare(VectorOperators.GT, near));
-            near = near.blend(secondY, secondY.compare(VectorOperators.GT, near));
-            near = near.blend(secondZ, secondZ.compare(VectorOperators.GT, near));
-        }
-        return near.compare(VectorOperators.LE, far)
-                .and(near.compare(VectorOperators.LE, f[END + lane]))
-                .and(far.compare(VectorOperators.GE, 0f))
-                .toLong();
     }
 }

@@ -47,9 +47,9 @@ final class PacketHits {
         int leaf = descent.nextLeaf(hierarchy, beam);
         while (leaf >= 0) {
             boolean tested = false;
-            int first = hierarchy.links[leaf];
-            for (int left = hierarchy.counts[leaf]; left > 0; left -= Lanes.COUNT) {
-                long near = beam.meeting(hierarchy.spheres, first) & Lanes.first(left);
+            int first = WideHierarchy.firstBlock(leaf);
+            for (int left = WideHierarchy.blocks(leaf); left > 0; left--) {
+                long near = beam.meeting(hierarchy.spheres, first);
                 tested |= near != 0L;
                 while (near != 0L) {
                     LaneSteps.run(LaneSteps.MEET_SPHERE, tile, drawing, at, first + Long.numberOfTrailingZeros(near));
@@ -74,23 +74,16 @@ final class PacketHits {
         PacketLeaves leaves = tile.packetLeaves;
         tile.packetBeams.holdRays(t, at);
         boolean found = leaves.find(drawing.hierarchy, tile.packetBeams, wanted);
+        int from = leaves.first;
         for (long rest = wanted; rest != 0L; rest &= rest - 1) {
             int lane = Long.numberOfTrailingZeros(rest);
-            if (found && leaves.counts[lane] <= MOST_LEAVES) {
-                meetLeaves(tile, drawing, at + lane, lane);
+            int end = leaves.end(from, lane);
+            if (found && end - from <= MOST_LEAVES) {
+                meet(tile, at + lane, drawing.hierarchy, leaves.links, from, end);
             } else {
                 descend(tile, drawing, at + lane);
             }
-        }
-    }
-
-    /** One ray and the spheres of all leaves that it may meet. */
-    private static void meetLeaves(Tile tile, Drawing drawing, int pixel, int lane) {
-        PacketLeaves leaves = tile.packetLeaves;
-        int first = lane * PacketLeaves.MOST;
-        int end = first + leaves.counts[lane];
-        for (int k = first; k < end; k++) {
-            meetLeaf(tile, pixel, drawing.hierarchy, leaves.places[k]);
+            from = end;
         }
     }
 
@@ -105,64 +98,68 @@ final class PacketHits {
         descent.start(hierarchy, beam);
         int leaf = descent.nextLeaf(hierarchy, beam);
         while (leaf >= 0) {
-            meetLeaf(tile, pixel, hierarchy, leaf);
+            tile.leafMet[0] = leaf;
+            meet(tile, pixel, hierarchy, tile.leafMet, 0, 1);
             beam.endAt(t[pixel + Tile.DISTANCE]);
             leaf = descent.nextLeaf(hierarchy, beam);
         }
     }
 
-    private static void meetLeaf(Tile tile, int pixel, WideHierarchy hierarchy, int leaf) {
-        SphereColumns spheres = hierarchy.spheres;
-        int first = hierarchy.links[leaf];
-        for (int left = hierarchy.counts[leaf]; left > 0; left -= Lanes.COUNT) {
-            meet(tile, pixel, spheres.values, first, Lanes.first(left));
-            first += spheres.step;
-        }
-    }
-
-    /** One ray and the wanted ones of a block of spheres; few rays meet any, so that the rest is done one by one. */
-    private static void meet(Tile tile, int pixel, float[] spheres, int first, long wanted) {
+    /**
+     * One ray and the spheres of some leaves: the nearest of those met, and of equals the one with the lowest number. Few
+     * rays meet any, so that what follows is done one by one.
+     */
+    private static void meet(Tile tile, int pixel, WideHierarchy hierarchy, int[] links, int from, int end) {
         float[] t = tile.values;
-        float directionX = t[pixel + Tile.DIRECTION_X];
-        float directionY = t[pixel + Tile.DIRECTION_Y];
-        float directionZ = t[pixel + Tile.DIRECTION_Z];
-        FloatVector x = FloatVector.fromArray(Lanes.FLOATS, spheres, first).sub(t[pixel + Tile.ORIGIN_X]);
-        FloatVector y = FloatVector.fromArray(Lanes.FLOATS, spheres, first + SphereColumns.Y * Lanes.COUNT)
-                .sub(t[pixel + Tile.ORIGIN_Y]);
-        FloatVector z = FloatVector.fromArray(Lanes.FLOATS, spheres, first + SphereColumns.Z * Lanes.COUNT)
-                .sub(t[pixel + Tile.ORIGIN_Z]);
-        FloatVector radius = FloatVector.fromArray(Lanes.FLOATS, spheres, first + SphereColumns.RADIUS * Lanes.COUNT);
-        FloatVector along = x.mul(directionX).add(y.mul(directionY)).add(z.mul(directionZ));
-        FloatVector acrossX = x.sub(along.mul(directionX));
-        FloatVector acrossY = y.sub(along.mul(directionY));
-        FloatVector acrossZ = z.sub(along.mul(directionZ));
-        FloatVector acrossSquared =
-                acrossX.mul(acrossX).add(acrossY.mul(acrossY)).add(acrossZ.mul(acrossZ));
-        FloatVector within = radius.mul(radius).sub(acrossSquared);
-        long met = along.compare(VectorOperators.GT, 0f)
+        float[] spheres = hierarchy.spheres.values;
+        float[] distances = tile.distances;
+        float leaving = t[pixel + Tile.LEAVING];
+        float closest = t[pixel + Tile.DISTANCE];
+        float hit = t[pixel + Tile.HIT];
+        FloatVector directionX = FloatVector.broadcast(Lanes.FLOATS, t[pixel + Tile.DIRECTION_X]);
+        FloatVector directionY = FloatVector.broadcast(Lanes.FLOATS, t[pixel + Tile.DIRECTION_Y]);
+        FloatVector directionZ = FloatVector.broadcast(Lanes.FLOATS, t[pixel + Tile.DIRECTION_Z]);
+        FloatVector originX = FloatVector.broadcast(Lanes.FLOATS, t[pixel + Tile.ORIGIN_X]);
+        FloatVector originY = FloatVector.broadcast(Lanes.FLOATS, t[pixel + Tile.ORIGIN_Y]);
+        FloatVector originZ = FloatVector.broadcast(Lanes.FLOATS, t[pixel + Tile.ORIGIN_Z]);
+        for (int k = from; k < end; k++) {
+            int first = WideHierarchy.firstBlock(links[k]);
+            for (int left = WideHierarchy.blocks(links[k]); left > 0; left--) {
+                FloatVector x =
+                        FloatVector.fromArray(Lanes.FLOATS, spheres, first).sub(originX);
+                FloatVector y = FloatVector.fromArray(Lanes.FLOATS, spheres, first + SphereColumns.Y * Lanes.COUNT)
+                        .sub(originY);
+                FloatVector z = FloatVector.fromArray(Lanes.FLOATS, spheres, first + SphereColumns.Z * Lanes.COUNT)
+                        .sub(originZ);
+                FloatVector radius =
+                        FloatVector.fromArray(Lanes.FLOATS, spheres, first + SphereColumns.RADIUS * Lanes.COUNT);
+                FloatVector along = x.fma(directionX, y.fma(directionY, z.mul(directionZ)));
+                FloatVector acrossX = x.sub(along.mul(directionX));
+                FloatVector acrossY = y.sub(along.mul(directionY));
+                FloatVector acrossZ = z.sub(along.mul(directionZ));
+                FloatVector acrossSquared = acrossX.fma(acrossX, acrossY.fma(acrossY, acrossZ.mul(acrossZ)));
+                FloatVector within = radius.mul(radius).sub(acrossSquared);
+                long met = along.compare(VectorOperators.GT, 0f)
                         .and(within.compare(VectorOperators.GE, 0f))
-                        .toLong()
-                & wanted;
-        if (met != 0L) {
-            along.sub(within.sqrt()).intoArray(tile.distances, 0);
-            takeNearest(tile, pixel, spheres, first + SphereColumns.BODY * Lanes.COUNT, met);
-        }
-    }
-
-    /** The nearest of some spheres met, and of equals the one with the lowest number. */
-    private static void takeNearest(Tile tile, int pixel, float[] bodies, int first, long met) {
-        float[] t = tile.values;
-        for (long rest = met; rest != 0L; rest &= rest - 1) {
-            int lane = Long.numberOfTrailingZeros(rest);
-            float distance = tile.distances[lane];
-            float body = bodies[first + lane];
-            float closest = t[pixel + Tile.DISTANCE];
-            boolean closer = distance < closest || (distance == closest && body < t[pixel + Tile.HIT]);
-            if (closer && distance > 0f && body != t[pixel + Tile.LEAVING]) {
-                t[pixel + Tile.DISTANCE] = distance;
-                t[pixel + Tile.HIT] = body;
+                        .toLong();
+                if (met != 0L) {
+                    along.sub(within.sqrt()).intoArray(distances, 0);
+                    for (long rest = met; rest != 0L; rest &= rest - 1) {
+                        int lane = Long.numberOfTrailingZeros(rest);
+                        float distance = distances[lane];
+                        float body = spheres[first + SphereColumns.BODY * Lanes.COUNT + lane];
+                        boolean closer = distance < closest || (distance == closest && body < hit);
+                        if (closer && distance > 0f && body != leaving) {
+                            closest = distance;
+                            hit = body;
+                        }
+                    }
+                }
+                first += SphereColumns.COLUMNS * Lanes.COUNT;
             }
         }
+        t[pixel + Tile.DISTANCE] = closest;
+        t[pixel + Tile.HIT] = hit;
     }
 
     /** The light where it is met; rays that have ended meet nothing any more. Returns one bit a ray that goes on. */

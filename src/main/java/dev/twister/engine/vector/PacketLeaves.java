@@ -1,29 +1,24 @@
 package dev.twister.engine.vector;
 
-import java.util.Arrays;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
 
 /**
  * The leaves that each of a packet's beams may meet, found level by level for all beams together: what is tested next does
  * not depend on what was found last, so that the CPU tests several nodes at a time.
  */
 final class PacketLeaves {
-    /** The most that are kept of one beam. */
-    static final int MOST = 64;
-
     private static final int ROOM = 4096;
 
-    /** What waits is a beam's number above a place among the children of all nodes, which are less than 2^26 for all scenes. */
-    private static final int PLACE_BITS = 26;
+    /** Links with the numbers of their beams above {@link WideHierarchy#BEAM_SHIFT}: nodes, then leaves, beam by beam. */
+    final int[] links = new int[ROOM + Lanes.COUNT];
 
-    private static final int PLACE = (1 << PLACE_BITS) - 1;
+    /** Where the leaves begin among the links, and the place behind the last. */
+    int first;
 
-    /** Of each beam: how many leaves it may meet; more than {@link #MOST} stand for any number. */
-    final int[] counts = new int[Lanes.COUNT];
-
-    /** Of each beam, {@link #MOST} places among the children of all nodes. */
-    final int[] places = new int[Lanes.COUNT * MOST];
-
-    private final int[] queue = new int[ROOM + Lanes.COUNT];
+    private int end;
 
     /**
      * Finds them.
@@ -32,36 +27,106 @@ final class PacketLeaves {
      * @return whether there was room for all
      */
     boolean find(WideHierarchy hierarchy, PacketBeams beams, long wanted) {
-        Arrays.fill(counts, 0);
-        int tail = 0;
+        end = 0;
         for (long rest = wanted; rest != 0L; rest &= rest - 1) {
-            tail = append(hierarchy, beams, Long.numberOfTrailingZeros(rest), 0, tail);
+            links[end] = Long.numberOfTrailingZeros(rest) << WideHierarchy.BEAM_SHIFT;
+            end++;
         }
+        open(hierarchy, beams);
+        return end <= ROOM;
+    }
+
+    /** The place behind a beam's leaves, which begin there. */
+    int end(int from, int beam) {
+        int at = from;
+        while (at < end && links[at] >>> WideHierarchy.BEAM_SHIFT == beam) {
+            at++;
+        }
+        return at;
+    }
+
+    /**
+     * Puts the children that the beams meet behind their nodes, until only leaves are left. The order of floats above 0 is
+     * that of their bits, and it does not matter which of several entries is less than 0: their maximum is found as ints,
+     * as a float's minds NaN and -0.
+     */
+    private void open(WideHierarchy hierarchy, PacketBeams beams) {
+        float[] boxes = hierarchy.boxes;
+        float[] f = beams.facts;
+        int[] sides = beams.nearSides;
         int head = 0;
-        while (head < tail && tail <= ROOM) {
-            int place = queue[head] & PLACE;
-            int beam = queue[head] >>> PLACE_BITS;
+        int tail = end;
+        while (head < tail && tail <= ROOM && !WideHierarchy.isLeaf(links[head])) {
+            int beam = links[head] >>> WideHierarchy.BEAM_SHIFT;
+            int node = WideHierarchy.node(links[head]);
             head++;
-            if (hierarchy.counts[place] == WideHierarchy.NODE) {
-                tail = append(hierarchy, beams, beam, hierarchy.links[place], tail);
-            } else if (counts[beam] <= MOST) {
-                keep(beam, place);
+            int at = node * WideHierarchy.BOX_STRIDE;
+            int x = at + sides[beam];
+            int y = at + Lanes.COUNT + sides[beam + Lanes.COUNT];
+            int z = at + 2 * Lanes.COUNT + sides[beam + 2 * Lanes.COUNT];
+            FloatVector farX = FloatVector.fromArray(Lanes.FLOATS, boxes, 2 * at + PacketBeams.AXES - x);
+            FloatVector farY =
+                    FloatVector.fromArray(Lanes.FLOATS, boxes, 2 * (at + Lanes.COUNT) + PacketBeams.AXES - y);
+            FloatVector farZ =
+                    FloatVector.fromArray(Lanes.FLOATS, boxes, 2 * (at + 2 * Lanes.COUNT) + PacketBeams.AXES - z);
+            IntVector near = FloatVector.fromArray(Lanes.FLOATS, boxes, x)
+                    .fma(f[PacketBeams.NEAR_SCALE + beam], f[PacketBeams.NEAR_ADDITION + beam])
+                    .reinterpretAsInts();
+            IntVector nearY = FloatVector.fromArray(Lanes.FLOATS, boxes, y)
+                    .fma(
+                            f[PacketBeams.NEAR_SCALE + Lanes.COUNT + beam],
+                            f[PacketBeams.NEAR_ADDITION + Lanes.COUNT + beam])
+                    .reinterpretAsInts();
+            IntVector nearZ = FloatVector.fromArray(Lanes.FLOATS, boxes, z)
+                    .fma(
+                            f[PacketBeams.NEAR_SCALE + 2 * Lanes.COUNT + beam],
+                            f[PacketBeams.NEAR_ADDITION + 2 * Lanes.COUNT + beam])
+                    .reinterpretAsInts();
+            near = near.max(0).max(nearY.max(nearZ));
+            if ((beams.straddles >>> beam & 1) != 0) {
+                near = near.max(farX.fma(f[PacketBeams.SECOND_SCALE + beam], f[PacketBeams.SECOND_ADDITION + beam])
+                                .reinterpretAsInts())
+                        .max(farY.fma(
+                                        f[PacketBeams.SECOND_SCALE + Lanes.COUNT + beam],
+                                        f[PacketBeams.SECOND_ADDITION + Lanes.COUNT + beam])
+                                .reinterpretAsInts())
+                        .max(farZ.fma(
+                                        f[PacketBeams.SECOND_SCALE + 2 * Lanes.COUNT + beam],
+                                        f[PacketBeams.SECOND_ADDITION + 2 * Lanes.COUNT + beam])
+                                .reinterpretAsInts());
+            }
+            IntVector far = farX.fma(f[PacketBeams.FAR_SCALE + beam], f[PacketBeams.FAR_ADDITION + beam])
+                    .reinterpretAsInts();
+            IntVector nextY = farY.fma(
+                            f[PacketBeams.FAR_SCALE + Lanes.COUNT + beam],
+                            f[PacketBeams.FAR_ADDITION + Lanes.COUNT + beam])
+                    .reinterpretAsInts();
+            IntVector nextZ = farZ.fma(
+                            f[PacketBeams.FAR_SCALE + 2 * Lanes.COUNT + beam],
+                            f[PacketBeams.FAR_ADDITION + 2 * Lanes.COUNT + beam])
+                    .reinterpretAsInts();
+            far = far.min(beams.ends[beam]).min(nextY.min(nextZ));
+            VectorMask<Integer> met = near.compare(VectorOperators.LE, far);
+            if (Lanes.PACK) {
+                IntVector.fromArray(Lanes.INTS, hierarchy.links, node * Lanes.COUNT)
+                        .or(beam << WideHierarchy.BEAM_SHIFT)
+                        .compress(met)
+                        .intoArray(links, tail);
+                tail += met.trueCount();
+            } else {
+                tail = keep(hierarchy.links, node * Lanes.COUNT, met.toLong(), beam << WideHierarchy.BEAM_SHIFT, tail);
             }
         }
-        return tail <= ROOM;
+        first = head;
+        end = tail;
     }
 
-    private void keep(int beam, int place) {
-        int count = counts[beam];
-        if (count < MOST) {
-            places[beam * MOST + count] = place;
+    private int keep(int[] from, int at, long lanes, int beam, int to) {
+        int place = to;
+        for (long rest = lanes; rest != 0L; rest &= rest - 1) {
+            links[place] = beam | from[at + Long.numberOfTrailingZeros(rest)];
+            place++;
         }
-        counts[beam] = count + 1;
-    }
-
-    private int append(WideHierarchy hierarchy, PacketBeams beams, int beam, int node, int tail) {
-        long met = beams.meeting(hierarchy.boxes, node * WideHierarchy.BOX_STRIDE, beam);
-        Lanes.pack(beam << PLACE_BITS | node * Lanes.COUNT, met, queue, tail);
-        return tail + Long.bitCount(met);
+        return place;
     }
 }

@@ -89,11 +89,11 @@ final class Shadows {
         Leaves leaves = tile.leaves;
         SphereColumns spheres = hierarchy.spheres;
         int count = leaves.find(hierarchy, tile.beam, MOST_LEAVES) ? 0 : MOST_NEAR + 1;
-        for (int k = 0; k < leaves.count && count <= MOST_NEAR; k++) {
-            int leaf = leaves.places[k];
-            int first = hierarchy.links[leaf];
-            for (int left = hierarchy.counts[leaf]; left > 0 && count <= MOST_NEAR; left -= Lanes.COUNT) {
-                long met = tile.beam.meeting(spheres, first) & Lanes.first(left);
+        for (int k = leaves.first; k < leaves.end && count <= MOST_NEAR; k++) {
+            int leaf = leaves.links[k];
+            int first = WideHierarchy.firstBlock(leaf);
+            for (int left = WideHierarchy.blocks(leaf); left > 0 && count <= MOST_NEAR; left--) {
+                long met = tile.beam.meeting(spheres, first);
                 tile.near.copy(count, spheres, first, met);
                 count += Long.bitCount(met);
                 first += spheres.step;

@@ -164,6 +164,9 @@ final class Tile {
     /** Of one ray to each of a block of spheres. */
     final float[] distances = new float[Lanes.COUNT];
 
+    /** The leaf that a ray on its way down has come to. */
+    final int[] leafMet = new int[1];
+
     /** For one packet's shadows at a time. */
     final ShadowScratch shadow = new ShadowScratch();
 

@@ -6,34 +6,43 @@ import java.util.Arrays;
 
 /**
  * The input's hierarchy with as many children a node as there are lanes, so that one test serves them all; kept while the
- * input's is the same. A child is a node, or a leaf of spheres, which begin a block of their own.
+ * input's is the same. A child is a node, or a leaf of spheres, which begin a block of their own. All leaves are equally far
+ * below the root: a walk that goes down level by level has only leaves left once it comes to one.
  */
 final class WideHierarchy {
     /** Columns of a node: its children's low sides x, y, z and high sides x, y, z. */
     static final int BOX_STRIDE = 6 * Lanes.COUNT;
 
-    /** What {@link #counts} says of a child that is a node. */
-    static final int NODE = -1;
+    /** Above it, a link has room for the number of a beam. */
+    static final int BEAM_SHIFT = 28;
+
+    /** Set in a leaf's link. */
+    private static final int LEAF = 1 << (BEAM_SHIFT - 1);
+
+    private static final int NODE = LEAF - 1;
+
+    /** In a leaf's link, by how much its blocks are more than one, above the first block's number. */
+    private static final int BLOCKS_SHIFT = BEAM_SHIFT - 4;
+
+    private static final int MORE_BLOCKS = 7;
+    private static final int BLOCK = (1 << BLOCKS_SHIFT) - 1;
 
     /** The low sides of a box that nothing meets; its high ones are their negatives. */
     private static final float INSIDE_OUT = 1e36f;
 
     float[] boxes = {};
 
-    /** Of each child, {@link Lanes#COUNT} a node: the node's number, or the place of the leaf's first block. */
+    /** Of each child, {@link Lanes#COUNT} a node: the node's number, or what says where the leaf's blocks are. */
     int[] links = {};
 
-    /** Of each child: how many spheres are in the leaf, or {@link #NODE}. */
-    int[] counts = {};
-
-    /** In blocks, leaf by leaf. */
+    /** In blocks, leaf by leaf; a leaf's last block is filled up with spheres that nothing meets. */
     final SphereColumns spheres = new SphereColumns();
 
-    /** What becomes of a subtree of the source: a leaf, a node, or part of one. */
-    private static final byte NEITHER = 0;
+    /** Where spheres that nothing meets are, without a radius: farther than any hit, and than any light. */
+    private static final float NOWHERE = 1e35f;
 
-    private static final byte LEAF = 1;
-    private static final byte INNER = 2;
+    /** What becomes of a subtree of the source: part of a leaf or node, or one that is so high, a leaf being 1. */
+    private static final byte PART = 0;
 
     private static final int LEVEL = 32;
 
@@ -57,10 +66,10 @@ final class WideHierarchy {
             if (kinds.length < places) {
                 kinds = new byte[places];
             } else {
-                Arrays.fill(kinds, NEITHER);
+                Arrays.fill(kinds, PART);
             }
-            kinds[0] = group(root) < LEVEL ? LEAF : INNER;
-            widen(root);
+            kinds[0] = kind(group(root));
+            widen(root, Math.max(kinds[0], 2));
         }
     }
 
@@ -85,33 +94,41 @@ final class WideHierarchy {
             int sum = (firstEnds ? 1 : first % LEVEL) + (secondEnds ? 1 : second % LEVEL);
             boolean full = sum > Lanes.COUNT;
             if (firstEnds || full) {
-                kinds[place(left)] = first < LEVEL ? LEAF : INNER;
+                kinds[place(left)] = kind(first);
             }
             if (secondEnds || full) {
-                kinds[place(right)] = second < LEVEL ? LEAF : INNER;
+                kinds[place(right)] = kind(second);
             }
             grouped = full ? (level + 1) * LEVEL + 2 : level * LEVEL + sum;
         }
         return grouped;
     }
 
+    private static byte kind(int grouped) {
+        return (byte) (1 + grouped / LEVEL);
+    }
+
     private int place(int from) {
         return (from - Layout.root(sourceBodies)) / Layout.NODE_STRIDE;
     }
 
-    /** Makes a node of the leaves and nodes next below one of the source's nodes; returns its number. */
-    private int widen(int top) {
+    /**
+     * Makes a node of the leaves and nodes next below one of the source's nodes, or, where that is not as high, a node of it
+     * alone; returns its number.
+     */
+    private int widen(int top, int height) {
         int node = nodes;
         nodes++;
         reserve(nodes);
         int first = node * Lanes.COUNT;
         links[first] = top;
-        int end = kinds[place(top)] == INNER ? list(top, first) : first + 1;
+        int end = kinds[place(top)] == height ? list(top, first) : first + 1;
         for (int at = first; at < first + Lanes.COUNT; at++) {
             writeBox(node * BOX_STRIDE + at - first, at < end ? links[at] : -1);
         }
         for (int at = first; at < first + Lanes.COUNT; at++) {
-            finish(at, at < end ? links[at] : -1);
+            int link = at < end ? link(links[at], height - 1) : 0;
+            links[at] = link;
         }
         return node;
     }
@@ -121,7 +138,7 @@ final class WideHierarchy {
         int next = at;
         int left = (int) source[from + Layout.NODE_LINK];
         for (int child = left; child <= left + Layout.NODE_STRIDE; child += Layout.NODE_STRIDE) {
-            if (kinds[place(child)] == NEITHER) {
+            if (kinds[place(child)] == PART) {
                 next = list(child, next);
             } else {
                 links[next] = child;
@@ -163,27 +180,47 @@ final class WideHierarchy {
         }
     }
 
-    private void finish(int at, int from) {
-        if (from < 0) {
-            links[at] = 0;
-            counts[at] = 0;
-        } else if (kinds[place(from)] == INNER) {
-            counts[at] = NODE;
-            int child = widen(from);
-            links[at] = child;
+    private int link(int from, int height) {
+        int link;
+        if (height > 1) {
+            link = widen(from, height);
         } else {
             int first = firstSphere(from);
-            counts[at] = lastSphere(from) - first;
-            links[at] = blocks * SphereColumns.COLUMNS * Lanes.COUNT;
-            copySpheres(first, counts[at]);
+            int block = blocks;
+            copySpheres(first, lastSphere(from) - first);
+            link = LEAF | (blocks - block - 1) << BLOCKS_SHIFT | block;
         }
+        return link;
+    }
+
+    static boolean isLeaf(int link) {
+        return (link & LEAF) != 0;
+    }
+
+    /** The number of the node that a link leads to. */
+    static int node(int link) {
+        return link & NODE;
+    }
+
+    /** The place of a leaf's first block. */
+    static int firstBlock(int link) {
+        return (link & BLOCK) * SphereColumns.COLUMNS * Lanes.COUNT;
+    }
+
+    static int blocks(int link) {
+        return 1 + (link >>> BLOCKS_SHIFT & MORE_BLOCKS);
     }
 
     /** Copies spheres that follow each other in the source to the next blocks. */
     private void copySpheres(int first, int count) {
-        int end = blocks + (count + Lanes.COUNT - 1) / Lanes.COUNT;
+        int end = blocks + Math.max(1, (count + Lanes.COUNT - 1) / Lanes.COUNT);
         spheres.reserveBlocks(end);
         float[] to = spheres.values;
+        for (int block = blocks; block < end; block++) {
+            int at = block * spheres.step;
+            Arrays.fill(to, at, at + SphereColumns.RADIUS * Lanes.COUNT, NOWHERE);
+            Arrays.fill(to, at + SphereColumns.RADIUS * Lanes.COUNT, at + spheres.step, 0f);
+        }
         for (int k = 0; k < count; k++) {
             int from = (first + k) * Layout.SPHERE_STRIDE;
             int place = (blocks + k / Lanes.COUNT) * spheres.step + k % Lanes.COUNT;
@@ -201,7 +238,6 @@ final class WideHierarchy {
             int room = Math.max(64, 2 * count);
             boxes = Arrays.copyOf(boxes, room * BOX_STRIDE);
             links = Arrays.copyOf(links, room * Lanes.COUNT);
-            counts = Arrays.copyOf(counts, room * Lanes.COUNT);
         }
     }
 }
