@@ -26,7 +26,10 @@ final class LaneSteps {
             return 0;
         },
         (tile, drawing, at, item) -> PacketHits.farthest(tile.values, at),
-        (tile, drawing, at, item) -> ShadowCandidates.between(tile.values, at, drawing.bodies, item),
+        (tile, drawing, at, item) -> {
+            ShadowCandidates.betweens(tile.values, at, tile.near, item, tile.shadow.betweens);
+            return 0;
+        },
         (tile, drawing, at, item) -> ShadowCandidates.isOutside(tile.values, at, drawing.bodies, item),
         (tile, drawing, at, item) -> ShadowCandidates.hidesDisc(tile.values, at, drawing.bodies, item),
         (tile, drawing, at, item) -> ShadowCandidates.finish(tile.values, at, tile.shadow),

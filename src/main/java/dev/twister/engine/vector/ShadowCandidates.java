@@ -48,23 +48,61 @@ final class ShadowCandidates {
         return finish(t, at, scratch) != 0;
     }
 
-    /** The same out of the spheres that are near the packet's lines. */
+    /** The same out of the spheres that are near the packet's lines, at most {@link Shadows#MOST_TOGETHER}. */
     static boolean findAmong(SphereColumns near, int count, Tile tile, int at, Drawing drawing) {
         ShadowScratch scratch = tile.shadow;
         scratch.startPacket();
+        LaneSteps.run(LaneSteps.BETWEEN, tile, drawing, at, count);
         for (int sphere = 0; sphere < count; sphere++) {
-            judge(tile, drawing, at, (int) near.values[sphere + SphereColumns.BODY * near.stride]);
+            long between = scratch.betweens[sphere];
+            if (between != 0) {
+                judge(tile, drawing, at, (int) near.values[sphere + SphereColumns.BODY * near.stride], between);
+            }
         }
         return LaneSteps.run(LaneSteps.FINISH_PACKET, tile, drawing, at, 0) != 0;
     }
 
-    private static void judge(Tile tile, Drawing drawing, int at, int body) {
-        long between = LaneSteps.run(LaneSteps.BETWEEN, tile, drawing, at, body);
-        if (between != 0) {
-            between &= LaneSteps.run(LaneSteps.OUTSIDE, tile, drawing, at, body);
+    private static void judge(Tile tile, Drawing drawing, int at, int body, long between) {
+        long shaded = between & LaneSteps.run(LaneSteps.OUTSIDE, tile, drawing, at, body);
+        if (shaded != 0) {
+            tile.shadow.add(body, shaded, LaneSteps.run(LaneSteps.HIDES_DISC, tile, drawing, at, body));
         }
-        if (between != 0) {
-            tile.shadow.add(body, between, LaneSteps.run(LaneSteps.HIDES_DISC, tile, drawing, at, body));
+    }
+
+    /** As {@link #between} of each of some spheres. */
+    static void betweens(float[] t, int at, SphereColumns near, int count, long[] betweens) {
+        float[] spheres = near.values;
+        int stride = near.stride;
+        FloatVector pointX = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.POINT_X);
+        FloatVector pointY = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.POINT_Y);
+        FloatVector pointZ = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.POINT_Z);
+        FloatVector toLightX = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.TO_LIGHT_X);
+        FloatVector toLightY = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.TO_LIGHT_Y);
+        FloatVector toLightZ = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.TO_LIGHT_Z);
+        FloatVector distance = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.LIGHT_DISTANCE);
+        FloatVector tangent = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISC_TANGENT);
+        FloatVector secant = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISC_SECANT);
+        FloatVector farthest = distance.mul(SoftShadow.RELATIVE_MARGIN);
+        for (int sphere = 0; sphere < count; sphere++) {
+            float radius = spheres[sphere + SphereColumns.RADIUS * stride];
+            FloatVector x = FloatVector.broadcast(Lanes.FLOATS, spheres[sphere]).sub(pointX);
+            FloatVector y = FloatVector.broadcast(Lanes.FLOATS, spheres[sphere + SphereColumns.Y * stride])
+                    .sub(pointY);
+            FloatVector z = FloatVector.broadcast(Lanes.FLOATS, spheres[sphere + SphereColumns.Z * stride])
+                    .sub(pointZ);
+            FloatVector along = x.fma(toLightX, y.fma(toLightY, z.mul(toLightZ)));
+            FloatVector acrossX = x.sub(along.mul(toLightX));
+            FloatVector acrossY = y.sub(along.mul(toLightY));
+            FloatVector acrossZ = z.sub(along.mul(toLightZ));
+            FloatVector across = acrossX.fma(acrossX, acrossY.fma(acrossY, acrossZ.mul(acrossZ)));
+            FloatVector margin = along.abs().add(distance).add(radius).mul(SoftShadow.ABSOLUTE_MARGIN);
+            FloatVector reach = along.fma(tangent, secant.mul(radius))
+                    .fma(FloatVector.broadcast(Lanes.FLOATS, SoftShadow.RELATIVE_MARGIN), margin);
+            betweens[sphere] = reach.compare(VectorOperators.GT, 0f)
+                    .and(across.compare(VectorOperators.LE, reach.mul(reach)))
+                    .and(along.compare(VectorOperators.GT, -radius))
+                    .and(along.sub(radius).compare(VectorOperators.LT, farthest))
+                    .toLong();
         }
     }
 

@@ -52,6 +52,9 @@ final class ShadowScratch {
 
     long dark;
 
+    /** Of the spheres near a packet's lines, one bit a lane that each may come between. */
+    final long[] betweens = new long[Shadows.MOST_TOGETHER];
+
     final float[] frame = new float[FRAME_LENGTH];
 
     /** The facts of {@link #candidates}. */

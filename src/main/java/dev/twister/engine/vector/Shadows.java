@@ -18,7 +18,7 @@ final class Shadows {
     };
 
     /** Where more spheres are near a packet's lines, its points are better off one by one. */
-    private static final int MOST_TOGETHER = 32;
+    static final int MOST_TOGETHER = 32;
 
     /** Where more are near, each point looks for its own. */
     static final int MOST_NEAR = 256;
