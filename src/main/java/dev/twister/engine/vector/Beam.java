@@ -1,6 +1,9 @@
 package dev.twister.engine.vector;
 
+import dev.twister.kernel.Layout;
 import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
@@ -33,6 +36,11 @@ final class Beam {
     private final Slab z = new Slab();
     private boolean straddles;
 
+    /** What {@link #bound} found last. */
+    private float low;
+
+    private float high;
+
     /** The ray of that pixel, as far as {@link #endAt} says. */
     void holdRay(float[] t, int pixel) {
         ray(x, t[pixel + Tile.ORIGIN_X], t[pixel + Tile.DIRECTION_X]);
@@ -51,19 +59,19 @@ final class Beam {
     }
 
     /** The rays of the packet that keep {@link Tile#TOGETHER}. */
-    void holdRays(float[] t, int at) {
-        rays(x, t, at, Tile.ORIGIN_X, Tile.DIRECTION_X);
-        rays(y, t, at, Tile.ORIGIN_Y, Tile.DIRECTION_Y);
-        rays(z, t, at, Tile.ORIGIN_Z, Tile.DIRECTION_Z);
+    void holdRays(Tile tile, Drawing drawing, int at) {
+        rays(x, tile, drawing, at, Tile.ORIGIN_X, Tile.DIRECTION_X);
+        rays(y, tile, drawing, at, Tile.ORIGIN_Y, Tile.DIRECTION_Y);
+        rays(z, tile, drawing, at, Tile.ORIGIN_Z, Tile.DIRECTION_Z);
         finish();
     }
 
-    private static void rays(Slab slab, float[] t, int at, int origin, int direction) {
-        slab.set(
-                least(t, at + origin, at + Tile.TOGETHER),
-                most(t, at + origin, at + Tile.TOGETHER),
-                least(t, at + direction, at + Tile.TOGETHER) - SPREAD,
-                most(t, at + direction, at + Tile.TOGETHER) + SPREAD);
+    private void rays(Slab slab, Tile tile, Drawing drawing, int at, int origin, int direction) {
+        LaneSteps.run(LaneSteps.BOUND_TOGETHER, tile, drawing, at, origin);
+        float originLow = low;
+        float originHigh = high;
+        LaneSteps.run(LaneSteps.BOUND_TOGETHER, tile, drawing, at, direction);
+        slab.set(originLow, originHigh, low - SPREAD, high + SPREAD);
     }
 
     /** The lines from the point of that pixel to the light's disc, as far as its outermost sample. */
@@ -84,33 +92,44 @@ final class Beam {
     }
 
     /** The lines from the packet's open points to a ball about the light, which holds the disc whatever way it faces. */
-    void holdLines(float[] t, int at, BodyColumns bodies, int light, float radius) {
-        linesOfAll(x, t, at, Tile.POINT_X, bodies.x[light], radius);
-        linesOfAll(y, t, at, Tile.POINT_Y, bodies.y[light], radius);
-        linesOfAll(z, t, at, Tile.POINT_Z, bodies.z[light], radius);
+    void holdLines(Tile tile, Drawing drawing, int at, float radius) {
+        BodyColumns bodies = drawing.bodies;
+        LaneSteps.run(LaneSteps.BOUND_OPEN, tile, drawing, at, Tile.POINT_X);
+        linesOfAll(x, bodies.x[Layout.LIGHT], radius);
+        LaneSteps.run(LaneSteps.BOUND_OPEN, tile, drawing, at, Tile.POINT_Y);
+        linesOfAll(y, bodies.y[Layout.LIGHT], radius);
+        LaneSteps.run(LaneSteps.BOUND_OPEN, tile, drawing, at, Tile.POINT_Z);
+        linesOfAll(z, bodies.z[Layout.LIGHT], radius);
         end = 1f + DISC_SPREAD;
         finish();
     }
 
-    private static void linesOfAll(Slab slab, float[] t, int at, int point, float light, float radius) {
-        float low = least(t, at + point, at + Tile.SHADOW_OPEN);
-        float high = most(t, at + point, at + Tile.SHADOW_OPEN);
+    private void linesOfAll(Slab slab, float light, float radius) {
         float reach = radius + DISC_SPREAD * (radius + Math.abs(light - low) + Math.abs(light - high));
         slab.set(low, high, light - reach - low, light + reach - high);
     }
 
-    private static float least(float[] t, int at, int lanes) {
-        return FloatVector.fromArray(Lanes.FLOATS, t, at)
-                .reduceLanes(
-                        VectorOperators.MIN,
-                        FloatVector.fromArray(Lanes.FLOATS, t, lanes).compare(VectorOperators.GT, 0f));
-    }
-
-    private static float most(float[] t, int at, int lanes) {
-        return FloatVector.fromArray(Lanes.FLOATS, t, at)
-                .reduceLanes(
-                        VectorOperators.MAX,
-                        FloatVector.fromArray(Lanes.FLOATS, t, lanes).compare(VectorOperators.GT, 0f));
+    /**
+     * Finds the least and the greatest of a packet's values, by ints in the same order, as a float's minimum minds NaN and -0
+     * at every step.
+     *
+     * @param lanes the place of what is above 0 in the lanes that count
+     */
+    void bound(float[] t, int at, int lanes) {
+        IntVector bits = FloatVector.fromArray(Lanes.FLOATS, t, at).reinterpretAsInts();
+        IntVector ordered = bits.lanewise(
+                VectorOperators.XOR, bits.lanewise(VectorOperators.ASHR, 31).lanewise(VectorOperators.LSHR, 1));
+        VectorMask<Integer> counts = FloatVector.fromArray(Lanes.FLOATS, t, lanes)
+                .reinterpretAsInts()
+                .compare(VectorOperators.GT, 0);
+        int least = IntVector.broadcast(Lanes.INTS, Integer.MAX_VALUE)
+                .blend(ordered, counts)
+                .reduceLanes(VectorOperators.MIN);
+        int greatest = IntVector.broadcast(Lanes.INTS, Integer.MIN_VALUE)
+                .blend(ordered, counts)
+                .reduceLanes(VectorOperators.MAX);
+        low = Float.intBitsToFloat(least ^ least >> 31 >>> 1);
+        high = Float.intBitsToFloat(greatest ^ greatest >> 31 >>> 1);
     }
 
     private void finish() {
@@ -118,49 +137,45 @@ final class Beam {
     }
 
     /**
-     * One bit a box that the beam may meet before its end.
+     * One bit a box that the beam may meet before its end. What is above 0 is in the order of its bits, and it does not
+     * matter which of several entries is below: maxima are found as ints.
      *
      * @param boxes {@link WideHierarchy#boxes}
      * @param at where the node's are
-     * @param entries gets the t from which on each box may be met; less than 0 where that is from the start
+     * @param entries gets the t from which on each box may be met, at least 0
      */
     long meeting(float[] boxes, int at, float[] entries) {
         int sides = 3 * Lanes.COUNT;
-        FloatVector near = FloatVector.fromArray(Lanes.FLOATS, boxes, at + x.nearSide * sides)
+        IntVector near = FloatVector.fromArray(Lanes.FLOATS, boxes, at + x.nearSide * sides)
                 .sub(x.nearOrigin)
-                .mul(x.nearScale);
-        FloatVector nearY = FloatVector.fromArray(Lanes.FLOATS, boxes, at + y.nearSide * sides + Lanes.COUNT)
+                .mul(x.nearScale)
+                .reinterpretAsInts();
+        IntVector nearY = FloatVector.fromArray(Lanes.FLOATS, boxes, at + y.nearSide * sides + Lanes.COUNT)
                 .sub(y.nearOrigin)
-                .mul(y.nearScale);
-        FloatVector nearZ = FloatVector.fromArray(Lanes.FLOATS, boxes, at + z.nearSide * sides + 2 * Lanes.COUNT)
+                .mul(y.nearScale)
+                .reinterpretAsInts();
+        IntVector nearZ = FloatVector.fromArray(Lanes.FLOATS, boxes, at + z.nearSide * sides + 2 * Lanes.COUNT)
                 .sub(z.nearOrigin)
-                .mul(z.nearScale);
+                .mul(z.nearScale)
+                .reinterpretAsInts();
         FloatVector fromX = FloatVector.fromArray(Lanes.FLOATS, boxes, at + x.farSide * sides)
                 .sub(x.farOrigin);
         FloatVector fromY = FloatVector.fromArray(Lanes.FLOATS, boxes, at + y.farSide * sides + Lanes.COUNT)
                 .sub(y.farOrigin);
         FloatVector fromZ = FloatVector.fromArray(Lanes.FLOATS, boxes, at + z.farSide * sides + 2 * Lanes.COUNT)
                 .sub(z.farOrigin);
-        near = near.blend(nearY, nearY.compare(VectorOperators.GT, near));
-        near = near.blend(nearZ, nearZ.compare(VectorOperators.GT, near));
-        FloatVector far = fromX.fma(x.farScale, x.farAddition);
-        FloatVector farY = fromY.fma(y.farScale, y.farAddition);
-        FloatVector farZ = fromZ.fma(z.farScale, z.farAddition);
-        far = far.blend(farY, farY.compare(VectorOperators.LT, far));
-        far = far.blend(farZ, farZ.compare(VectorOperators.LT, far));
+        near = near.max(0).max(nearY.max(nearZ));
         if (straddles) {
-            FloatVector secondX = fromX.mul(x.secondScale);
-            FloatVector secondY = fromY.mul(y.secondScale);
-            FloatVector secondZ = fromZ.mul(z.secondScale);
-            near = near.blend(secondX, secondX.compare(VectorOperators.GT, near));
-            near = near.blend(secondY, secondY.compare(VectorOperators.GT, near));
-            near = near.blend(secondZ, secondZ.compare(VectorOperators.GT, near));
+            near = near.max(fromX.mul(x.secondScale).reinterpretAsInts())
+                    .max(fromY.mul(y.secondScale).reinterpretAsInts())
+                    .max(fromZ.mul(z.secondScale).reinterpretAsInts());
         }
-        near.intoArray(entries, 0);
-        return near.compare(VectorOperators.LE, far)
-                .and(near.compare(VectorOperators.LE, end))
-                .and(far.compare(VectorOperators.GE, 0f))
-                .toLong();
+        IntVector far = fromX.fma(x.farScale, x.farAddition).reinterpretAsInts();
+        IntVector farY = fromY.fma(y.farScale, y.farAddition).reinterpretAsInts();
+        IntVector farZ = fromZ.fma(z.farScale, z.farAddition).reinterpretAsInts();
+        far = far.min(Float.floatToRawIntBits(end)).min(farY.min(farZ));
+        near.reinterpretAsFloats().intoArray(entries, 0);
+        return near.compare(VectorOperators.LE, far).toLong();
     }
 
     /** One bit a sphere of the packet at that place whose box the beam may meet before its end. */
@@ -172,33 +187,31 @@ final class Beam {
         FloatVector fromX = FloatVector.fromArray(Lanes.FLOATS, values, first);
         FloatVector fromY = FloatVector.fromArray(Lanes.FLOATS, values, first + SphereColumns.Y * stride);
         FloatVector fromZ = FloatVector.fromArray(Lanes.FLOATS, values, first + SphereColumns.Z * stride);
-        FloatVector near =
-                fromX.sub(x.nearOrigin).add(radius.mul(2 * x.nearSide - 1)).mul(x.nearScale);
-        FloatVector nearY =
-                fromY.sub(y.nearOrigin).add(radius.mul(2 * y.nearSide - 1)).mul(y.nearScale);
-        FloatVector nearZ =
-                fromZ.sub(z.nearOrigin).add(radius.mul(2 * z.nearSide - 1)).mul(z.nearScale);
+        IntVector near = fromX.sub(x.nearOrigin)
+                .add(radius.mul(2 * x.nearSide - 1))
+                .mul(x.nearScale)
+                .reinterpretAsInts();
+        IntVector nearY = fromY.sub(y.nearOrigin)
+                .add(radius.mul(2 * y.nearSide - 1))
+                .mul(y.nearScale)
+                .reinterpretAsInts();
+        IntVector nearZ = fromZ.sub(z.nearOrigin)
+                .add(radius.mul(2 * z.nearSide - 1))
+                .mul(z.nearScale)
+                .reinterpretAsInts();
         fromX = fromX.sub(x.farOrigin).add(radius.mul(2 * x.farSide - 1));
         fromY = fromY.sub(y.farOrigin).add(radius.mul(2 * y.farSide - 1));
         fromZ = fromZ.sub(z.farOrigin).add(radius.mul(2 * z.farSide - 1));
-        near = near.blend(nearY, nearY.compare(VectorOperators.GT, near));
-        near = near.blend(nearZ, nearZ.compare(VectorOperators.GT, near));
-        FloatVector far = fromX.fma(x.farScale, x.farAddition);
-        FloatVector farY = fromY.fma(y.farScale, y.farAddition);
-        FloatVector farZ = fromZ.fma(z.farScale, z.farAddition);
-        far = far.blend(farY, farY.compare(VectorOperators.LT, far));
-        far = far.blend(farZ, farZ.compare(VectorOperators.LT, far));
+        near = near.max(0).max(nearY.max(nearZ));
         if (straddles) {
-            FloatVector secondX = fromX.mul(x.secondScale);
-            FloatVector secondY = fromY.mul(y.secondScale);
-            FloatVector secondZ = fromZ.mul(z.secondScale);
-            near = near.blend(secondX, secondX.compare(VectorOperators.GT, near));
-            near = near.blend(secondY, secondY.compare(VectorOperators.GT, near));
-            near = near.blend(secondZ, secondZ.compare(VectorOperators.GT, near));
+            near = near.max(fromX.mul(x.secondScale).reinterpretAsInts())
+                    .max(fromY.mul(y.secondScale).reinterpretAsInts())
+                    .max(fromZ.mul(z.secondScale).reinterpretAsInts());
         }
-        return near.compare(VectorOperators.LE, far)
-                .and(near.compare(VectorOperators.LE, end))
-                .and(far.compare(VectorOperators.GE, 0f))
-                .toLong();
+        IntVector far = fromX.fma(x.farScale, x.farAddition).reinterpretAsInts();
+        IntVector farY = fromY.fma(y.farScale, y.farAddition).reinterpretAsInts();
+        IntVector farZ = fromZ.fma(z.farScale, z.farAddition).reinterpretAsInts();
+        far = far.min(Float.floatToRawIntBits(end)).min(farY.min(farZ));
+        return near.compare(VectorOperators.LE, far).toLong();
     }
 }

@@ -10,6 +10,9 @@ final class Drawing {
     final WideHierarchy hierarchy = new WideHierarchy();
     final PaddedSky sky = new PaddedSky();
 
+    /** The light, as the one sphere of a block. */
+    final SphereColumns light = new SphereColumns();
+
     /** Whether there are so many bodies that the hierarchy is walked. */
     boolean crowded;
 
@@ -51,6 +54,7 @@ final class Drawing {
         crowded = newInput.bodies() >= crowd;
         if (crowded) {
             hierarchy.take(newInput);
+            takeLight();
         }
         sky.take(newInput);
         float[] properties = newInput.rayTracingProperties();
@@ -68,6 +72,15 @@ final class Drawing {
         float rimX = newInput.shadowDisc()[2 * shadowSamples - 2];
         float rimY = newInput.shadowDisc()[2 * shadowSamples - 1];
         rim = (float) Math.sqrt(rimX * rimX + rimY * rimY);
+    }
+
+    private void takeLight() {
+        light.reserveBlocks(1);
+        light.values[0] = bodies.x[Layout.LIGHT];
+        light.values[SphereColumns.Y * Lanes.COUNT] = bodies.y[Layout.LIGHT];
+        light.values[SphereColumns.Z * Lanes.COUNT] = bodies.z[Layout.LIGHT];
+        light.values[SphereColumns.RADIUS * Lanes.COUNT] = bodies.radius[Layout.LIGHT];
+        light.values[SphereColumns.BODY * Lanes.COUNT] = Layout.LIGHT;
     }
 
     private void takeDisc(float[] disc) {

@@ -7,7 +7,7 @@ package dev.twister.engine.vector;
 final class LaneSteps {
     static final int START_PACKET = 0;
     static final int GATHER = 1;
-    static final int MEET_SPHERE = 2;
+    static final int MEET_SPHERES = 2;
     static final int FARTHEST = 3;
     static final int BETWEEN = 4;
     static final int OUTSIDE = 5;
@@ -16,13 +16,16 @@ final class LaneSteps {
     static final int OPEN = 8;
     static final int OPEN_ON_GROUND = 9;
     static final int NARROW = 10;
+    static final int MEET_LIGHT = 11;
+    static final int BOUND_TOGETHER = 12;
+    static final int BOUND_OPEN = 13;
 
     /** The steps, by the numbers above; an array, so that the compiler does not know which it calls. */
     private static final LaneStep[] STEPS = {
-        (tile, drawing, at, item) -> PacketHits.start(tile.values, at, drawing.bodies),
+        (tile, drawing, at, item) -> PacketHits.start(tile.values, at),
         (tile, drawing, at, item) -> PacketHits.gather(tile.values, at, item),
         (tile, drawing, at, item) -> {
-            PacketHits.meet(tile.values, at, drawing.hierarchy.spheres.values, item);
+            PacketHits.meet(tile.values, at, drawing.hierarchy.spheres.values, item, tile.spheresMet);
             return 0;
         },
         (tile, drawing, at, item) -> PacketHits.farthest(tile.values, at),
@@ -37,6 +40,18 @@ final class LaneSteps {
         (tile, drawing, at, item) -> ShadowCandidates.openOnGround(tile.values, at),
         (tile, drawing, at, item) -> {
             ShadowCandidates.narrow(tile.values, at, item);
+            return 0;
+        },
+        (tile, drawing, at, item) -> {
+            PacketHits.meet(tile.values, at, drawing.light.values, 0, 1);
+            return 0;
+        },
+        (tile, drawing, at, item) -> {
+            tile.beam.bound(tile.values, at + item, at + Tile.TOGETHER);
+            return 0;
+        },
+        (tile, drawing, at, item) -> {
+            tile.beam.bound(tile.values, at + item, at + Tile.SHADOW_OPEN);
             return 0;
         },
     };

@@ -7,6 +7,9 @@ package dev.twister.engine.vector;
 final class Leaves {
     private static final int ROOM = 1024;
 
+    /** So many leaves a beam is thought to meet at least below a node that it meets, before any of them is looked at. */
+    private static final int LEAVES_A_NODE = 3;
+
     /** Links to nodes and leaves met, in the order in which they are looked at. */
     final int[] links = new int[ROOM + Lanes.COUNT];
 
@@ -24,15 +27,22 @@ final class Leaves {
      * @return whether there are at most so many
      */
     boolean find(WideHierarchy hierarchy, Beam beam, int most) {
+        links[0] = WideHierarchy.ROOT;
         int head = 0;
-        int tail = append(hierarchy, beam, 0, 0);
-        while (head < tail && tail - head <= most && !WideHierarchy.isLeaf(links[head])) {
+        int tail = 1;
+        while (head < tail && tail - head <= most && !hierarchy.isAboveLeaves(links[head])) {
             tail = append(hierarchy, beam, links[head], tail);
             head++;
         }
-        first = head;
+        first = tail;
+        boolean few = first - head <= most / LEAVES_A_NODE;
+        while (few && head < first) {
+            tail = append(hierarchy, beam, links[head], tail);
+            head++;
+            few = tail - first <= most;
+        }
         end = tail;
-        return tail - head <= most;
+        return few;
     }
 
     private int append(WideHierarchy hierarchy, Beam beam, int node, int tail) {

@@ -11,8 +11,8 @@ final class NearestSphere {
     private NearestSphere() {}
 
     /**
-     * Writes the bodies met and their distances; {@code candidates} are all that could be met, in ascending order. It is
-     * {@link #near} written out, for the reason that {@link ShadowConics} has.
+     * Writes the bodies met and their distances; {@code candidates} are all that could be met, in ascending order. The
+     * loop calls no helper, for the reason that {@link ShadowConics} has.
      */
     static void find(Tile tile, BodyColumns bodies, BodyList candidates) {
         float[] t = tile.values;
@@ -53,21 +53,5 @@ final class NearestSphere {
             closest.intoArray(t, at + Tile.DISTANCE);
             hit.intoArray(t, at + Tile.HIT);
         }
-    }
-
-    /** Distance to the near root, of either sign; not a number where the ray's line passes the sphere. */
-    static FloatVector near(float[] t, int at, float centerX, float centerY, float centerZ, float radius) {
-        FloatVector directionX = Lanes.load(t, at + Tile.DIRECTION_X);
-        FloatVector directionY = Lanes.load(t, at + Tile.DIRECTION_Y);
-        FloatVector directionZ = Lanes.load(t, at + Tile.DIRECTION_Z);
-        FloatVector x = Lanes.all(centerX).sub(Lanes.load(t, at + Tile.ORIGIN_X));
-        FloatVector y = Lanes.all(centerY).sub(Lanes.load(t, at + Tile.ORIGIN_Y));
-        FloatVector z = Lanes.all(centerZ).sub(Lanes.load(t, at + Tile.ORIGIN_Z));
-        FloatVector along = x.fma(directionX, y.fma(directionY, z.mul(directionZ)));
-        FloatVector acrossX = x.sub(along.mul(directionX));
-        FloatVector acrossY = y.sub(along.mul(directionY));
-        FloatVector acrossZ = z.sub(along.mul(directionZ));
-        FloatVector acrossSquared = acrossX.fma(acrossX, acrossY.fma(acrossY, acrossZ.mul(acrossZ)));
-        return along.sub(Lanes.all(radius * radius).sub(acrossSquared).sqrt());
     }
 }

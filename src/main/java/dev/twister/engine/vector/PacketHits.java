@@ -27,6 +27,7 @@ final class PacketHits {
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
             int goesOn = (int) LaneSteps.run(LaneSteps.START_PACKET, tile, drawing, at, 0);
+            LaneSteps.run(LaneSteps.MEET_LIGHT, tile, drawing, at, 0);
             int together = (int) LaneSteps.run(LaneSteps.GATHER, tile, drawing, at, goesOn);
             if (together != 0) {
                 walkTogether(tile, drawing, at);
@@ -41,7 +42,7 @@ final class PacketHits {
         Beam beam = tile.beam;
         Descent descent = tile.descent;
         WideHierarchy hierarchy = drawing.hierarchy;
-        beam.holdRays(tile.values, at);
+        beam.holdRays(tile, drawing, at);
         beam.endAt(farthest(tile, drawing, at));
         descent.start(hierarchy, beam);
         int leaf = descent.nextLeaf(hierarchy, beam);
@@ -51,9 +52,9 @@ final class PacketHits {
             for (int left = WideHierarchy.blocks(leaf); left > 0; left--) {
                 long near = beam.meeting(hierarchy.spheres, first);
                 tested |= near != 0L;
-                while (near != 0L) {
-                    LaneSteps.run(LaneSteps.MEET_SPHERE, tile, drawing, at, first + Long.numberOfTrailingZeros(near));
-                    near &= near - 1;
+                if (near != 0L) {
+                    tile.spheresMet = near;
+                    LaneSteps.run(LaneSteps.MEET_SPHERES, tile, drawing, at, first);
                 }
                 first += hierarchy.spheres.step;
             }
@@ -162,49 +163,65 @@ final class PacketHits {
         t[pixel + Tile.HIT] = hit;
     }
 
-    /** The light where it is met; rays that have ended meet nothing any more. Returns one bit a ray that goes on. */
-    static long start(float[] t, int at, BodyColumns bodies) {
-        VectorMask<Float> goesOn = Lanes.load(t, at + Tile.THROUGHPUT).compare(VectorOperators.GT, 0f);
-        FloatVector closest = Lanes.all(0f).blend(Intersection.MISS, goesOn);
-        FloatVector near = NearestSphere.near(
-                t,
-                at,
-                bodies.x[Layout.LIGHT],
-                bodies.y[Layout.LIGHT],
-                bodies.z[Layout.LIGHT],
-                bodies.radius[Layout.LIGHT]);
-        VectorMask<Float> met = near.compare(VectorOperators.GT, 0f).and(near.compare(VectorOperators.LT, closest));
-        closest.blend(near, met).intoArray(t, at + Tile.DISTANCE);
-        Lanes.all(Layout.NOTHING).blend(Layout.LIGHT, met).intoArray(t, at + Tile.HIT);
+    /** No hit yet; rays that have ended meet nothing any more. Returns one bit a ray that goes on. */
+    static long start(float[] t, int at) {
+        VectorMask<Float> goesOn =
+                FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.THROUGHPUT).compare(VectorOperators.GT, 0f);
+        FloatVector.broadcast(Lanes.FLOATS, 0f).blend(Intersection.MISS, goesOn).intoArray(t, at + Tile.DISTANCE);
+        FloatVector.broadcast(Lanes.FLOATS, Layout.NOTHING).intoArray(t, at + Tile.HIT);
         return goesOn.toLong();
     }
 
-    /** One sphere and all rays. */
-    static void meet(float[] t, int at, float[] spheres, int sphere) {
-        float body = spheres[sphere + SphereColumns.BODY * Lanes.COUNT];
-        FloatVector near = NearestSphere.near(
-                t,
-                at,
-                spheres[sphere],
-                spheres[sphere + SphereColumns.Y * Lanes.COUNT],
-                spheres[sphere + SphereColumns.Z * Lanes.COUNT],
-                spheres[sphere + SphereColumns.RADIUS * Lanes.COUNT]);
-        FloatVector closest = Lanes.load(t, at + Tile.DISTANCE);
-        FloatVector hit = Lanes.load(t, at + Tile.HIT);
-        VectorMask<Float> closer = near.compare(VectorOperators.EQ, closest)
-                .and(hit.compare(VectorOperators.GT, body))
-                .or(near.compare(VectorOperators.LT, closest))
-                .and(near.compare(VectorOperators.GT, 0f))
-                .and(Lanes.load(t, at + Tile.LEAVING).compare(VectorOperators.NE, body));
-        closest.blend(near, closer).intoArray(t, at + Tile.DISTANCE);
-        hit.blend(body, closer).intoArray(t, at + Tile.HIT);
+    /**
+     * Some spheres of a block and all rays. It calls no helper, for the reason that {@link ShadowConics} has.
+     *
+     * @param wanted one bit a sphere
+     */
+    static void meet(float[] t, int at, float[] spheres, int first, long wanted) {
+        FloatVector directionX = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_X);
+        FloatVector directionY = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_Y);
+        FloatVector directionZ = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_Z);
+        FloatVector originX = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.ORIGIN_X);
+        FloatVector originY = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.ORIGIN_Y);
+        FloatVector originZ = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.ORIGIN_Z);
+        FloatVector leaving = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.LEAVING);
+        FloatVector closest = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISTANCE);
+        FloatVector hit = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.HIT);
+        for (long rest = wanted; rest != 0L; rest &= rest - 1) {
+            int sphere = first + Long.numberOfTrailingZeros(rest);
+            float radius = spheres[sphere + SphereColumns.RADIUS * Lanes.COUNT];
+            float body = spheres[sphere + SphereColumns.BODY * Lanes.COUNT];
+            FloatVector x = FloatVector.broadcast(Lanes.FLOATS, spheres[sphere]).sub(originX);
+            FloatVector y = FloatVector.broadcast(Lanes.FLOATS, spheres[sphere + SphereColumns.Y * Lanes.COUNT])
+                    .sub(originY);
+            FloatVector z = FloatVector.broadcast(Lanes.FLOATS, spheres[sphere + SphereColumns.Z * Lanes.COUNT])
+                    .sub(originZ);
+            FloatVector along = x.fma(directionX, y.fma(directionY, z.mul(directionZ)));
+            FloatVector acrossX = x.sub(along.mul(directionX));
+            FloatVector acrossY = y.sub(along.mul(directionY));
+            FloatVector acrossZ = z.sub(along.mul(directionZ));
+            FloatVector across = acrossX.fma(acrossX, acrossY.fma(acrossY, acrossZ.mul(acrossZ)));
+            FloatVector near = along.sub(FloatVector.broadcast(Lanes.FLOATS, radius * radius)
+                    .sub(across)
+                    .sqrt());
+            VectorMask<Float> closer = near.compare(VectorOperators.EQ, closest)
+                    .and(hit.compare(VectorOperators.GT, body))
+                    .or(near.compare(VectorOperators.LT, closest))
+                    .and(near.compare(VectorOperators.GT, 0f))
+                    .and(leaving.compare(VectorOperators.NE, body));
+            closest = closest.blend(near, closer);
+            hit = hit.blend(body, closer);
+        }
+        closest.intoArray(t, at + Tile.DISTANCE);
+        hit.intoArray(t, at + Tile.HIT);
     }
 
-    /** The bits, as a float, of the farthest of the closest hits of those that keep together. */
+    /** The bits, as a float, of the farthest of the closest hits of those that keep together: in their order, as none is below 0. */
     static long farthest(float[] t, int at) {
-        return Float.floatToIntBits(Lanes.load(t, at + Tile.DISTANCE)
-                .mul(Lanes.load(t, at + Tile.TOGETHER))
-                .reduceLanes(VectorOperators.MAX));
+        return FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISTANCE)
+                .mul(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.TOGETHER))
+                .reinterpretAsInts()
+                .reduceLanes(VectorOperators.MAX);
     }
 
     /**
@@ -216,22 +233,26 @@ final class PacketHits {
      */
     static long gather(float[] t, int at, long goesOn) {
         long ground = goesOn
-                & Lanes.load(t, at + Tile.LEAVING)
+                & FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.LEAVING)
                         .compare(VectorOperators.EQ, Layout.PLANE)
                         .toLong();
         long kind = ground != 0L ? ground : goesOn;
         int first = at + Long.numberOfTrailingZeros(kind);
         long together = kind
-                & Lanes.load(t, at + Tile.DIRECTION_X)
+                & FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_X)
                         .mul(t[first + Tile.DIRECTION_X])
-                        .add(Lanes.load(t, at + Tile.DIRECTION_Y).mul(t[first + Tile.DIRECTION_Y]))
-                        .add(Lanes.load(t, at + Tile.DIRECTION_Z).mul(t[first + Tile.DIRECTION_Z]))
+                        .add(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_Y)
+                                .mul(t[first + Tile.DIRECTION_Y]))
+                        .add(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_Z)
+                                .mul(t[first + Tile.DIRECTION_Z]))
                         .compare(VectorOperators.GT, TOGETHER_COSINE)
                         .toLong();
         if (together != goesOn && Long.bitCount(together) < FEWEST_TOGETHER) {
             together = 0L;
         }
-        Lanes.all(0f).blend(1f, VectorMask.fromLong(Lanes.FLOATS, together)).intoArray(t, at + Tile.TOGETHER);
+        FloatVector.broadcast(Lanes.FLOATS, 0f)
+                .blend(1f, VectorMask.fromLong(Lanes.FLOATS, together))
+                .intoArray(t, at + Tile.TOGETHER);
         return together;
     }
 }

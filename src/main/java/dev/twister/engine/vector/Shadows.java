@@ -73,7 +73,7 @@ final class Shadows {
 
     private static void sampleInCrowd(Tile tile, Drawing drawing, int at, float radius) {
         SphereColumns near = tile.near;
-        tile.beam.holdLines(tile.values, at, drawing.bodies, Layout.LIGHT, radius);
+        tile.beam.holdLines(tile, drawing, at, radius);
         int count = findNear(tile, drawing.hierarchy);
         if (count > MOST_NEAR) {
             LoneShadows.find(tile, at, drawing);

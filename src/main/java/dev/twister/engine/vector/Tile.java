@@ -164,6 +164,9 @@ final class Tile {
     /** Of one ray to each of a block of spheres. */
     final float[] distances = new float[Lanes.COUNT];
 
+    /** Of a block of spheres, one bit each that a packet's rays may meet. */
+    long spheresMet;
+
     /** The leaf that a ray on its way down has come to. */
     final int[] leafMet = new int[1];
 

@@ -16,6 +16,8 @@ final class WideHierarchy {
     /** Above it, a link has room for the number of a beam. */
     static final int BEAM_SHIFT = 28;
 
+    static final int ROOT = 0;
+
     /** Set in a leaf's link. */
     private static final int LEAF = 1 << (BEAM_SHIFT - 1);
 
@@ -191,6 +193,11 @@ final class WideHierarchy {
             link = LEAF | (blocks - block - 1) << BLOCKS_SHIFT | block;
         }
         return link;
+    }
+
+    /** Whether a node's children are leaves. */
+    boolean isAboveLeaves(int node) {
+        return isLeaf(links[node * Lanes.COUNT]);
     }
 
     static boolean isLeaf(int link) {
