@@ -53,7 +53,11 @@ final class NeighbourGrid {
     final double[] reach;
     int from;
     int slots;
-    private boolean wide;
+
+    /** The bits of a slot that are all set where the scan for it is a wide one: 0 where all are, -1 where none is. */
+    private int wideSlots;
+
+    private int wideSearches;
 
     /** The coarsest level whose bodies are many; those above it are giants, whose pairs are sought one by one. */
     int topLevel;
@@ -75,6 +79,10 @@ final class NeighbourGrid {
         y = new double[room + WideScan.LANES];
         z = new double[room + WideScan.LANES];
         reach = new double[room + WideScan.LANES];
+        if (room > WideScan.MIN_SLOTS && WideScan.SUITS) {
+            // Loads the classes now: within a step that would be felt.
+            WideScan.scan(this, 0, 0, WideScan.LANES, 0, -1, new Contacts());
+        }
     }
 
     double topCell() {
@@ -128,7 +136,7 @@ final class NeighbourGrid {
     void sort(int first, int giants) {
         from = first;
         slots = bodies.count - first;
-        wide = slots >= WideScan.MIN_SLOTS && WideScan.SUITS;
+        wideSlots = wideSlots();
         int buckets = mask + 1;
         Arrays.fill(starts, 0);
         Arrays.fill(near, (byte) 0);
@@ -157,6 +165,18 @@ final class NeighbourGrid {
             above += inLevel[topLevel];
             topLevel--;
         }
+    }
+
+    // A few slots' wide scans let the compiler get ready: until then each takes some 10 microseconds.
+    private int wideSlots() {
+        if (slots < WideScan.MIN_SLOTS || !WideScan.SUITS) {
+            return -1;
+        }
+        if (wideSearches < WideScan.FIRST_SEARCHES) {
+            wideSearches++;
+            return Integer.highestOneBit(slots / WideScan.FIRST_SLOTS) - 1;
+        }
+        return 0;
     }
 
     /** Copies what a search reads of the bodies of some slots. */
@@ -271,7 +291,7 @@ final class NeighbourGrid {
     // Buckets hold other cells' bodies too: the keys tell. Without a branch for the distance, which nothing could
     // predict.
     private void scan(int slot, int start, int end, long firstKey, long span, Contacts contacts) {
-        if (wide) {
+        if ((slot & wideSlots) == wideSlots) {
             WideScan.scan(this, slot, start, end, firstKey, span, contacts);
             return;
         }

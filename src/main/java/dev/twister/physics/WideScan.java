@@ -15,8 +15,14 @@ final class WideScan {
     /** Neighbours at once. */
     static final int LANES = 8;
 
-    /** Until they are compiled, vectors are slow: too slow for fewer bodies. */
+    /** With fewer there is little to gain. */
     static final int MIN_SLOTS = 2500;
+
+    /** So many searches, which are two seconds or less, use it for few slots only, while it is being compiled. */
+    static final int FIRST_SEARCHES = 240;
+
+    /** How many slots those are; up to twice as many. */
+    static final int FIRST_SLOTS = 24;
 
     private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_512;
     private static final VectorSpecies<Long> LONGS = LongVector.SPECIES_512;
