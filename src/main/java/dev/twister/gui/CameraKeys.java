@@ -4,12 +4,13 @@ import java.util.List;
 import javafx.beans.value.ObservableValue;
 import javafx.event.EventTarget;
 import javafx.scene.Scene;
+import javafx.scene.control.Control;
 import javafx.scene.control.TextInputControl;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 
 /**
- * Moves the camera by the keyboard: W A S D, Q and E, Shift to run, Home, and views kept under the number keys. Keys that a
+ * Moves the camera by the keyboard: W A S D, Q and E, the arrows to look, Shift to run, Home, and views kept under the number keys. Keys that a
  * control has use for are not seen here: handlers come after the control's own.
  */
 final class CameraKeys {
@@ -49,19 +50,23 @@ final class CameraKeys {
         scene.addEventHandler(KeyEvent.KEY_PRESSED, keys::pressed);
         scene.addEventHandler(KeyEvent.KEY_RELEASED, event -> {
             keys.held.release(event.getCode());
-            keys.walk();
+            keys.move();
         });
         // A key that is let go while another window has the focus is not reported.
         windowFocused.subscribe(focused -> {
             if (!focused) {
                 keys.held.releaseAll();
-                keys.walk();
+                keys.move();
             }
         });
     }
 
     private void pressed(KeyEvent event) {
         if (isText(event.getTarget()) || event.isAltDown() || event.isMetaDown()) {
+            return;
+        }
+        // From control to control the arrows lead as everywhere.
+        if (event.getCode().isArrowKey() && event.getTarget() instanceof Control) {
             return;
         }
         int digit = digit(event.getCode());
@@ -74,15 +79,16 @@ final class CameraKeys {
         } else if (event.getCode() == KeyCode.HOME) {
             studio.goHome();
         } else if (held.press(event.getCode())) {
-            walk();
+            move();
         } else {
             return;
         }
         event.consume();
     }
 
-    private void walk() {
+    private void move() {
         studio.setWalk(held.walk());
+        studio.setTurn(held.turn());
     }
 
     private static boolean isText(EventTarget target) {

@@ -1,5 +1,6 @@
 package dev.twister.gui;
 
+import dev.twister.world.Turn;
 import dev.twister.world.Walk;
 import java.util.EnumSet;
 import java.util.Set;
@@ -7,8 +8,18 @@ import javafx.scene.input.KeyCode;
 
 /** The keys that move the camera for as long as they are held. */
 final class HeldKeys {
-    private static final Set<KeyCode> MOVING =
-            EnumSet.of(KeyCode.W, KeyCode.A, KeyCode.S, KeyCode.D, KeyCode.Q, KeyCode.E, KeyCode.SHIFT);
+    private static final Set<KeyCode> MOVING = EnumSet.of(
+            KeyCode.W,
+            KeyCode.A,
+            KeyCode.S,
+            KeyCode.D,
+            KeyCode.Q,
+            KeyCode.E,
+            KeyCode.LEFT,
+            KeyCode.RIGHT,
+            KeyCode.UP,
+            KeyCode.DOWN,
+            KeyCode.SHIFT);
 
     private final Set<KeyCode> held = EnumSet.noneOf(KeyCode.class);
 
@@ -36,6 +47,12 @@ final class HeldKeys {
                 axis(KeyCode.Q, KeyCode.E),
                 axis(KeyCode.W, KeyCode.S),
                 held.contains(KeyCode.SHIFT));
+    }
+
+    /** Which way the held arrow keys turn the camera; opposite ones cancel each other. */
+    Turn turn() {
+        return new Turn(
+                axis(KeyCode.RIGHT, KeyCode.LEFT), axis(KeyCode.DOWN, KeyCode.UP), held.contains(KeyCode.SHIFT));
     }
 
     private int axis(KeyCode forth, KeyCode back) {

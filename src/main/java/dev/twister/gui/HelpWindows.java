@@ -23,7 +23,7 @@ final class HelpWindows {
     private static final List<KeyLine> CAMERA = List.of(
             new KeyLine("W A S D", "Walk; with Shift, run"),
             new KeyLine("Q E", "Up and down"),
-            new KeyLine("Drag", "Look around"),
+            new KeyLine("Drag, ← → ↑ ↓", "Look around; with Shift, the arrows turn faster"),
             new KeyLine("Wheel", "Field of view"),
             new KeyLine("Home", "Back to where the scene has the camera"),
             new KeyLine("Ctrl+0 … Ctrl+9", "Keep this view under a number"),

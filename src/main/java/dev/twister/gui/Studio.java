@@ -20,6 +20,7 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import dev.twister.scene.Vector3;
 import dev.twister.world.CameraMotion;
+import dev.twister.world.Turn;
 import dev.twister.world.Walk;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -70,6 +71,7 @@ public final class Studio implements AutoCloseable {
     private SceneHistory document;
     private Scene original;
     private Walk walk = Walk.STILL;
+    private Turn turn = Turn.STILL;
     private double displayMillis;
     private long lastPulseNanos;
     private double viewWidth;
@@ -299,6 +301,11 @@ public final class Studio implements AutoCloseable {
         walk = newWalk;
     }
 
+    /** From now on each pulse turns the camera that way, until told otherwise. */
+    public void setTurn(Turn newTurn) {
+        turn = newTurn;
+    }
+
     /** Draws with that engine as soon as it is ready. */
     public void chooseEngine(EngineOffer offer) {
         engine.set(new EngineChoice(engine.get().number() + 1, offer));
@@ -371,15 +378,18 @@ public final class Studio implements AutoCloseable {
     }
 
     /**
-     * Called in every pulse: walks on, and takes over what the drawing thread has finished.
+     * Called in every pulse: walks and turns on, and takes over what the drawing thread has finished.
      *
      * @param nanos now, by {@link System#nanoTime}
      */
     public void pulse(long nanos) {
         double seconds = Math.clamp((nanos - lastPulseNanos) / NANOS_PER_SECOND, 0, LONGEST_STEP_SECONDS);
         lastPulseNanos = nanos;
-        moveCamera(
-                camera -> CameraMotion.walk(camera, walk, seconds, scene.get().plane()));
+        moveCamera(camera -> CameraMotion.walk(
+                CameraMotion.turn(camera, turn, seconds),
+                walk,
+                seconds,
+                scene.get().plane()));
         loop.takeNewest().ifPresent(newest -> {
             frames.add(newest, displayMillis);
             picture.set(Optional.of(newest));

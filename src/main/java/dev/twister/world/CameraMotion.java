@@ -10,13 +10,16 @@ public final class CameraMotion {
     public static final double WALK_METRES_PER_SECOND = 5;
     public static final double RUN_METRES_PER_SECOND = 20;
 
+    public static final double TURN_DEGREES_PER_SECOND = 45;
+    public static final double FAST_TURN_DEGREES_PER_SECOND = 135;
+
     /** The camera stays this far above the plane, in metres. */
     public static final double CLEARANCE_METRES = 0.1;
 
     /** Field of view that one notch of the wheel leaves of it. */
     public static final double ZOOM_OF_A_NOTCH = 0.95;
 
-    private static final double TURN_DEGREES = 360;
+    private static final double FULL_TURN_DEGREES = 360;
 
     private CameraMotion() {}
 
@@ -42,12 +45,24 @@ public final class CameraMotion {
         return above(at(camera, to), plane);
     }
 
+    /**
+     * Turns as long as a person wants it to.
+     *
+     * @param seconds since the last step, 0 or more
+     */
+    public static Camera turn(Camera camera, Turn turn, double seconds) {
+        double degrees = (turn.fast() ? FAST_TURN_DEGREES_PER_SECOND : TURN_DEGREES_PER_SECOND) * seconds;
+        return turn.right() == 0 && turn.down() == 0
+                ? camera
+                : look(camera, degrees * turn.right(), degrees * turn.down());
+    }
+
     /** Turns; yaw comes out in [-180, 180), pitch in [-90, 90]. */
     public static Camera look(Camera camera, double rightDegrees, double downDegrees) {
         double yaw = camera.yawDegrees() + rightDegrees;
         return new Camera(
                 camera.position(),
-                yaw - TURN_DEGREES * Math.floor(yaw / TURN_DEGREES + 0.5),
+                yaw - FULL_TURN_DEGREES * Math.floor(yaw / FULL_TURN_DEGREES + 0.5),
                 SceneLimits.PITCH.clamp(camera.pitchDegrees() + downDegrees),
                 camera.fieldOfViewDegrees());
     }

@@ -10,6 +10,7 @@ import javafx.beans.property.SimpleBooleanProperty;
 import javafx.event.Event;
 import javafx.geometry.Bounds;
 import javafx.scene.Cursor;
+import javafx.scene.Node;
 import javafx.scene.Scene;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
@@ -35,6 +36,30 @@ class CameraTest {
             assertThat(camera(driver)).isEqualTo(there);
             DrawnPicture picture = driver.awaitCurrentPicture();
             assertThat(picture.request().scene().camera()).isEqualTo(there);
+        }
+    }
+
+    @Test
+    void arrowsLookAroundAndLeaveTheFocusOnThePicture() {
+        try (WindowDriver driver = WindowDriver.openWithPanel()) {
+            Camera start = camera(driver);
+
+            driver.press(KeyCode.RIGHT, KeyCode.DOWN);
+            driver.await(() -> driver.studio.scene().camera().yawDegrees() > start.yawDegrees() + 2);
+            driver.release(KeyCode.RIGHT, KeyCode.DOWN);
+            driver.pulse();
+
+            assertThat(camera(driver).pitchDegrees()).isGreaterThan(start.pitchDegrees());
+            assertThat(camera(driver).position()).isEqualTo(start.position());
+            Node focused = WindowDriver.call(() -> driver.stage.getScene().getFocusOwner());
+            assertThat(focused).isInstanceOf(PictureView.class);
+
+            Camera there = camera(driver);
+            Node control = driver.find("#reset-everything", Node.class);
+            driver.run(control::requestFocus);
+            driver.type(KeyCode.UP);
+            driver.pulse();
+            assertThat(camera(driver)).isEqualTo(there);
         }
     }
 

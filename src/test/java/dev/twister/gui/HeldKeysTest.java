@@ -2,6 +2,7 @@ package dev.twister.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.world.Turn;
 import dev.twister.world.Walk;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.Test;
@@ -35,6 +36,20 @@ class HeldKeysTest {
         keys.press(KeyCode.E);
 
         assertThat(keys.walk()).isEqualTo(new Walk(0, -1, 0, false));
+    }
+
+    @Test
+    void arrowsTurn() {
+        keys.press(KeyCode.LEFT);
+        keys.press(KeyCode.DOWN);
+        assertThat(keys.turn()).isEqualTo(new Turn(-1, 1, false));
+
+        keys.press(KeyCode.RIGHT);
+        keys.press(KeyCode.SHIFT);
+        assertThat(keys.turn()).isEqualTo(new Turn(0, 1, true));
+
+        keys.releaseAll();
+        assertThat(keys.turn()).isEqualTo(Turn.STILL);
     }
 
     @Test

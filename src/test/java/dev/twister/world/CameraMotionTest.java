@@ -18,6 +18,26 @@ class CameraMotionTest {
     private static final Plane PLANE = new Plane(48, -10, new Rgb(1, 1, 1), new Rgb(0, 0, 0), 0);
     private static final Camera CAMERA = new Camera(new Vector3(1, 2, 3), 0, 20, 60);
     private static final Walk FORWARD = new Walk(0, 0, 1, false);
+
+    @Test
+    void turnsAsFarInOneStepAsInMany() {
+        Turn turn = new Turn(1, -0.5, false);
+        Camera once = CameraMotion.turn(CAMERA, turn, 0.5);
+        Camera often = CAMERA;
+        for (int step = 0; step < 10; step++) {
+            often = CameraMotion.turn(often, turn, 0.05);
+        }
+
+        assertThat(once.yawDegrees() - CAMERA.yawDegrees())
+                .isCloseTo(0.5 * CameraMotion.TURN_DEGREES_PER_SECOND, within(1e-9));
+        assertThat(CAMERA.pitchDegrees() - once.pitchDegrees())
+                .isCloseTo(0.25 * CameraMotion.TURN_DEGREES_PER_SECOND, within(1e-9));
+        assertThat(often.yawDegrees()).isCloseTo(once.yawDegrees(), within(1e-9));
+        assertThat(often.pitchDegrees()).isCloseTo(once.pitchDegrees(), within(1e-9));
+        assertThat(CameraMotion.turn(CAMERA, new Turn(1, 0, true), 0.1).yawDegrees() - CAMERA.yawDegrees())
+                .isCloseTo(0.1 * CameraMotion.FAST_TURN_DEGREES_PER_SECOND, within(1e-9));
+    }
+
     private static final double TINY = 1e-9;
 
     @Property(seed = "20261121")
