@@ -9,9 +9,6 @@ public interface BenchmarkProgress {
 
         @Override
         public void drewFrame() {}
-
-        @Override
-        public void measured(Measurement measurement) {}
     };
 
     /** An engine starts on a size, with so many frames to come at most. */
@@ -20,6 +17,6 @@ public interface BenchmarkProgress {
     /** A frame, warm-up or measured, is there. */
     void drewFrame();
 
-    /** An engine is done with a size. */
-    void measured(Measurement measurement);
+    /** An engine is done with a size; not everyone minds. */
+    default void measured(@SuppressWarnings("unused") Measurement measurement) {}
 }

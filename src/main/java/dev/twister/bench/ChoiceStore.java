@@ -37,7 +37,7 @@ record ChoiceStore(Optional<Path> folder) {
     }
 
     void write(MachineKey key, String engine) {
-        if (folder.isEmpty()) {
+        if (folder.isEmpty() || read(key).equals(Optional.of(engine))) {
             return;
         }
         Properties properties = new Properties();

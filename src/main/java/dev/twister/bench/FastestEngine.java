@@ -66,14 +66,9 @@ public final class FastestEngine {
      */
     public Engine openAtOnce(List<EngineOffer> offers) {
         List<EngineOffer> candidates = candidates(offers);
-        Engine standIn = openFirst(candidates, List.of());
-        Optional<String> known = remembered(offers);
-        Engine warming = openWarming(standIn, known.orElse(MOSTLY_FASTEST), candidates);
-        return known.isPresent()
-                ? warming
-                : new AutoEngine(
-                        warming,
-                        new Successor(cancelled -> confirmedBeside(warming, standIn.id(), () -> offers, cancelled)));
+        return remembered(offers)
+                .map(id -> openWarming(openFirst(candidates, List.of()), id, candidates))
+                .orElseGet(() -> openToBeConfirmed(MOSTLY_FASTEST, candidates, () -> offers));
     }
 
     /**
@@ -91,8 +86,12 @@ public final class FastestEngine {
         if (candidates.isEmpty() || device) {
             return openAtOnce(all.get());
         }
+        return openToBeConfirmed(known.orElse(MOSTLY_FASTEST), candidates, all);
+    }
+
+    private Engine openToBeConfirmed(String id, List<EngineOffer> candidates, Supplier<List<EngineOffer>> all) {
         Engine standIn = openFirst(candidates, List.of());
-        Engine drawing = openWarming(standIn, known.orElse(MOSTLY_FASTEST), candidates);
+        Engine drawing = openWarming(standIn, id, candidates);
         return new AutoEngine(
                 drawing, new Successor(cancelled -> confirmedBeside(drawing, standIn.id(), all, cancelled)));
     }
@@ -114,8 +113,7 @@ public final class FastestEngine {
         }
         List<EngineOffer> candidates = candidates(all.get());
         Optional<String> known = remembered(candidates);
-        known.filter(id -> !store.read(MachineKey.beforeDevices(candidates)).equals(Optional.of(id)))
-                .ifPresent(id -> store.write(MachineKey.beforeDevices(candidates), id));
+        known.ifPresent(id -> store.write(MachineKey.beforeDevices(candidates), id));
         return known.or(() -> fastestBeside(drawing, standIn, candidates, cancelled))
                 .filter(fastest -> !fastest.equals(drawing.id()) && !cancelled.getAsBoolean())
                 .flatMap(fastest -> find(candidates, fastest))

@@ -112,7 +112,7 @@ final class PaperPage {
                 PaperTables.fps(
                         report,
                         PaperFigure.SHADOW_SAMPLES,
-                        setting -> setting.shadowSamples() + (setting.shadowSamples() == 1 ? " sample" : " samples")));
+                        setting -> ReportNumbers.counted(setting.shadowSamples(), "sample")));
     }
 
     private String bounces() {
@@ -122,9 +122,7 @@ final class PaperPage {
                         PaperFigure.BOUNCES.id(),
                         "Limit of reflections, with " + PaperPlan.SOFT_SHADOW_SAMPLES + " shadow samples."),
                 PaperTables.fps(
-                        report,
-                        PaperFigure.BOUNCES,
-                        setting -> setting.bounces() + (setting.bounces() == 1 ? " bounce" : " bounces")));
+                        report, PaperFigure.BOUNCES, setting -> ReportNumbers.counted(setting.bounces(), "bounce")));
     }
 
     private String speedup() {

@@ -108,8 +108,8 @@ final class PaperPlots {
         List<PaperSetting> settings = report.plan().settings(figure);
         PaperSetting first = settings.getFirst();
         String fixed = figure == PaperFigure.BOUNCES
-                ? first.shadowSamples() + " shadow samples"
-                : first.bounces() + (first.bounces() == 1 ? " bounce" : " bounces");
+                ? ReportNumbers.counted(first.shadowSamples(), "shadow sample")
+                : ReportNumbers.counted(first.bounces(), "bounce");
         XYChart chart = new XYChartBuilder()
                 .width(PlotLook.WIDTH)
                 .height(PlotLook.HEIGHT)

@@ -8,7 +8,7 @@ public record PaperSetting(PictureSize size, int shadowSamples, int bounces) {
 
     @Override
     public String toString() {
-        return size + ", " + shadowSamples + (shadowSamples == 1 ? " shadow sample, " : " shadow samples, ") + bounces
-                + (bounces == 1 ? " bounce" : " bounces");
+        return size + ", " + ReportNumbers.counted(shadowSamples, "shadow sample") + ", "
+                + ReportNumbers.counted(bounces, "bounce");
     }
 }

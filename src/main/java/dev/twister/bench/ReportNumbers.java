@@ -14,6 +14,11 @@ final class ReportNumbers {
         return BigDecimal.valueOf(value).setScale(DECIMALS, RoundingMode.HALF_UP);
     }
 
+    /** So many of a thing, such as {@code 1 bounce} or {@code 3 bounces}. */
+    static String counted(int count, String thing) {
+        return count + " " + thing + (count == 1 ? "" : "s");
+    }
+
     /** Without a needless {@code .0}. */
     static String shortest(double value) {
         return BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();

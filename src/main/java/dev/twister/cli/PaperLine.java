@@ -1,7 +1,6 @@
 package dev.twister.cli;
 
 import dev.twister.bench.BenchmarkProgress;
-import dev.twister.bench.Measurement;
 import dev.twister.bench.PaperPlan;
 import dev.twister.bench.PictureSize;
 import java.io.PrintWriter;
@@ -40,9 +39,6 @@ final class PaperLine implements BenchmarkProgress, AutoCloseable {
         drawn++;
         line.stepTo(drawn);
     }
-
-    @Override
-    public void measured(Measurement measurement) {}
 
     private void giveUp() {
         line.close();

@@ -7,8 +7,8 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * A {@link Beam} for each lane of a packet: its ray, or its point's lines to the light's disc. All are made at once; {@link PacketLeaves} then tests
- * each against as many boxes as there are lanes.
+ * A {@link Beam} for each lane of a packet: its ray, or its point's lines to the light's disc. All are made at once;
+ * {@link PacketLeaves} then tests each against as many boxes as there are lanes.
  */
 final class PacketBeams {
     /** What a plane's t is made less or greater by, as a part of the origin's: it is rounded by two units of 2^-24. */
@@ -30,7 +30,9 @@ final class PacketBeams {
 
     final float[] facts = new float[8 * AXES];
 
-    /** By axis, how far behind the low sides of {@link WideHierarchy#boxes} the near ones are: all that the high ones are, or 0. */
+    /**
+     * By axis, how far behind the low sides of {@link WideHierarchy#boxes} the near ones are: as far as the high ones, or 0.
+     */
     final int[] nearSides = new int[AXES];
 
     /** The bits of the t at which the lines end, as ints. */

@@ -216,7 +216,10 @@ final class PacketHits {
         hit.intoArray(t, at + Tile.HIT);
     }
 
-    /** The bits, as a float, of the farthest of the closest hits of those that keep together: in their order, as none is below 0. */
+    /**
+     * The bits, as a float, of the farthest of the closest hits of those that keep together; none is below 0, so that they
+     * are in the floats' order.
+     */
     static long farthest(float[] t, int at) {
         return FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISTANCE)
                 .mul(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.TOGETHER))
