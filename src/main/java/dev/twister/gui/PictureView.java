@@ -5,6 +5,7 @@ import dev.twister.image.Frame;
 import java.nio.IntBuffer;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 import javafx.scene.image.Image;
 import javafx.scene.image.ImageView;
 import javafx.scene.image.PixelBuffer;
@@ -22,6 +23,7 @@ final class PictureView extends Pane {
     private final ImageView view = new ImageView();
     private final Map<Frame, ShownFrame> frames = new HashMap<>();
     private final Studio studio;
+    private Optional<Frame> onScreen = Optional.empty();
     private double laidOutScale;
 
     /** A frame as JavaFX sees it. */
@@ -91,6 +93,13 @@ final class PictureView extends Pane {
 
     private void show(DrawnPicture picture) {
         Frame frame = picture.frame();
+        if (onScreen.equals(Optional.of(frame))) {
+            // A repetition of the picture that is shown, as the exchange has it: to hand it to JavaFX would cost an
+            // engine on all
+            // cores a tenth of its frames.
+            return;
+        }
+        onScreen = Optional.of(frame);
         // Frames of another size do not come back.
         frames.keySet().removeIf(old -> old.width() != frame.width() || old.height() != frame.height());
         ShownFrame shown = frames.computeIfAbsent(frame, ShownFrame::of);

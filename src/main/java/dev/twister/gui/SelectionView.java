@@ -49,8 +49,11 @@ final class SelectionView extends Pane {
                         body != Layout.NOTHING && body < picture.input().bodies())
                 .map(picture -> points(picture, body))
                 .orElse(List.of());
-        line.getPoints().setAll(points);
-        shade.getPoints().setAll(points);
+        // Told the same points, JavaFX would paint anew.
+        if (!line.getPoints().equals(points)) {
+            line.getPoints().setAll(points);
+            shade.getPoints().setAll(points);
+        }
     }
 
     private List<Double> points(DrawnPicture picture, int body) {

@@ -83,6 +83,7 @@ class FrameHistoryTest {
                 times,
                 1,
                 number,
+                number,
                 nanos);
     }
 }

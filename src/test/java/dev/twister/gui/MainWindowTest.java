@@ -3,35 +3,64 @@ package dev.twister.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.scene.RenderSettings;
+import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicInteger;
 import javafx.geometry.Bounds;
 import javafx.scene.control.Label;
+import javafx.scene.image.ImageView;
 import javafx.scene.paint.Color;
 import org.junit.jupiter.api.Test;
 
 class MainWindowTest {
     private static final double ROUNDING = 1.5 / 255;
+    private static final int MAGENTA = 0xFFFF00FF;
+    private static final int[] PLACE = {100, 180};
 
     @Test
     void theScreenShowsTheEnginesPixels() {
         try (WindowDriver driver = WindowDriver.open()) {
             DrawnPicture picture = driver.awaitRest();
-            Bounds area = WindowDriver.call(() -> driver.stage
-                    .getScene()
-                    .getRoot()
-                    .lookup(".picture")
-                    .localToScreen(
-                            driver.stage.getScene().getRoot().lookup(".picture").getLayoutBounds()));
-
             for (int[] place : new int[][] {{10, 150}, {100, 180}, {200, 150}, {160, 130}}) {
-                int argb = picture.frame().argb()[place[1] * picture.frame().width() + place[0]];
-                Color seen = driver.pixel(area.getMinX() + place[0], area.getMinY() + place[1]);
-
-                assertThat(Math.abs(seen.getRed() - (argb >> 16 & 0xFF) / 255.0))
-                        .isLessThan(ROUNDING);
-                assertThat(Math.abs(seen.getGreen() - (argb >> 8 & 0xFF) / 255.0))
-                        .isLessThan(ROUNDING);
-                assertThat(Math.abs(seen.getBlue() - (argb & 0xFF) / 255.0)).isLessThan(ROUNDING);
+                assertShown(driver, picture, place);
             }
+        }
+    }
+
+    @Test
+    void aPictureThatIsDrawnAgainIsNotHandedToJavaFxAgainAndTheNextOneIs() {
+        try (WindowDriver driver = WindowDriver.open()) {
+            driver.run(() -> driver.studio.refiningProperty().set(false));
+            DrawnPicture first =
+                    driver.awaitPicture(picture -> picture.request().refineTo() == 0);
+            driver.pulse();
+            driver.pulse();
+            Bounds area = driver.pictureOnScreen();
+            Color seen = driver.pixel(area.getMinX() + PLACE[0], area.getMinY() + PLACE[1]);
+
+            AtomicInteger changes = new AtomicInteger();
+            driver.run(() ->
+                    driver.find(".image-view", ImageView.class).imageProperty().subscribe(changes::incrementAndGet));
+            // Who is handed these pixels shows them.
+            driver.run(() -> Arrays.fill(first.frame().argb(), MAGENTA));
+            DrawnPicture later = driver.awaitPicture(picture -> picture.number() > first.number() + 20);
+            driver.pulse();
+            driver.pulse();
+            assertThat(driver.pixel(area.getMinX() + PLACE[0], area.getMinY() + PLACE[1]))
+                    .isEqualTo(seen);
+            assertThat(later.frame()).isSameAs(first.frame());
+            assertThat(changes).hasValue(0);
+
+            RenderSettings settings = WindowDriver.call(driver.studio::scene).settings();
+            driver.run(() -> driver.studio.edit(
+                    "brightness",
+                    scene -> scene.withSettings(settings.withTone(2, settings.toneMap(), settings.srgb()))));
+            DrawnPicture bright = driver.awaitCurrentPicture();
+            driver.pulse();
+            driver.pulse();
+            assertThat(driver.pixel(area.getMinX() + PLACE[0], area.getMinY() + PLACE[1]))
+                    .isNotEqualTo(seen);
+            assertShown(driver, bright, PLACE);
         }
     }
 
@@ -46,5 +75,15 @@ class MainWindowTest {
             assertThat(WindowDriver.call(() -> notice.getTooltip().getText()).replace('\n', ' '))
                     .isEqualTo(sentence);
         }
+    }
+
+    private static void assertShown(WindowDriver driver, DrawnPicture picture, int... place) {
+        Bounds area = driver.pictureOnScreen();
+        int argb = picture.frame().argb()[place[1] * picture.frame().width() + place[0]];
+        Color seen = driver.pixel(area.getMinX() + place[0], area.getMinY() + place[1]);
+
+        assertThat(Math.abs(seen.getRed() - (argb >> 16 & 0xFF) / 255.0)).isLessThan(ROUNDING);
+        assertThat(Math.abs(seen.getGreen() - (argb >> 8 & 0xFF) / 255.0)).isLessThan(ROUNDING);
+        assertThat(Math.abs(seen.getBlue() - (argb & 0xFF) / 255.0)).isLessThan(ROUNDING);
     }
 }

@@ -40,6 +40,7 @@ class StatusTextTest {
                 FrameTimes.NONE,
                 samples,
                 1,
+                1,
                 1);
     }
 }

@@ -8,7 +8,9 @@ import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.image.Frame;
 import dev.twister.scene.Scene;
+import dev.twister.world.CameraMotion;
 import dev.twister.world.FrameInput;
+import dev.twister.world.Turn;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadInfo;
 import java.lang.management.ThreadMXBean;
@@ -24,8 +26,9 @@ import java.util.stream.Collectors;
 
 /**
  * Measures the window against the engine alone, by turns: frames a second, pulses, and where the processor's time goes. A
- * program, run by hand on a screen: its arguments are pairs such as {@code vector:HD}. With {@code
- * -XX:ActiveProcessorCount=1} an engine draws on one thread.
+ * program, run by hand on a screen: its arguments are such as {@code vector:HD}, where all is at rest, and {@code
+ * vector:HD:moving}, where each pulse asks for another picture. With {@code -XX:ActiveProcessorCount=1} an engine draws on one
+ * thread.
  */
 final class WindowFigures {
     /** Short and many: another's work on the machine comes and goes. The first half is for the compiler. */
@@ -34,6 +37,7 @@ final class WindowFigures {
     private static final long WARM_UP_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
     private static final long NANOS = TimeUnit.SECONDS.toNanos(Integer.getInteger("twister.seconds", 2));
     private static final double NANOS_PER_SECOND = 1e9;
+    private static final double SWAY_SECONDS = 1e-4;
 
     /** Room for 720p, pixel for pixel. */
     private static final int WIDTH = Integer.getInteger("twister.width", 1280);
@@ -45,14 +49,14 @@ final class WindowFigures {
     @SuppressWarnings("SystemOut") // a program for a person
     public static void main(String[] arguments) {
         for (String argument : arguments) {
-            String[] parts = argument.split(":", 2);
+            String[] parts = argument.split(":", 3);
             EngineOffer offer = Engines.offers().stream()
                     .filter(one -> one.id().equals(parts[0]))
                     .findFirst()
                     .orElseThrow();
             List<Round> rounds = new ArrayList<>();
             for (int round = 0; round < ROUNDS; round++) {
-                rounds.add(measure(offer, ResolutionMode.valueOf(parts[1])));
+                rounds.add(measure(offer, ResolutionMode.valueOf(parts[1]), parts.length == 3));
                 System.out.println(rounds.getLast().text());
             }
             System.out.printf(
@@ -72,7 +76,7 @@ final class WindowFigures {
         return (ratios[(ratios.length - 1) / 2] + ratios[ratios.length / 2]) / 2;
     }
 
-    private static Round measure(EngineOffer offer, ResolutionMode size) {
+    private static Round measure(EngineOffer offer, ResolutionMode size, boolean moving) {
         Scene scene = WindowScenes.shipped("benchmark");
         PulseRecord pulses = new PulseRecord();
         double windowRate;
@@ -89,9 +93,17 @@ final class WindowFigures {
             driver.run(() -> driver.studio.refiningProperty().set(false));
             driver.await(() -> driver.studio.drawingProperty().get().equals(DrawingStatus.QUIET));
             driver.awaitPicture(picture -> picture.engine().equals(offer.id()) && picture.isWhole());
+            if (moving) {
+                driver.run(() -> driver.window.onPulse((_, _) -> sway(driver.studio)));
+            }
             LockSupport.parkNanos(WARM_UP_NANOS);
             DrawnPicture first = newest(driver);
-            driver.run(() -> driver.window.onPulse(pulses::add));
+            driver.run(() -> driver.window.onPulse((start, end) -> {
+                pulses.add(start, end);
+                if (moving) {
+                    sway(driver.studio);
+                }
+            }));
             ProcessorTimes before = ProcessorTimes.now();
             LockSupport.parkNanos(NANOS);
             processors = ProcessorTimes.now().since(before);
@@ -117,6 +129,12 @@ final class WindowFigures {
                 pulses.maxMillis(),
                 processors);
         return new Round(windowRate / engineRate, text);
+    }
+
+    /** To and fro, so that all pictures take the same time; by less than a pixel. */
+    private static void sway(Studio studio) {
+        studio.moveCamera(camera ->
+                CameraMotion.turn(camera, new Turn(camera.yawDegrees() > 0 ? -1 : 1, 0, false), SWAY_SECONDS));
     }
 
     private static DrawnPicture newest(WindowDriver driver) {

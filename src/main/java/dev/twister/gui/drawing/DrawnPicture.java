@@ -16,6 +16,7 @@ import dev.twister.world.FrameInput;
  * @param times where its time went
  * @param samples a pixel, those of earlier pictures that it refines included
  * @param number counts the pictures up; every one that the engine drew counts, shown or not
+ * @param original the number of the picture of which this one is a repetition, pixel by pixel; its own where it is none
  * @param finishedNanos when it was finished, by {@link System#nanoTime}
  */
 public record DrawnPicture(
@@ -27,7 +28,13 @@ public record DrawnPicture(
         FrameTimes times,
         int samples,
         long number,
+        long original,
         long finishedNanos) {
+    /** The same picture with its pixels in another frame, which has them too. */
+    DrawnPicture in(Frame other) {
+        return new DrawnPicture(other, request, input, engine, device, times, samples, number, original, finishedNanos);
+    }
+
     /** Whether it has all the pixels that were asked for. */
     public boolean isWhole() {
         return frame.width() == request.width() && frame.height() == request.height();

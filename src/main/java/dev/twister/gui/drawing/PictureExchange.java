@@ -35,16 +35,26 @@ public final class PictureExchange {
 
     /**
      * Called once in every pulse by the thread that shows: the newest finished picture, where there is one that has not
-     * been taken. It is not drawn over until the pulse after the one that takes its successor.
+     * been taken. It is not drawn over until the pulse after the one that takes its successor. One that repeats the picture
+     * taken before comes in that one's frame, which is on the screen already; no other picture comes in the frame of the one
+     * before.
      */
     public synchronized Optional<DrawnPicture> takeNewest() {
         replaced.ifPresent(picture -> free.push(picture.frame()));
         replaced = Optional.empty();
         Optional<DrawnPicture> taken = newest;
+        newest = Optional.empty();
+        Optional<DrawnPicture> onScreen =
+                shown.filter(old -> taken.filter(repetition -> repetition.original() == old.original())
+                        .isPresent());
+        if (onScreen.isPresent()) {
+            taken.ifPresent(repetition -> free.push(repetition.frame()));
+            shown = taken.map(repetition -> repetition.in(onScreen.get().frame()));
+            return shown;
+        }
         if (taken.isPresent()) {
             replaced = shown;
             shown = taken;
-            newest = Optional.empty();
         }
         return taken;
     }

@@ -32,6 +32,7 @@ final class PictureWork implements AutoCloseable {
     private Optional<RefinedPicture> refined = Optional.empty();
     private Optional<Frame> pass = Optional.empty();
     private long pictures;
+    private Optional<DrawnPicture> last = Optional.empty();
     private volatile Consumer<DrawnPicture> watcher = _ -> {};
 
     PictureWork(PictureExchange exchange, SkyShelf skies, EngineOffer substitute, Runnable whenReady) {
@@ -95,12 +96,12 @@ final class PictureWork implements AutoCloseable {
         // While another engine is made ready, a picture that is there already is not worth the processor's time.
         boolean opening = seat.opening().isPresent();
         if (coarseness > 1 && seat.isSubstituted()) {
-            drawPlain(wanted, engine, coarse(coarseness));
+            drawPlain(wanted, engine, coarse(coarseness), false);
             coarseness /= 2;
             return true;
         }
         if (!drawn || (wanted.isContinuous() && !opening)) {
-            drawPlain(wanted, engine, input);
+            drawPlain(wanted, engine, input, drawn && !wanted.motion().running());
             drawn = true;
             coarseness = 1;
             return !opening;
@@ -115,7 +116,7 @@ final class PictureWork implements AutoCloseable {
         return input.withSize(Math.ceilDiv(input.width(), divisor), Math.ceilDiv(input.height(), divisor));
     }
 
-    private void drawPlain(DrawingRequest wanted, Engine engine, FrameInput seen) {
+    private void drawPlain(DrawingRequest wanted, Engine engine, FrameInput seen, boolean again) {
         Frame frame = exchange.frameToDraw(seen.width(), seen.height());
         try {
             engine.render(seen, frame);
@@ -123,7 +124,7 @@ final class PictureWork implements AutoCloseable {
             exchange.abandon(frame);
             throw problem;
         }
-        finish(wanted, seen, engine, frame, frame.times(), seen.samplesPerPixel());
+        finish(wanted, seen, engine, frame, frame.times(), seen.samplesPerPixel(), again);
     }
 
     private boolean refine(DrawingRequest wanted, Engine engine) {
@@ -142,7 +143,7 @@ final class PictureWork implements AutoCloseable {
         if (picture.samples() >= FEWEST_REFINED_SAMPLES || picture.isDone()) {
             Frame frame = exchange.frameToDraw(wanted.width(), wanted.height());
             picture.show(input, IntBuffer.wrap(frame.argb()));
-            finish(wanted, input, engine, frame, linear.times(), picture.samples());
+            finish(wanted, input, engine, frame, linear.times(), picture.samples(), false);
         } else {
             pictures++;
         }
@@ -150,10 +151,32 @@ final class PictureWork implements AutoCloseable {
     }
 
     private void finish(
-            DrawingRequest wanted, FrameInput seen, Engine engine, Frame frame, FrameTimes times, int samples) {
+            DrawingRequest wanted,
+            FrameInput seen,
+            Engine engine,
+            Frame frame,
+            FrameTimes times,
+            int samples,
+            boolean again) {
         pictures++;
+        // An engine may have become another one within the very call that drew.
+        long original = last.filter(old -> again
+                        && old.engine().equals(engine.id())
+                        && old.device().equals(engine.device()))
+                .map(DrawnPicture::original)
+                .orElse(pictures);
         DrawnPicture picture = new DrawnPicture(
-                frame, wanted, seen, engine.id(), engine.device(), times, samples, pictures, System.nanoTime());
+                frame,
+                wanted,
+                seen,
+                engine.id(),
+                engine.device(),
+                times,
+                samples,
+                pictures,
+                original,
+                System.nanoTime());
+        last = Optional.of(picture);
         exchange.finished(picture);
         if (picture.isWhole()) {
             // Shown or not, its pixels stay: no one but this thread draws over them.

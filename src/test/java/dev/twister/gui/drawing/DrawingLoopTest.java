@@ -155,6 +155,55 @@ class DrawingLoopTest {
     }
 
     @Test
+    void aPictureDrawnAgainIsTheOneBeforeUntilSomethingChanges() {
+        request(scene, 0);
+        DrawnPicture first = awaitPicture(drawnBy(green));
+        DrawnPicture again = awaitPicture(picture -> picture.number() > first.number());
+        assertThat(again.original()).isEqualTo(first.original());
+        assertThat(again.frame()).isSameAs(first.frame());
+
+        request(scene, 0);
+        DrawnPicture asked = awaitAnswer();
+        assertThat(asked.original()).isGreaterThan(again.number());
+
+        green.onFaster.run();
+        DrawnPicture faster = awaitPicture(picture -> picture.original() > asked.number());
+
+        choose(red.offer());
+        request(scene, 0);
+        DrawnPicture other = awaitPicture(drawnBy(red));
+        assertThat(other.original()).isGreaterThan(faster.number());
+        assertThat(other.frame().argb()).containsOnly(RED);
+
+        green.id = "became another";
+        choose(green.offer());
+        request(scene, 0);
+        awaitPicture(picture -> picture.engine().equals(green.id));
+        green.color = BLUE;
+        green.id = "and another";
+        DrawnPicture changed = awaitPicture(picture -> picture.engine().equals(green.id));
+        assertThat(changed.frame().argb()).containsOnly(BLUE);
+    }
+
+    @Test
+    void noPictureOfMovingBodiesIsARepetition() {
+        request(scene, 0, new Motion(1, true, 0));
+        DrawnPicture picture = awaitPicture(drawnBy(green));
+        for (int i = 0; i < 5; i++) {
+            long before = picture.number();
+            picture = awaitPicture(next -> next.number() > before);
+            assertThat(picture.original()).isEqualTo(picture.number());
+        }
+
+        request(scene, 0, new Motion(1, false, 0));
+        DrawnPicture paused = awaitAnswer();
+        awaitPicture(next -> next.number() > paused.number() && next.original() == paused.original());
+
+        request(scene, 0, new Motion(1, false, 1));
+        assertThat(awaitAnswer().original()).isGreaterThan(paused.number());
+    }
+
+    @Test
     void aMoveStartsRefiningAnew() {
         request(scene, 6);
         awaitPicture(drawnBy(green).and(done -> done.samples() == 6));
@@ -251,8 +300,17 @@ class DrawingLoopTest {
     }
 
     private void request(Scene wanted, int refineTo) {
+        request(wanted, refineTo, Motion.NONE);
+    }
+
+    private void request(Scene wanted, int refineTo, Motion motion) {
         requests++;
-        loop.request(new DrawingRequest(requests, wanted, WIDTH, HEIGHT, chosen, refineTo));
+        loop.request(new DrawingRequest(requests, wanted, WIDTH, HEIGHT, chosen, refineTo, motion));
+    }
+
+    private DrawnPicture awaitAnswer() {
+        long asked = requests;
+        return awaitPicture(picture -> picture.request().number() == asked);
     }
 
     private static Predicate<DrawnPicture> drawnBy(TestEngine.Kind kind) {

@@ -9,6 +9,7 @@ import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SampleWorld;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
@@ -38,14 +39,18 @@ class PictureExchangeTest {
     @Test
     void whatIsShownOrWasUntilTheLastPulseIsNotDrawnOver() {
         Random random = new Random(20261121);
+        long original = 0;
         List<Frame> onScreen = new ArrayList<>();
         Set<Frame> all = Collections.newSetFromMap(new IdentityHashMap<>());
         for (int i = 0; i < 10_000; i++) {
             if (random.nextInt(3) == 0) {
                 boolean[] taken = {false};
                 exchange.takeNewest().ifPresent(picture -> {
-                    onScreen.addFirst(picture.frame());
-                    taken[0] = true;
+                    if (onScreen.isEmpty() || onScreen.getFirst() != picture.frame()) {
+                        onScreen.addFirst(picture.frame());
+                        taken[0] = true;
+                    }
+                    assertThat(picture.frame().argb()).containsOnly((int) picture.original());
                 });
                 while (onScreen.size() > (taken[0] ? 2 : 1)) {
                     onScreen.removeLast();
@@ -57,7 +62,9 @@ class PictureExchangeTest {
                 if (random.nextInt(5) == 0) {
                     exchange.abandon(frame);
                 } else {
-                    exchange.finished(picture(frame));
+                    original = original > 0 && random.nextBoolean() ? original : number + 1;
+                    Arrays.fill(frame.argb(), (int) original);
+                    exchange.finished(repetition(frame, original));
                 }
             }
         }
@@ -75,10 +82,44 @@ class PictureExchangeTest {
         assertThat(new HashSet<>(List.of(exchange.frameToDraw(SIDE, SIDE)))).doesNotContain(old);
     }
 
+    @Test
+    void aRepetitionComesInTheFrameThatIsShown() {
+        DrawnPicture first = picture(exchange.frameToDraw(SIDE, SIDE));
+        exchange.finished(first);
+        exchange.takeNewest();
+        Frame second = exchange.frameToDraw(SIDE, SIDE);
+        exchange.finished(repetition(second, first.number()));
+
+        DrawnPicture taken = exchange.takeNewest().orElseThrow();
+
+        assertThat(taken.frame()).isSameAs(first.frame());
+        assertThat(taken.number()).isEqualTo(2);
+        assertThat(exchange.takeNewest()).isEmpty();
+        // No one has seen it, so that it can be drawn over at once.
+        assertThat(exchange.frameToDraw(SIDE, SIDE)).isSameAs(second);
+    }
+
+    @Test
+    void aRepetitionOfWhatWasNotTakenIsShown() {
+        exchange.finished(picture(exchange.frameToDraw(SIDE, SIDE)));
+        DrawnPicture shown = exchange.takeNewest().orElseThrow();
+        DrawnPicture second = picture(exchange.frameToDraw(SIDE, SIDE));
+        exchange.finished(second);
+        DrawnPicture third = repetition(exchange.frameToDraw(SIDE, SIDE), second.number());
+        exchange.finished(third);
+
+        assertThat(exchange.takeNewest()).contains(third);
+        assertThat(third.frame()).isNotSameAs(shown.frame());
+    }
+
     private DrawnPicture picture(Frame frame) {
+        return repetition(frame, number + 1);
+    }
+
+    private DrawnPicture repetition(Frame frame, long original) {
         number++;
         DrawingRequest request =
                 new DrawingRequest(number, WindowScenes.tiny(), SIDE, SIDE, new EngineChoice(0, ENGINE), 0);
-        return new DrawnPicture(frame, request, SEEN, "test", "a test", FrameTimes.NONE, 1, number, number);
+        return new DrawnPicture(frame, request, SEEN, "test", "a test", FrameTimes.NONE, 1, number, original, number);
     }
 }

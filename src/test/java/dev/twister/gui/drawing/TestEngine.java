@@ -24,8 +24,8 @@ final class TestEngine implements Engine {
 
     /** All engines of one name. */
     static final class Kind {
-        final String id;
-        final int color;
+        volatile String id;
+        volatile int color;
         final AtomicInteger alive = new AtomicInteger();
         final AtomicInteger opened = new AtomicInteger();
         final AtomicInteger frames = new AtomicInteger();
