@@ -117,7 +117,7 @@ final class PictureActions implements AutoCloseable {
     }
 
     private void endRecording() {
-        studio.watch(_ -> {});
+        studio.unwatch();
         // A recording that ends while an older one is still being written waits for it: there is one line to tell of
         // them.
         finishing.ifPresent(FrameRecorder::close);

@@ -132,6 +132,11 @@ public final class Studio implements AutoCloseable {
         loop.watch(watcher);
     }
 
+    /** See {@link DrawingLoop#unwatch}. */
+    void unwatch() {
+        loop.unwatch();
+    }
+
     /** Whether a picture at rest gathers samples and then rests; otherwise it is drawn again and again. */
     public BooleanProperty refiningProperty() {
         return refining;

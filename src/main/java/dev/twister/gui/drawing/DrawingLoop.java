@@ -9,6 +9,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 
 /**
  * Draws on a thread of its own, always by the newest request. Whoever asks and shows never waits: {@link #request} and
@@ -35,7 +36,12 @@ public final class DrawingLoop implements AutoCloseable {
      * @param substitute the engine that draws until the chosen one is ready, and where that fails; must open at once
      */
     public DrawingLoop(SkyShelf skies, EngineOffer substitute) {
-        work = new PictureWork(exchange, skies, substitute, this::wake);
+        this(skies, substitute, System::nanoTime);
+    }
+
+    /** The same by another clock than {@link System#nanoTime}. */
+    DrawingLoop(SkyShelf skies, EngineOffer substitute, LongSupplier clock) {
+        work = new PictureWork(exchange, skies, substitute, this::wake, clock);
         thread = Thread.ofPlatform().daemon().name("drawing").unstarted(this::run);
     }
 
@@ -66,7 +72,12 @@ public final class DrawingLoop implements AutoCloseable {
      * returns; the pixels are to be read until then.
      */
     public void watch(Consumer<DrawnPicture> watcher) {
-        work.watch(watcher);
+        work.watch(Optional.of(watcher));
+    }
+
+    /** No one watches any more. */
+    public void unwatch() {
+        work.watch(Optional.empty());
     }
 
     /**

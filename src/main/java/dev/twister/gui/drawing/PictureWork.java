@@ -8,7 +8,9 @@ import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
 import java.nio.IntBuffer;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 
 /**
  * The steps from a request to its pictures: at the very start small ones, because nothing is compiled yet, then the picture
@@ -21,7 +23,11 @@ final class PictureWork implements AutoCloseable {
     /** A refined picture of fewer samples may look worse than the plain one. */
     private static final int FEWEST_REFINED_SAMPLES = 4;
 
+    /** Between two pictures that differ by less than one sees: to show each would take time from their drawing. */
+    private static final long REFINED_EVERY_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
+
     private final PictureExchange exchange;
+    private final LongSupplier clock;
     private final LivingWorld world;
     private final EngineSeat seat;
     private FrameInput input;
@@ -33,9 +39,11 @@ final class PictureWork implements AutoCloseable {
     private Optional<Frame> pass = Optional.empty();
     private long pictures;
     private Optional<DrawnPicture> last = Optional.empty();
-    private volatile Consumer<DrawnPicture> watcher = _ -> {};
+    private volatile Optional<Consumer<DrawnPicture>> watcher = Optional.empty();
 
-    PictureWork(PictureExchange exchange, SkyShelf skies, EngineOffer substitute, Runnable whenReady) {
+    PictureWork(
+            PictureExchange exchange, SkyShelf skies, EngineOffer substitute, Runnable whenReady, LongSupplier clock) {
+        this.clock = clock;
         this.exchange = exchange;
         world = new LivingWorld(skies);
         seat = new EngineSeat(substitute, whenReady);
@@ -43,7 +51,7 @@ final class PictureWork implements AutoCloseable {
 
     /** Looks at a request: the world is as it says, and its engine is being opened. */
     void prepare(DrawingRequest wanted) {
-        input = world.snapshot(wanted.scene(), wanted.motion(), wanted.width(), wanted.height(), System.nanoTime());
+        input = world.snapshot(wanted.scene(), wanted.motion(), wanted.width(), wanted.height(), clock.getAsLong());
         seat.choose(wanted.engine(), new WarmUp(input, coarse(COARSEST)));
     }
 
@@ -77,8 +85,8 @@ final class PictureWork implements AutoCloseable {
                 .map(RefinedPicture::radiance);
     }
 
-    /** From now on each whole picture is handed to that; called by any thread. */
-    void watch(Consumer<DrawnPicture> newWatcher) {
+    /** From now on each whole picture is handed to that, where there is one; called by any thread. */
+    void watch(Optional<Consumer<DrawnPicture>> newWatcher) {
         watcher = newWatcher;
     }
 
@@ -140,7 +148,7 @@ final class PictureWork implements AutoCloseable {
         int samples = picture.samplesOfNextPass(input.samplesPerPixel());
         engine.render(picture.next(input, samples), linear);
         picture.add(linear, samples);
-        if (picture.samples() >= FEWEST_REFINED_SAMPLES || picture.isDone()) {
+        if (picture.isDone() || (picture.samples() >= FEWEST_REFINED_SAMPLES && isToBeSeen())) {
             Frame frame = exchange.frameToDraw(wanted.width(), wanted.height());
             picture.show(input, IntBuffer.wrap(frame.argb()));
             finish(wanted, input, engine, frame, linear.times(), picture.samples(), false);
@@ -148,6 +156,15 @@ final class PictureWork implements AutoCloseable {
             pictures++;
         }
         return !picture.isDone();
+    }
+
+    /** Whether what was gathered is worth a picture now: whoever watches sees all, a person some in a second. */
+    private boolean isToBeSeen() {
+        return watcher.isPresent()
+                || last.filter(old -> old.request().number() == request
+                                && old.samples() >= FEWEST_REFINED_SAMPLES
+                                && clock.getAsLong() - old.finishedNanos() < REFINED_EVERY_NANOS)
+                        .isEmpty();
     }
 
     private void finish(
@@ -175,12 +192,12 @@ final class PictureWork implements AutoCloseable {
                 samples,
                 pictures,
                 original,
-                System.nanoTime());
+                clock.getAsLong());
         last = Optional.of(picture);
         exchange.finished(picture);
         if (picture.isWhole()) {
             // Shown or not, its pixels stay: no one but this thread draws over them.
-            watcher.accept(picture);
+            watcher.ifPresent(eye -> eye.accept(picture));
         }
     }
 }

@@ -7,7 +7,9 @@ import dev.twister.gui.WindowScenes;
 import dev.twister.scene.Scene;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
@@ -28,7 +30,8 @@ class DrawingLoopTest {
     private final TestEngine.Kind substitute = new TestEngine.Kind("substitute", BLUE);
     private final TestEngine.Kind green = new TestEngine.Kind("green", GREEN);
     private final TestEngine.Kind red = new TestEngine.Kind("red", RED);
-    private final DrawingLoop loop = new DrawingLoop(new SkyShelf(), substitute.offer());
+    private volatile long nanos;
+    private final DrawingLoop loop = new DrawingLoop(new SkyShelf(), substitute.offer(), () -> nanos);
     private final Scene scene = WindowScenes.tiny();
     private long requests;
     private long choices;
@@ -137,6 +140,49 @@ class DrawingLoopTest {
 
         assertThat(picture.frame().argb()).containsOnly(0xFFFFFFFF);
         assertThat(green.frames).hasValue(frames);
+    }
+
+    @Test
+    void ofThePicturesThatBecomeFinerSomeInASecondAreShownAndTheLast() {
+        request(scene, 0);
+        awaitPicture(drawnBy(green));
+        green.hold();
+        request(scene, 64);
+        // The one in the making, the plain one, and ten finer ones, of which only the first is old enough to be seen.
+        green.allow(2 + 10);
+        awaitPicture(picture -> picture.samples() > 1);
+        awaitQuiet();
+        assertThat(awaitPicture(drawnBy(green)).samples()).isEqualTo(4);
+
+        nanos = TimeUnit.MILLISECONDS.toNanos(50);
+        green.allow(1);
+        awaitPicture(picture -> picture.samples() > 4);
+        green.allowAll();
+
+        awaitPicture(picture -> picture.samples() == 64);
+    }
+
+    @Test
+    void whoWatchesSeesThePictureBecomeFinerSampleBySample() {
+        request(scene, 0);
+        awaitPicture(drawnBy(green));
+        List<Integer> samples = new CopyOnWriteArrayList<>();
+        green.hold();
+        awaitQuiet();
+        request(scene, 9);
+        loop.watch(picture -> samples.add(picture.samples()));
+        green.allowAll();
+        awaitPicture(picture -> picture.samples() == 9);
+
+        await(() -> samples.size() == 8);
+        // The one in the making, the plain one, the finer ones.
+        assertThat(samples).containsExactly(1, 1, 4, 5, 6, 7, 8, 9);
+
+        loop.unwatch();
+        request(scene, 9);
+        awaitAnswer();
+        awaitQuiet();
+        assertThat(samples).hasSize(8);
     }
 
     @Test
