@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.function.Function;
 
 /** Repeats the paper's evaluation. */
@@ -20,15 +21,26 @@ public final class PaperBenchmark {
     private final PaperPlan plan;
     private final World world;
     private final BenchmarkProgress progress;
+    private final Consumer<PaperReport> soFar;
+    private final String scene;
+    private final MachineInfo machine = MachineInfo.ofThisMachine();
     private final Map<PaperSetting, Frame> references = new LinkedHashMap<>();
     private final List<Measurement> measurements = new ArrayList<>();
     private final List<EngineFailure> failures = new ArrayList<>();
 
-    private PaperBenchmark(Function<String, Engine> opener, PaperPlan plan, World world, BenchmarkProgress progress) {
+    private PaperBenchmark(
+            Function<String, Engine> opener,
+            PaperPlan plan,
+            String scene,
+            World world,
+            BenchmarkProgress progress,
+            Consumer<PaperReport> soFar) {
         this.opener = opener;
         this.plan = plan;
+        this.scene = scene;
         this.world = world;
         this.progress = progress;
+        this.soFar = soFar;
     }
 
     /**
@@ -37,18 +49,27 @@ public final class PaperBenchmark {
      * @param opener opens the engine of an id
      * @param scene what the report calls the world's scene
      * @param world its settings' size, samples and bounces give way to the plan's
+     * @param soFar takes an unfinished report without pictures after each measurement and each failure
      * @throws EngineException where the reference cannot be drawn
      */
     public static PaperReport run(
-            Function<String, Engine> opener, PaperPlan plan, String scene, World world, BenchmarkProgress progress) {
-        PaperBenchmark benchmark = new PaperBenchmark(opener, plan, world, progress);
+            Function<String, Engine> opener,
+            PaperPlan plan,
+            String scene,
+            World world,
+            BenchmarkProgress progress,
+            Consumer<PaperReport> soFar) {
+        PaperBenchmark benchmark = new PaperBenchmark(opener, plan, scene, world, progress, soFar);
         benchmark.drawReferences();
         plan.engines().forEach(benchmark::measure);
         List<PaperPicture> pictures = plan.shown().stream()
                 .map(setting -> new PaperPicture(setting, benchmark.references.get(setting)))
                 .toList();
-        return new PaperReport(
-                MachineInfo.ofThisMachine(), plan, scene, benchmark.measurements, benchmark.failures, pictures);
+        return benchmark.report(pictures, true);
+    }
+
+    private PaperReport report(List<PaperPicture> pictures, boolean finished) {
+        return new PaperReport(machine, plan, scene, measurements, failures, pictures, finished);
     }
 
     private void drawReferences() {
@@ -75,9 +96,11 @@ public final class PaperBenchmark {
                         engine, inputAt(setting), references.get(setting).argb());
                 measurements.add(measurement);
                 progress.measured(measurement);
+                soFar.accept(report(List.of(), false));
             }
         } catch (EngineException failure) {
             failures.add(new EngineFailure(id, failure.getMessage()));
+            soFar.accept(report(List.of(), false));
         }
     }
 

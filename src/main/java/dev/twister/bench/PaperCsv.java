@@ -13,15 +13,17 @@ import java.util.stream.Stream;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVPrinter;
 
-/** The evaluation for spreadsheets: a line for each figure, setting and engine, in the columns of {@link CsvReport}. */
+/** The evaluation for spreadsheets: a line for each figure, setting and engine, in the columns of {@link CsvReport} and two more. */
 final class PaperCsv {
     private static final String FIGURE = "figure";
+    private static final String FINISHED = "finished";
 
     private PaperCsv() {}
 
     static void write(PaperReport report, Path file) throws IOException {
-        List<String> columns =
-                Stream.concat(Stream.of(FIGURE), CsvReport.COLUMNS.stream()).toList();
+        List<String> columns = Stream.of(List.of(FIGURE), CsvReport.COLUMNS, List.of(FINISHED))
+                .flatMap(List::stream)
+                .toList();
         WholeFile.write(file, out -> {
             Writer writer = new OutputStreamWriter(out, StandardCharsets.UTF_8);
             CSVPrinter printer = CSVFormat.RFC4180
@@ -41,6 +43,7 @@ final class PaperCsv {
     private static List<Map<String, Object>> rows(PaperReport report) {
         Map<String, Object> common = new LinkedHashMap<>(PaperFields.ofPlan(report));
         common.putAll(ReportFields.ofMachine(report.machine()));
+        common.put(FINISHED, report.finished());
         Stream<Map<String, Object>> measured = Stream.of(PaperFigure.values())
                 .flatMap(figure -> PaperFields.ofFigure(report, figure).stream()
                         .map(row -> with(row, Map.of(FIGURE, figure.id()))));

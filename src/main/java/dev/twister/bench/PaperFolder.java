@@ -14,6 +14,12 @@ public final class PaperFolder {
     /** The page that shows everything. */
     public static final String PAGE = "index.html";
 
+    /** The numbers of an evaluation that goes on, or was stopped. */
+    public static final String UNFINISHED_JSON = "paper-unfinished.json";
+
+    /** The same for spreadsheets. */
+    public static final String UNFINISHED_CSV = "paper-unfinished.csv";
+
     private static final String JSON = "paper.json";
     private static final String CSV = "paper.csv";
     private static final String PLOT_ENDING = ".svg";
@@ -21,7 +27,8 @@ public final class PaperFolder {
     private PaperFolder() {}
 
     /**
-     * Writes all files, each whole or not at all; the numbers first, so that they are there whatever fails later.
+     * Writes all files, each whole or not at all; the numbers first, so that they are there whatever fails later. Unfinished
+     * numbers are gone then.
      *
      * @param folder must be there
      * @return the page
@@ -30,6 +37,8 @@ public final class PaperFolder {
     public static Path write(PaperReport report, Path folder) throws IOException {
         PaperJson.write(report, folder.resolve(JSON));
         PaperCsv.write(report, folder.resolve(CSV));
+        Files.deleteIfExists(folder.resolve(UNFINISHED_JSON));
+        Files.deleteIfExists(folder.resolve(UNFINISHED_CSV));
         Map<PaperPicture, byte[]> pictures = new LinkedHashMap<>();
         for (PaperPicture picture : report.pictures()) {
             Path file = folder.resolve(picture.fileName());
@@ -47,6 +56,17 @@ public final class PaperFolder {
         Path page = folder.resolve(PAGE);
         writeText(page, PaperPage.of(report, plots, pictures));
         return page;
+    }
+
+    /**
+     * Writes the numbers that there are so far, each file whole or not at all, and leaves those of a finished evaluation alone.
+     *
+     * @param folder must be there
+     * @throws IOException as {@link WholeFile#write}
+     */
+    public static void writeUnfinished(PaperReport report, Path folder) throws IOException {
+        PaperJson.write(report, folder.resolve(UNFINISHED_JSON));
+        PaperCsv.write(report, folder.resolve(UNFINISHED_CSV));
     }
 
     private static Map<String, String> plots(PaperReport report, Path folder) throws IOException {

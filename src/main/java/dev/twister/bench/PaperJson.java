@@ -39,6 +39,7 @@ final class PaperJson {
                 report.failures().stream()
                         .map(failure -> Map.of("engine", failure.engine(), "message", failure.message()))
                         .toList());
+        tree.put("finished", report.finished());
         tree.put("passed", report.passed());
         return tree;
     }

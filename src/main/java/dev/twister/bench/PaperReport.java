@@ -10,6 +10,7 @@ import java.util.Optional;
  * @param measurements by engine, then by setting, each setting once
  * @param failures engines that did not finish
  * @param pictures what was drawn
+ * @param finished whether all was measured that the plan has, but what failed
  */
 public record PaperReport(
         MachineInfo machine,
@@ -17,7 +18,8 @@ public record PaperReport(
         String scene,
         List<Measurement> measurements,
         List<EngineFailure> failures,
-        List<PaperPicture> pictures)
+        List<PaperPicture> pictures,
+        boolean finished)
         implements SpeedupSource {
     public PaperReport {
         measurements = List.copyOf(measurements);
@@ -46,7 +48,8 @@ public record PaperReport(
 
     /** Whether every engine finished with the reference's pictures. */
     public boolean passed() {
-        return failures.isEmpty()
+        return finished
+                && failures.isEmpty()
                 && measurements.stream()
                         .allMatch(measurement -> measurement.comparison().withinTolerance());
     }

@@ -33,8 +33,9 @@ final class PaperEvaluation {
     static int run(PaperPlan plan, String scene, World world, Path folder, PrintWriter out, PrintWriter err)
             throws IOException {
         PaperReport report;
-        try (PaperLine line = new PaperLine(err, plan)) {
-            report = PaperBenchmark.run(BenchmarkEngines::open, plan, scene, world, line);
+        KeptNumbers kept = new KeptNumbers(folder);
+        try (PaperLine line = new PaperLine(err, plan, kept::end)) {
+            report = PaperBenchmark.run(BenchmarkEngines::open, plan, scene, world, line, kept::keep);
         }
         Path page = PaperFolder.write(report, folder);
         out.println(page + ": " + report.engines().size() + " engines at "

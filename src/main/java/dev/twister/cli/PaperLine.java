@@ -4,21 +4,25 @@ import dev.twister.bench.BenchmarkProgress;
 import dev.twister.bench.PaperPlan;
 import dev.twister.bench.PictureSize;
 import java.io.PrintWriter;
+import java.util.function.Supplier;
 
 /**
  * One progress bar for the whole evaluation, with the time left. Where the process ends before that, it says where that
- * was.
+ * was, and what is left.
  */
 final class PaperLine implements BenchmarkProgress, AutoCloseable {
     private final PrintWriter err;
+    private final Supplier<String> left;
     private final ProgressLine line;
     private final Unfinished unfinished = Unfinished.until(this::giveUp);
     private volatile String task = "its start";
     private long next;
     private long drawn;
 
-    PaperLine(PrintWriter err, PaperPlan plan) {
+    /** With what is asked, where the process ends before the evaluation, for what is left of it. */
+    PaperLine(PrintWriter err, PaperPlan plan, Supplier<String> left) {
         this.err = err;
+        this.left = left;
         long settings = plan.settings().size();
         line = ProgressLine.start(
                 err, "evaluation", settings + settings * plan.engines().size() * plan.framesEach());
@@ -42,7 +46,7 @@ final class PaperLine implements BenchmarkProgress, AutoCloseable {
 
     private void giveUp() {
         line.close();
-        err.println("twister: ended at " + task + ", before the evaluation was done; nothing was written");
+        err.println("twister: ended at " + task + ", before the evaluation was done; " + left.get());
         err.flush();
     }
 

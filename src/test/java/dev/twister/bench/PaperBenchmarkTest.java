@@ -9,7 +9,9 @@ import java.io.IOException;
 import java.io.Reader;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.apache.commons.csv.CSVFormat;
@@ -96,7 +98,45 @@ class PaperBenchmarkTest {
         assertThat(json.at("/machine/cores").asInt()).isPositive();
         assertThat(json.at("/parameters/scene").asString()).isEqualTo("test");
         assertThat(json.at("/failures/0/message").asString()).isEqualTo("out of order");
+        assertThat(json.at("/finished").asBoolean()).isTrue();
         assertThat(json.at("/passed").asBoolean()).isFalse();
+    }
+
+    @Test
+    void whatIsMeasuredSoFarIsToldEachTime() {
+        List<PaperReport> reports = new ArrayList<>();
+        run(PLAN, reports::add);
+
+        int measurements = 3 * PLAN.settings().size();
+        assertThat(reports).hasSize(measurements + 1).noneMatch(PaperReport::finished);
+        assertThat(reports.getFirst().measurements()).hasSize(1);
+        assertThat(reports.get(measurements - 1).measurements()).hasSize(measurements);
+        assertThat(reports.getLast().failures()).hasSize(1);
+        assertThat(REPORT.finished()).isTrue();
+    }
+
+    @Test
+    void unfinishedNumbersSayThatTheyAreAndLeaveAFinishedReportAlone() throws IOException {
+        PaperFolder.write(REPORT, folder);
+        byte[] json = Files.readAllBytes(folder.resolve("paper.json"));
+        byte[] csv = Files.readAllBytes(folder.resolve("paper.csv"));
+        List<PaperReport> reports = new ArrayList<>();
+        run(PLAN, reports::add);
+
+        PaperFolder.writeUnfinished(reports.getFirst(), folder);
+
+        assertThat(folder.resolve("paper.json")).hasBinaryContent(json);
+        assertThat(folder.resolve("paper.csv")).hasBinaryContent(csv);
+        JsonNode unfinished =
+                JsonMapper.builder().build().readTree(Files.readString(folder.resolve("paper-unfinished.json")));
+        assertThat(unfinished.at("/finished").asBoolean(true)).isFalse();
+        assertThat(unfinished.at("/passed").asBoolean(true)).isFalse();
+        assertThat(unfinished.at("/figures/sizes").size()).isEqualTo(1);
+        assertThat(Files.readString(folder.resolve("paper-unfinished.csv"))).contains(",false");
+
+        PaperFolder.write(REPORT, folder);
+        assertThat(folder.resolve("paper-unfinished.json")).doesNotExist();
+        assertThat(folder.resolve("paper-unfinished.csv")).doesNotExist();
     }
 
     @Test
@@ -119,6 +159,7 @@ class PaperBenchmarkTest {
             assertThat(first.get("shadowSamples")).isEqualTo("1");
             assertThat(first.get("msMean")).isEqualTo("8.000000");
             assertThat(first.get("scene")).isEqualTo("test");
+            assertThat(first.get("finished")).isEqualTo("true");
             assertThat(records.getLast().get("failure")).isEqualTo("out of order");
         }
     }
@@ -176,7 +217,12 @@ class PaperBenchmarkTest {
     }
 
     private static PaperReport run(PaperPlan plan) {
-        return PaperBenchmark.run(PaperBenchmarkTest::open, plan, "test", TestWorld.create(), BenchmarkProgress.SILENT);
+        return run(plan, _ -> {});
+    }
+
+    private static PaperReport run(PaperPlan plan, Consumer<PaperReport> soFar) {
+        return PaperBenchmark.run(
+                PaperBenchmarkTest::open, plan, "test", TestWorld.create(), BenchmarkProgress.SILENT, soFar);
     }
 
     private static Engine open(String id) {
