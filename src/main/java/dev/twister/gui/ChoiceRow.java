@@ -55,6 +55,7 @@ final class ChoiceRow<T> extends PanelRow {
                 take(chosen);
             }
         });
+        DropDownKeys.install(box);
         addControls(box);
     }
 

@@ -41,6 +41,7 @@ final class ColorRow extends PanelRow {
                 write(new Rgb(color.getRed(), color.getGreen(), color.getBlue()));
             }
         });
+        DropDownKeys.install(picker);
         addControls(picker);
     }
 

@@ -113,7 +113,7 @@ final class FrameTimesView extends VBox {
             double y = Math.floor(lower + share * (upper - lower)) + 0.5;
             pen.strokeLine(left, y, left + width, y);
             pen.setTextBaseline(VPos.CENTER);
-            pen.fillText(GraphScale.label(share * top), margin, y);
+            pen.fillText(GraphScale.label(share * top, top), margin, y);
         }
         pen.setStroke(LINE);
         pen.setLineWidth(Math.max(1, em / 8));

@@ -4,6 +4,7 @@ import java.util.Locale;
 
 /** The upper end of the graph: a number that one can read, above all that is shown. */
 final class GraphScale {
+    private static final double MOST_MILLIS = 1000;
     private static final double[] STEPS = {1, 2, 5, 10};
 
     private GraphScale() {}
@@ -19,7 +20,11 @@ final class GraphScale {
         return 10 * decade;
     }
 
-    static String label(double millis) {
-        return String.format(Locale.ROOT, millis == Math.rint(millis) ? "%.0f ms" : "%.1f ms", millis);
+    /** A time on a scale that ends at {@code topMillis}: all of its labels have one unit, and few letters. */
+    static String label(double millis, double topMillis) {
+        boolean seconds = topMillis > MOST_MILLIS;
+        double number = seconds ? millis / MOST_MILLIS : millis;
+        return String.format(Locale.ROOT, number == Math.rint(number) ? "%.0f" : "%.1f", number)
+                + (seconds ? " s" : " ms");
     }
 }

@@ -5,6 +5,7 @@ import dev.twister.gui.model.NumberSetting;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Scene;
 import java.util.List;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import javafx.scene.control.Label;
 import javafx.scene.layout.VBox;
@@ -28,15 +29,16 @@ final class SelectionSection extends VBox {
         hint.setWrapText(true);
         hint.setId("selection-hint");
         studio.selectionProperty().subscribe(_ -> rebuild());
-        studio.sceneProperty().subscribe(_ -> refresh());
-        studio.motionProperty().subscribe(_ -> refresh());
+        // A row's own edit is shown too, while the slider is held.
+        studio.sceneProperty().subscribe(_ -> refresh(_ -> true));
+        studio.motionProperty().subscribe(_ -> follow());
     }
 
     /** Called in every pulse: follows a sphere that moves, as fast as one reads, and where the panel is seen at all. */
     void pulse(long nanos) {
         if (studio.motionProperty().get().isOn() && nanos - followedNanos >= FOLLOW_NANOS) {
             followedNanos = nanos;
-            refresh();
+            follow();
         }
     }
 
@@ -62,7 +64,7 @@ final class SelectionSection extends VBox {
                 });
         getChildren().setAll(hint);
         getChildren().addAll(rows());
-        refresh();
+        refresh(_ -> true);
     }
 
     private List<NumberRow> numbers(int body) {
@@ -88,7 +90,11 @@ final class SelectionSection extends VBox {
         return new NumberRow(setting, key, SceneEdit.ofScene(studio), studio::notice);
     }
 
-    private void refresh() {
+    private void follow() {
+        refresh(row -> !row.isInHand());
+    }
+
+    private void refresh(Predicate<NumberRow> which) {
         Scene scene = studio.scene();
         int body = studio.selectionProperty().get();
         // The selection follows a scene that has lost the sphere; until then there is nothing to show.
@@ -96,7 +102,7 @@ final class SelectionSection extends VBox {
             Scene seen = studio.motionProperty().get().isOn()
                     ? BodyEdits.moved(scene, body, studio.positionNow(body))
                     : scene;
-            numbers.stream().filter(row -> !row.isInHand()).forEach(row -> row.show(seen, atSelection));
+            numbers.stream().filter(which).forEach(row -> row.show(seen, atSelection));
             colors.forEach(row -> row.show(scene, atSelection));
         }
     }

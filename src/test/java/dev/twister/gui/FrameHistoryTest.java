@@ -66,8 +66,12 @@ class FrameHistoryTest {
         assertThat(GraphScale.above(16.6)).isEqualTo(20);
         assertThat(GraphScale.above(100)).isEqualTo(100);
         assertThat(GraphScale.above(5001)).isEqualTo(10_000);
-        assertThat(GraphScale.label(20)).isEqualTo("20 ms");
-        assertThat(GraphScale.label(2.5)).isEqualTo("2.5 ms");
+        assertThat(GraphScale.label(20, 20)).isEqualTo("20 ms");
+        assertThat(GraphScale.label(2.5, 5)).isEqualTo("2.5 ms");
+        assertThat(GraphScale.label(1000, 1000)).isEqualTo("1000 ms");
+        assertThat(GraphScale.label(1000, 2000)).isEqualTo("1 s");
+        assertThat(GraphScale.label(2500, 5000)).isEqualTo("2.5 s");
+        assertThat(GraphScale.label(10_000, 10_000)).isEqualTo("10 s");
     }
 
     private static DrawnPicture picture(long number, long nanos) {

@@ -19,6 +19,7 @@ import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.ColorPicker;
 import javafx.scene.control.ComboBox;
+import javafx.scene.control.ComboBoxBase;
 import javafx.scene.control.Label;
 import javafx.scene.control.TextField;
 import javafx.scene.control.Tooltip;
@@ -200,6 +201,28 @@ class PanelTest {
         assertThat(scene().settings().exposure()).isGreaterThan(0.5);
     }
 
+    @Test
+    void theSelectedSpheresNumberFollowsItsSlider() {
+        NumberRow row = (NumberRow) row("Sphere reflectivity");
+        TextField field = in(row, ".text-field", TextField.class);
+        NumberSetting setting = BodyEdits.reflectivityOf(SPHERE);
+        String before = WindowDriver.call(field::getText);
+        driver.type(row.keys());
+        driver.pulse();
+        Node thumb = WindowDriver.call(() -> row.firstControl().lookup(".thumb"));
+        var bounds = WindowDriver.call(() -> thumb.localToScreen(thumb.getLayoutBounds()));
+        driver.withRobot(hand -> hand.mouseMove(bounds.getCenterX(), bounds.getCenterY()));
+        driver.withRobot(hand -> hand.mousePress(MouseButton.PRIMARY));
+        driver.withRobot(hand -> hand.mouseMove(bounds.getCenterX() + 10, bounds.getCenterY()));
+        assertThat(field.getText()).isNotEqualTo(before).isEqualTo(setting.text(setting.read(scene())));
+
+        driver.withRobot(hand -> hand.mouseMove(bounds.getCenterX() + 20, bounds.getCenterY()));
+        driver.withRobot(hand -> hand.mouseRelease(MouseButton.PRIMARY));
+        assertThat(field.getText()).isEqualTo(setting.text(setting.read(scene())));
+        driver.click(in(row, ".reset", Button.class));
+        assertThat(field.getText()).isEqualTo(before);
+    }
+
     private static long brightness(DrawnPicture picture) {
         long sum = 0;
         for (int argb : picture.frame().argb()) {
@@ -320,6 +343,25 @@ class PanelTest {
             driver.run(picker::hide);
             driver.click(in(row, ".reset", Button.class));
             assertThat(scene()).as(label).isEqualTo(before);
+        }
+    }
+
+    @Test
+    void spaceOpensListsAndPalettesAndEscapeClosesThemAndNoMore() {
+        for (String label : List.of("Resolution", "Light colour", "Sphere colour")) {
+            PanelRow row = row(label);
+            ComboBoxBase<?> control = (ComboBoxBase<?>) row.firstControl();
+            driver.type(row.keys());
+            driver.type(KeyCode.SPACE);
+            driver.pulse();
+            assertThat(control.isShowing()).as(label).isTrue();
+
+            driver.type(KeyCode.ESCAPE);
+            driver.pulse();
+            assertThat(control.isShowing()).as(label).isFalse();
+            assertThat(control.isFocused()).as(label).isTrue();
+            assertThat(WindowDriver.call(driver.studio.selectionProperty()::get))
+                    .isEqualTo(SPHERE);
         }
     }
 
