@@ -6,6 +6,7 @@ import dev.twister.engine.EngineProvider;
 import dev.twister.engine.Engines;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
 import uk.ac.manchester.tornado.api.TornadoBackend;
 import uk.ac.manchester.tornado.api.TornadoRuntime;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
@@ -14,22 +15,41 @@ import uk.ac.manchester.tornado.api.runtime.TornadoRuntimeProvider;
 /** An engine for each device of each backend that TornadoVM finds here. */
 @AutoService(EngineProvider.class)
 public final class TornadoEngines implements EngineProvider {
+    private static final String DRIVER =
+            "Install a driver (OpenCL: your GPU's, or PoCL for the CPU: apt install pocl-opencl-icd)";
+
+    /** Set by the SDK's argument file. */
+    private static final String RUNTIME_PROPERTY = "tornado.load.runtime.implementation";
+
+    /** Of a terminal: TornadoVM's messages have some. */
+    private static final Pattern COLOURS = Pattern.compile("\u001B\\[[0-9;]*m");
+
     private static final String DESCRIPTION = "the kernel compiled by TornadoVM for a device";
 
     @Override
     public List<EngineOffer> offers() {
         try {
             List<EngineOffer> offers = devices();
-            return offers.isEmpty()
-                    ? List.of(impossible(
-                            "TornadoVM finds no device. Install a driver (OpenCL: your GPU's, or PoCL for the"
-                                    + " CPU: apt install pocl-opencl-icd)"))
-                    : offers;
+            return offers.isEmpty() ? List.of(impossible("TornadoVM finds no device. " + DRIVER)) : offers;
         } catch (RuntimeException | LinkageError e) {
-            return List.of(impossible(
-                    "TornadoVM does not start in this JVM (" + e.getClass().getSimpleName() + ": " + e.getMessage()
-                            + "). Start with scripts/twister, which gives the JVM the SDK's options"));
+            return List.of(impossible(explain(e, System.getProperty(RUNTIME_PROPERTY) != null)));
         }
+    }
+
+    /**
+     * Why TornadoVM does not start, and what to do.
+     *
+     * @param hasOptions whether this JVM has the SDK's options
+     */
+    static String explain(Throwable problem, boolean hasOptions) {
+        Throwable cause = problem;
+        while (cause.getCause() != null) {
+            cause = cause.getCause();
+        }
+        String message = COLOURS.matcher(String.valueOf(cause.getMessage())).replaceAll("");
+        return "TornadoVM does not start in this JVM (" + cause.getClass().getSimpleName() + ": " + message + "). "
+                // Without any driver its OpenCL part fails instead of finding nothing.
+                + (hasOptions ? DRIVER : "Start with scripts/twister, which gives the JVM the SDK's options");
     }
 
     @Override
