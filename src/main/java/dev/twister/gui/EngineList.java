@@ -2,30 +2,45 @@ package dev.twister.gui;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
+import dev.twister.gui.drawing.DrawnPicture;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.util.Subscription;
 
-/** The engines that a person can choose from. Looking for devices takes TornadoVM a second, so that is an errand. */
+/**
+ * The engines that a person can choose from: those of the JVM at once, devices later. Looking for devices takes TornadoVM a
+ * second of the processor's time, which at the start is the compiler's and the first pictures'.
+ */
 final class EngineList {
+    private final Studio studio;
+    private final Errands errands;
     private final ReadOnlyObjectWrapper<List<EngineOffer>> offers;
     private Subscription waiting = Subscription.EMPTY;
+    private boolean wanted;
+    private boolean looked;
 
-    private EngineList(EngineOffer first) {
-        offers = new ReadOnlyObjectWrapper<>(List.of(first));
+    private EngineList(Studio studio, Errands errands) {
+        this.studio = studio;
+        this.errands = errands;
+        EngineOffer first = studio.engineProperty().get().offer();
+        List<EngineOffer> atOnce = Engines.offersAtOnce();
+        offers = new ReadOnlyObjectWrapper<>(Stream.concat(
+                        atOnce.stream(),
+                        Stream.of(first)
+                                .filter(offer -> atOnce.stream()
+                                        .noneMatch(other -> other.id().equals(offer.id()))))
+                .toList());
     }
 
-    /** The engine in use, and once that is ready, all others too: two threads do not start TornadoVM at once. */
+    /** Looks for devices once the first picture rests, or earlier where they are {@link #want wanted}. */
     static EngineList load(Studio studio, Errands errands) {
-        EngineList list = new EngineList(studio.engineProperty().get().offer());
-        list.waiting = studio.pictureProperty().subscribe(picture -> {
-            if (picture.isPresent() && studio.drawingProperty().get().opening().isEmpty()) {
-                list.waiting.unsubscribe();
-                errands.run(Engines::offers, list.offers::set, problem -> studio.notice(problem.toString()));
-            }
-        });
+        EngineList list = new EngineList(studio, errands);
+        list.waiting = Subscription.combine(
+                studio.pictureProperty().subscribe(_ -> list.look()),
+                studio.drawingProperty().subscribe(_ -> list.look()));
         return list;
     }
 
@@ -36,5 +51,27 @@ final class EngineList {
     /** The engine of that name, where there is one. */
     Optional<EngineOffer> find(String id) {
         return offers.get().stream().filter(offer -> offer.id().equals(id)).findFirst();
+    }
+
+    /** Someone is about to choose. */
+    void want() {
+        wanted = true;
+        look();
+    }
+
+    /** Not while an engine is being opened: two threads do not start TornadoVM at once. */
+    private void look() {
+        Optional<DrawnPicture> picture = studio.pictureProperty().get();
+        boolean due = picture.filter(seen -> wanted || rests(seen)).isPresent();
+        if (due && !looked && studio.drawingProperty().get().opening().isEmpty()) {
+            looked = true;
+            waiting.unsubscribe();
+            errands.run(Engines::offers, offers::set, problem -> studio.notice(problem.toString()));
+        }
+    }
+
+    private static boolean rests(DrawnPicture picture) {
+        return !picture.request().isContinuous()
+                && picture.samples() >= picture.request().refineTo();
     }
 }

@@ -32,6 +32,11 @@ final class EngineSection {
                 mode -> new Look(mode.label()),
                 studio::setResolution,
                 studio::notice);
+        engine.firstControl().focusedProperty().subscribe(focused -> {
+            if (focused) {
+                engines.want();
+            }
+        });
         engines.offersProperty().subscribe(_ -> refresh());
         studio.engineProperty().subscribe(_ -> refresh());
         studio.resolutionProperty().subscribe(_ -> refresh());

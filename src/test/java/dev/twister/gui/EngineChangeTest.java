@@ -9,6 +9,8 @@ import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.scene.Scene;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import javafx.scene.control.ComboBox;
 import org.junit.jupiter.api.Test;
 
 /** Changes of what draws, how large, and what, while the window runs. */
@@ -32,6 +34,49 @@ class EngineChangeTest {
                     () -> driver.text("facts").contains(jvm.get(19 % jvm.size()).id()));
             assertThat(driver.text("message")).isEmpty();
         }
+    }
+
+    @Test
+    void devicesAreLookedForWhenTheListIsWantedButNotWhileAnEngineIsOpened() {
+        CountDownLatch mayOpen = new CountDownLatch(1);
+        EngineOffer slow = EngineOffer.working("slow", "a test", "opens late", () -> {
+            try {
+                mayOpen.await();
+            } catch (InterruptedException problem) {
+                throw new AssertionError(problem);
+            }
+            return JvmEngines.parallel().opener().get();
+        });
+        try (WindowDriver driver = WindowDriver.open(WindowScenes.tiny(), slow)) {
+            ComboBox<?> list = driver.find("#engine .combo-box", ComboBox.class);
+            driver.run(() -> {
+                driver.window.workbench().panel().setVisible(true);
+                list.requestFocus();
+            });
+            driver.pulse();
+            driver.pulse();
+            assertThat(hasDevices(list)).isFalse();
+            assertThat(WindowDriver.call(() -> list.getItems().size())).isGreaterThan(3);
+
+            mayOpen.countDown();
+            driver.await(() -> hasDevices(list));
+        } finally {
+            mayOpen.countDown();
+        }
+    }
+
+    @Test
+    void devicesAreLookedForAtRest() {
+        try (WindowDriver driver = WindowDriver.open()) {
+            driver.awaitRest();
+            driver.await(() -> hasDevices(driver.find("#engine .combo-box", ComboBox.class)));
+        }
+    }
+
+    /** Or the line that says why there are none. */
+    private static boolean hasDevices(ComboBox<?> list) {
+        return WindowDriver.call(
+                () -> list.getItems().stream().anyMatch(item -> item.toString().startsWith(Engines.TORNADO_PREFIX)));
     }
 
     @Test
