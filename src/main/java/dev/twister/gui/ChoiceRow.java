@@ -62,6 +62,11 @@ final class ChoiceRow<T> extends PanelRow {
     /** Shows what there is, what is chosen, and what a reset would lead to; things are told apart by equality. */
     void show(List<T> things, T chosen, T usual) {
         showing = true;
+        // An open list stays as high as it was for the things it was opened with.
+        boolean reopens = box.isShowing() && !box.getItems().equals(things);
+        if (reopens) {
+            box.hide();
+        }
         if (!box.getItems().equals(things)) {
             // Else the box keeps the number of the line, whatever stands there now.
             box.getSelectionModel().clearSelection();
@@ -70,6 +75,9 @@ final class ChoiceRow<T> extends PanelRow {
         box.getSelectionModel().select(chosen);
         shown = Optional.of(chosen);
         showing = false;
+        if (reopens) {
+            box.show();
+        }
         setReset(!chosen.equals(usual), () -> choose.accept(usual));
     }
 

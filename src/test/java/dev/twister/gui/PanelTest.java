@@ -25,6 +25,7 @@ import javafx.scene.control.TextField;
 import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
+import javafx.scene.layout.Pane;
 import javafx.stage.Window;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -284,6 +285,40 @@ class PanelTest {
         assertThat(driver.text("notice")).isEqualTo("broken: no driver");
         assertThat(PanelRow.inLines("no TornadoVM SDK was found. Install one (sdk install tornadovm) and start again"))
                 .isEqualTo("no TornadoVM SDK was found. Install one (sdk install\ntornadovm) and start again");
+    }
+
+    @Test
+    void aListThatIsOpenGrowsWithItsThings() {
+        ChoiceRow<String> row = WindowDriver.call(() ->
+                new ChoiceRow<>("Test", "Some work.", "Alt+Q", ChoiceRow.Look::new, _ -> {}, driver.studio::notice));
+        ComboBox<?> list = (ComboBox<?>) row.firstControl();
+        Pane place = WindowDriver.call(() -> (Pane) row("Engine").getParent());
+        driver.run(() -> {
+            place.getChildren().add(row);
+            row.show(List.of("one", "two"), "one", "one");
+        });
+        driver.pulse();
+        driver.run(list::show);
+        driver.pulse();
+        double before = openListHeight();
+
+        driver.run(() -> row.show(List.of("one", "two", "three", "four"), "one", "one"));
+        driver.pulse();
+        assertThat(openListHeight()).isCloseTo(2 * before, within(before / 4));
+
+        driver.run(() -> {
+            list.hide();
+            place.getChildren().remove(row);
+        });
+    }
+
+    private static double openListHeight() {
+        return WindowDriver.call(() -> Window.getWindows().stream()
+                .filter(Window::isShowing)
+                .flatMap(window -> window.getScene().getRoot().lookupAll(".list-view").stream())
+                .mapToDouble(view -> view.getLayoutBounds().getHeight())
+                .max()
+                .orElseThrow());
     }
 
     @Test
