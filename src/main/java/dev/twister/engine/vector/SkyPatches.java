@@ -49,7 +49,6 @@ final class SkyPatches {
     /** Adds the patches' radiance to the lanes that met nothing. */
     static void add(Tile tile, PaddedSky sky) {
         float[] t = tile.values;
-        float[] texels = sky.texels;
         PatchList patches = tile.skyPatches;
         for (int k = 0; k < patches.count; k++) {
             int at = patches.places[k];
@@ -60,13 +59,13 @@ final class SkyPatches {
             FloatVector blue = Lanes.all(0f);
             for (int row = 0; row < patches.rows[k]; row++) {
                 FloatVector high = nearness(toBottom, row);
-                int texel = PaddedSky.FLOATS_A_TEXEL * ((patches.top[k] + row) * sky.stride() + patches.left[k]);
+                int texel = PaddedSky.NUMBERS_A_TEXEL * ((patches.top[k] + row) * sky.stride() + patches.left[k]);
                 for (int column = 0; column < patches.columns[k]; column++) {
                     FloatVector weight = high.mul(nearness(toRight, column));
-                    red = weight.fma(Lanes.all(texels[texel]), red);
-                    green = weight.fma(Lanes.all(texels[texel + 1]), green);
-                    blue = weight.fma(Lanes.all(texels[texel + 2]), blue);
-                    texel += PaddedSky.FLOATS_A_TEXEL;
+                    red = weight.fma(Lanes.all(sky.value(texel)), red);
+                    green = weight.fma(Lanes.all(sky.value(texel + 1)), green);
+                    blue = weight.fma(Lanes.all(sky.value(texel + 2)), blue);
+                    texel += PaddedSky.NUMBERS_A_TEXEL;
                 }
             }
             VectorMask<Float> met = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.NOTHING);

@@ -116,8 +116,11 @@ final class Tile {
 
     private static final float[] PLACE_Y = new float[SIZE];
 
+    private static final int[] PIXELS = new int[SIZE];
+
     static {
         for (int pixel = 0; pixel < SIZE; pixel++) {
+            PIXELS[pixel] = pixel;
             PLACE_X[pixel] = column(pixel);
             PLACE_Y[pixel] = row(pixel);
         }
@@ -129,8 +132,13 @@ final class Tile {
     /** From the padded sky's start to the upper left texel, in texels. */
     final int[] texels = new int[SIZE];
 
-    /** Red, green, blue and a blank of the sky, for one pixel at a time. */
-    final float[] skyColor = new float[4];
+    /** The pixels that look the sky up one by one; only the first {@link #lonelyCount} hold. */
+    final int[] lonely = new int[SIZE + Lanes.COUNT];
+
+    int lonelyCount;
+
+    /** For one pixel at a time, red, green and blue of the sky, or of two texels side by side, and blanks. */
+    final float[] skyColor = new float[8];
 
     /** The finished pixels. */
     final int[] argb = new int[SIZE];
@@ -186,6 +194,9 @@ final class Tile {
 
     final float[] placeX = PLACE_X;
     final float[] placeY = PLACE_Y;
+
+    /** Every pixel's number. */
+    final int[] pixels = PIXELS;
 
     /** In [0, {@link #SIDE}), of a pixel in the tile's order. */
     static int column(int pixel) {

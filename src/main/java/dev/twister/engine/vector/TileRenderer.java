@@ -43,6 +43,7 @@ final class TileRenderer {
         (tile, drawing) -> SkyDirection.findRows(tile, drawing.sky),
         (tile, drawing) -> SkyPatches.sort(tile),
         (tile, drawing) -> SkyPatches.add(tile, drawing.sky),
+        (tile, drawing) -> SkyRadiance.listPixels(tile),
         (tile, drawing) -> SkyRadiance.findTexels(tile, drawing.sky),
         (tile, drawing) -> SkyRadiance.blend(tile, drawing.sky),
         (tile, drawing) -> SkyRadiance.add(tile),

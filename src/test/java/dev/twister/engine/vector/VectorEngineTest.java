@@ -14,6 +14,7 @@ import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import dev.twister.scene.ToneMap;
+import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SphereHierarchy;
@@ -133,6 +134,21 @@ final class VectorEngineTest {
                         Arguments.of(bits, 131, 1),
                         Arguments.of(bits, 17, 16),
                         Arguments.of(bits, 16, 33)));
+    }
+
+    /** The shipped skies are Radiance pictures, whose numbers fit into halves of floats. */
+    @ParameterizedTest
+    @ValueSource(ints = {128, 256, 512})
+    void drawsASkyThatNeedsWholeFloats(int bits) {
+        Scene scene = SceneReader.read(Path.of("scenes", "mirrors.json"));
+        Skybox shipped = SkyboxReader.read(scene.skybox());
+        float[] radiance = shipped.radiance().clone();
+        for (int i = 0; i < radiance.length; i++) {
+            radiance[i] *= 0.7f;
+        }
+        World world = World.of(scene, new Skybox(shipped.width(), shipped.height(), radiance));
+        world.setSettings(world.settings().withSize(203, 127).withBounces(2));
+        assertSame(bits, world.snapshot());
     }
 
     @ParameterizedTest
