@@ -11,15 +11,14 @@ final class Highlight {
     private static final float INVERSE_EIGHT_PI = 0.039788734f;
     private static final int FRACTION_DIGITS = 12;
 
-    // Called by way of arrays, so that each keeps its own inlining budget: see Stage.
-    private static final PacketStage[] FRACTIONS = {
-        (tile, drawing, at) -> findFraction(tile.values, at),
-        (tile, drawing, at) -> raiseEach(tile.values, at),
-        (tile, drawing, at) -> multiply(tile.values, at),
+    // Stages, so that each keeps its own inlining budget, and not run where there is nothing to do: see Stage.
+    private static final Stage[] OF_ONE_WHOLE_POWER = {(tile, drawing) -> raiseAll(tile)};
+    private static final Stage[] OF_WHOLE_POWERS = {(tile, drawing) -> raiseEach(tile, tile.wholePowers)};
+    private static final Stage[] OF_FRACTIONS = {
+        (tile, drawing) -> findFractions(tile),
+        (tile, drawing) -> raiseEach(tile, tile.fractionPowers),
+        (tile, drawing) -> multiply(tile),
     };
-
-    private static final PacketStage[] WHOLE = {(tile, drawing, at) -> raiseEach(tile.values, at)};
-    private static final PacketStage[] SAME = {(tile, drawing, at) -> raiseAll(tile.values, at)};
 
     private Highlight() {}
 
@@ -61,18 +60,46 @@ final class Highlight {
         }
     }
 
-    /** Raises the cosines to the reflectivities' powers where anything shines. */
-    static void raise(Tile tile, Drawing drawing) {
+    /** Lists the packets where anything shines by what powers their cosines are to be raised to. */
+    static void sort(Tile tile) {
+        tile.onePower.clear();
+        tile.wholePowers.clear();
+        tile.fractionPowers.clear();
         float[] t = tile.values;
         for (int k = 0; k < tile.surfaces.count; k++) {
             int at = tile.surfaces.places[k];
-            if (Lanes.load(t, at + Tile.SPECULAR_WEIGHT)
-                    .compare(VectorOperators.GT, 0f)
-                    .anyTrue()) {
-                for (PacketStage power : powers(t, at)) {
-                    power.run(tile, drawing, at);
+            VectorMask<Float> shines = Lanes.load(t, at + Tile.SPECULAR_WEIGHT).compare(VectorOperators.GT, 0f);
+            if (shines.anyTrue()) {
+                FloatVector power = Lanes.load(t, at + Tile.REFLECTIVITY);
+                boolean whole = !Lanes.toFloats(Lanes.truncated(power))
+                        .compare(VectorOperators.NE, power)
+                        .and(shines)
+                        .anyTrue();
+                float first = t[at + Tile.REFLECTIVITY + shines.firstTrue()];
+                boolean one =
+                        !power.compare(VectorOperators.NE, first).and(shines).anyTrue();
+                if (!whole) {
+                    tile.fractionPowers.add(at);
+                } else if (one) {
+                    tile.onePower.add(at);
+                    tile.powers[at / Lanes.COUNT] = first;
+                } else {
+                    tile.wholePowers.add(at);
                 }
             }
+        }
+    }
+
+    /** Raises the cosines to the reflectivities' powers where anything shines. */
+    static void raise(Tile tile, Drawing drawing) {
+        if (tile.onePower.count > 0) {
+            Stage.runAll(OF_ONE_WHOLE_POWER, tile, drawing);
+        }
+        if (tile.wholePowers.count > 0) {
+            Stage.runAll(OF_WHOLE_POWERS, tile, drawing);
+        }
+        if (tile.fractionPowers.count > 0) {
+            Stage.runAll(OF_FRACTIONS, tile, drawing);
         }
     }
 
@@ -87,66 +114,71 @@ final class Highlight {
         }
     }
 
-    /** What replaces one packet's cosines by their powers. */
-    private static PacketStage[] powers(float[] t, int at) {
-        FloatVector exponent = Lanes.load(t, at + Tile.REFLECTIVITY);
-        boolean same =
-                !exponent.compare(VectorOperators.NE, t[at + Tile.REFLECTIVITY]).anyTrue();
-        boolean whole = !Lanes.toFloats(Lanes.truncated(exponent))
-                .compare(VectorOperators.NE, exponent)
-                .anyTrue();
-        PacketStage[] ofWhole = same ? SAME : WHOLE;
-        return whole ? ofWhole : FRACTIONS;
-    }
-
-    /** All lanes to one whole power, by repeated squaring. */
-    private static void raiseAll(float[] t, int at) {
-        FloatVector square = Lanes.load(t, at + Tile.SPECULAR);
-        FloatVector result = Lanes.all(1f);
-        for (int rest = (int) t[at + Tile.REFLECTIVITY]; rest > 0; rest = rest >> 1) {
-            if ((rest & 1) != 0) {
-                result = result.mul(square);
+    /** All lanes to the power of the first that shines, by repeated squaring. */
+    private static void raiseAll(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.onePower.count; k++) {
+            int at = tile.onePower.places[k];
+            FloatVector square = Lanes.load(t, at + Tile.SPECULAR);
+            FloatVector result = Lanes.all(1f);
+            for (int rest = (int) tile.powers[at / Lanes.COUNT]; rest > 0; rest = rest >> 1) {
+                if ((rest & 1) != 0) {
+                    result = result.mul(square);
+                }
+                square = square.mul(square);
             }
-            square = square.mul(square);
+            result.intoArray(t, at + Tile.SPECULAR);
         }
-        result.intoArray(t, at + Tile.SPECULAR);
     }
 
     /** Each lane to its own power's whole part. */
-    private static void raiseEach(float[] t, int at) {
-        FloatVector square = Lanes.load(t, at + Tile.SPECULAR);
-        IntVector rest = Lanes.truncated(Lanes.load(t, at + Tile.REFLECTIVITY));
-        FloatVector result = Lanes.all(1f);
-        while (rest.compare(VectorOperators.GT, 0).anyTrue()) {
-            VectorMask<Float> taken = rest.and(1).compare(VectorOperators.NE, 0).cast(Lanes.FLOATS);
-            result = result.blend(result.mul(square), taken);
-            square = square.mul(square);
-            rest = rest.lanewise(VectorOperators.LSHR, 1);
+    private static void raiseEach(Tile tile, PacketList packets) {
+        float[] t = tile.values;
+        for (int k = 0; k < packets.count; k++) {
+            int at = packets.places[k];
+            FloatVector square = Lanes.load(t, at + Tile.SPECULAR);
+            IntVector rest = Lanes.truncated(Lanes.load(t, at + Tile.REFLECTIVITY));
+            FloatVector result = Lanes.all(1f);
+            while (rest.compare(VectorOperators.GT, 0).anyTrue()) {
+                VectorMask<Float> taken =
+                        rest.and(1).compare(VectorOperators.NE, 0).cast(Lanes.FLOATS);
+                result = result.blend(result.mul(square), taken);
+                square = square.mul(square);
+                rest = rest.lanewise(VectorOperators.LSHR, 1);
+            }
+            result.intoArray(t, at + Tile.SPECULAR);
         }
-        result.intoArray(t, at + Tile.SPECULAR);
     }
 
     /** Each lane to its own power's fraction, to a column of its own: a square root for each of its binary digits. */
-    private static void findFraction(float[] t, int at) {
-        FloatVector exponent = Lanes.load(t, at + Tile.REFLECTIVITY);
-        FloatVector rest = exponent.sub(Lanes.toFloats(Lanes.truncated(exponent)));
-        FloatVector root = Lanes.load(t, at + Tile.SPECULAR);
-        FloatVector result = Lanes.all(1f);
-        VectorMask<Float> whole = rest.compare(VectorOperators.LE, 0f);
-        for (int digit = 0; digit < FRACTION_DIGITS; digit++) {
-            root = root.sqrt();
-            rest = rest.add(rest);
-            VectorMask<Float> taken = rest.compare(VectorOperators.GE, 1f);
-            result = result.blend(result.mul(root), taken);
-            rest = rest.blend(rest.sub(1f), taken);
+    private static void findFractions(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.fractionPowers.count; k++) {
+            int at = tile.fractionPowers.places[k];
+            FloatVector power = Lanes.load(t, at + Tile.REFLECTIVITY);
+            FloatVector rest = power.sub(Lanes.toFloats(Lanes.truncated(power)));
+            FloatVector root = Lanes.load(t, at + Tile.SPECULAR);
+            FloatVector result = Lanes.all(1f);
+            VectorMask<Float> whole = rest.compare(VectorOperators.LE, 0f);
+            for (int digit = 0; digit < FRACTION_DIGITS; digit++) {
+                root = root.sqrt();
+                rest = rest.add(rest);
+                VectorMask<Float> taken = rest.compare(VectorOperators.GE, 1f);
+                result = result.blend(result.mul(root), taken);
+                rest = rest.blend(rest.sub(1f), taken);
+            }
+            FloatVector last = rest.fma(root.sub(1f), Lanes.all(1f));
+            result.mul(last).blend(1f, whole).intoArray(t, at + Tile.FRACTION_POWER);
         }
-        FloatVector last = rest.fma(root.sub(1f), Lanes.all(1f));
-        result.mul(last).blend(1f, whole).intoArray(t, at + Tile.FRACTION_POWER);
     }
 
-    private static void multiply(float[] t, int at) {
-        Lanes.load(t, at + Tile.SPECULAR)
-                .mul(Lanes.load(t, at + Tile.FRACTION_POWER))
-                .intoArray(t, at + Tile.SPECULAR);
+    private static void multiply(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.fractionPowers.count; k++) {
+            int at = tile.fractionPowers.places[k];
+            Lanes.load(t, at + Tile.SPECULAR)
+                    .mul(Lanes.load(t, at + Tile.FRACTION_POWER))
+                    .intoArray(t, at + Tile.SPECULAR);
+        }
     }
 }

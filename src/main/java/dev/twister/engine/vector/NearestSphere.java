@@ -12,30 +12,33 @@ final class NearestSphere {
 
     /**
      * Writes the bodies met and their distances; {@code candidates} are all that could be met, in ascending order. The
-     * loop calls no helper, for the reason that {@link ShadowConics} has.
+     * nearest of each lane is in memory from candidate to candidate: carried through a loop in a variable it becomes an
+     * object in some runs. No helper is called, for the reason that {@link ShadowConics} has.
      */
     static void find(Tile tile, BodyColumns bodies, BodyList candidates) {
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
-            FloatVector leaving = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.LEAVING);
-            FloatVector closest = FloatVector.broadcast(Lanes.FLOATS, Intersection.MISS);
-            FloatVector hit = FloatVector.broadcast(Lanes.FLOATS, Layout.NOTHING);
-            for (int c = 0; c < candidates.count; c++) {
-                int body = candidates.bodies[c];
-                float radius = bodies.radius[body];
+            FloatVector.broadcast(Lanes.FLOATS, Intersection.MISS).intoArray(t, at + Tile.DISTANCE);
+            FloatVector.broadcast(Lanes.FLOATS, Layout.NOTHING).intoArray(t, at + Tile.HIT);
+        }
+        for (int c = 0; c < candidates.count; c++) {
+            int body = candidates.bodies[c];
+            float centerX = bodies.x[body];
+            float centerY = bodies.y[body];
+            float centerZ = bodies.z[body];
+            float radius = bodies.radius[body];
+            for (int k = 0; k < tile.live.count; k++) {
+                int at = tile.live.places[k];
                 FloatVector directionX = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_X);
                 FloatVector directionY = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_Y);
                 FloatVector directionZ = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_Z);
                 FloatVector originX = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.ORIGIN_X);
                 FloatVector originY = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.ORIGIN_Y);
                 FloatVector originZ = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.ORIGIN_Z);
-                FloatVector x =
-                        FloatVector.broadcast(Lanes.FLOATS, bodies.x[body]).sub(originX);
-                FloatVector y =
-                        FloatVector.broadcast(Lanes.FLOATS, bodies.y[body]).sub(originY);
-                FloatVector z =
-                        FloatVector.broadcast(Lanes.FLOATS, bodies.z[body]).sub(originZ);
+                FloatVector x = FloatVector.broadcast(Lanes.FLOATS, centerX).sub(originX);
+                FloatVector y = FloatVector.broadcast(Lanes.FLOATS, centerY).sub(originY);
+                FloatVector z = FloatVector.broadcast(Lanes.FLOATS, centerZ).sub(originZ);
                 FloatVector along = x.fma(directionX, y.fma(directionY, z.mul(directionZ)));
                 FloatVector acrossX = x.sub(along.mul(directionX));
                 FloatVector acrossY = y.sub(along.mul(directionY));
@@ -44,14 +47,15 @@ final class NearestSphere {
                 FloatVector inside =
                         FloatVector.broadcast(Lanes.FLOATS, radius * radius).sub(across);
                 FloatVector near = along.sub(inside.sqrt());
+                FloatVector leaving = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.LEAVING);
+                FloatVector closest = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISTANCE);
+                FloatVector hit = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.HIT);
                 VectorMask<Float> closer = near.compare(VectorOperators.GT, 0f)
                         .and(near.compare(VectorOperators.LT, closest))
                         .and(leaving.compare(VectorOperators.NE, body));
-                closest = closest.blend(near, closer);
-                hit = hit.blend(body, closer);
+                closest.blend(near, closer).intoArray(t, at + Tile.DISTANCE);
+                hit.blend(body, closer).intoArray(t, at + Tile.HIT);
             }
-            closest.intoArray(t, at + Tile.DISTANCE);
-            hit.intoArray(t, at + Tile.HIT);
         }
     }
 }

@@ -97,16 +97,15 @@ final class SphereSurface {
             FloatVector z = Lanes.load(t, at + Tile.FROM_CENTER_Z);
             FloatVector inverse = Lanes.inverseRoot(x.fma(x, y.fma(y, z.mul(z))));
             FloatVector radius = Lanes.load(t, at + Tile.RADIUS);
-            finish(t, at, x.mul(inverse), radius, Tile.NORMAL_X, Tile.POINT_X, here);
-            finish(t, at, y.mul(inverse), radius, Tile.NORMAL_Y, Tile.POINT_Y, here);
-            finish(t, at, z.mul(inverse), radius, Tile.NORMAL_Z, Tile.POINT_Z, here);
+            // A helper would take vectors and a mask, which become objects where it is not inlined.
+            for (int axis = at; axis < at + 3 * Tile.SIZE; axis += Tile.SIZE) {
+                FloatVector unit = Lanes.load(t, axis + Tile.FROM_CENTER_X).mul(inverse);
+                FloatVector center = Lanes.load(t, axis + Tile.NORMAL_X);
+                Lanes.load(t, axis + Tile.POINT_X)
+                        .blend(unit.fma(radius, center), here)
+                        .intoArray(t, axis + Tile.POINT_X);
+                center.blend(unit, here).intoArray(t, axis + Tile.NORMAL_X);
+            }
         }
-    }
-
-    private static void finish(
-            float[] t, int at, FloatVector unit, FloatVector radius, int normal, int point, VectorMask<Float> here) {
-        FloatVector center = Lanes.load(t, at + normal);
-        Lanes.load(t, at + point).blend(unit.fma(radius, center), here).intoArray(t, at + point);
-        center.blend(unit, here).intoArray(t, at + normal);
     }
 }

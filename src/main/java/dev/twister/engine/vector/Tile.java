@@ -155,6 +155,15 @@ final class Tile {
     final PacketList surfaces = new PacketList();
     final PacketList shadows = new PacketList();
 
+    /** Those where anything shines: all that does to one whole power, to whole powers, and to any. */
+    final PacketList onePower = new PacketList();
+
+    final PacketList wholePowers = new PacketList();
+    final PacketList fractionPowers = new PacketList();
+
+    /** Of a packet in {@link #onePower}, by the packet's number. */
+    final float[] powers = new float[SIZE / Lanes.COUNT];
+
     /** The region that holds the live rays, and the bodies in it. */
     final Hull rays = new Hull();
 

@@ -32,6 +32,9 @@ final class TileRenderer {
     private static final Stage[] HIT = {
         (tile, drawing) -> GroundHit.find(tile, drawing.planeHeight, drawing.planeHalfSide),
         (tile, drawing) -> HitSorting.sort(tile),
+    };
+
+    private static final Stage[] LIGHT = {
         (tile, drawing) -> LightHit.add(tile, drawing.bodies),
     };
 
@@ -42,24 +45,37 @@ final class TileRenderer {
         (tile, drawing) -> SkyDirection.findColumns(tile, drawing.sky),
         (tile, drawing) -> SkyDirection.findRows(tile, drawing.sky),
         (tile, drawing) -> SkyPatches.sort(tile),
+    };
+
+    private static final Stage[] SKY_PATCHES = {
         (tile, drawing) -> SkyPatches.add(tile, drawing.sky),
+    };
+
+    private static final Stage[] SCATTERED_SKY = {
         (tile, drawing) -> SkyRadiance.listPixels(tile),
         (tile, drawing) -> SkyRadiance.findTexels(tile, drawing.sky),
         (tile, drawing) -> SkyRadiance.blend(tile, drawing.sky),
         (tile, drawing) -> SkyRadiance.add(tile),
     };
 
-    private static final Stage[] SURFACE = {
+    private static final Stage[] GROUND = {
         (tile, drawing) -> GroundSurface.findPoints(tile, drawing),
         (tile, drawing) -> GroundSurface.findColors(tile, drawing),
+    };
+
+    private static final Stage[] SPHERES = {
         (tile, drawing) -> SphereSurface.fetch(tile, drawing),
         (tile, drawing) -> SphereSurface.findOffsets(tile),
         (tile, drawing) -> SphereSurface.findPoints(tile),
+    };
+
+    private static final Stage[] SURFACE = {
         (tile, drawing) -> LightDirection.find(tile, drawing.bodies),
         (tile, drawing) -> LightDirection.sort(tile, drawing.ambient),
         (tile, drawing) -> Shadows.find(tile, drawing),
         (tile, drawing) -> Highlight.findCosines(tile),
         (tile, drawing) -> Highlight.findWeights(tile),
+        (tile, drawing) -> Highlight.sort(tile),
         (tile, drawing) -> Highlight.raise(tile, drawing),
         (tile, drawing) -> Highlight.scale(tile),
         (tile, drawing) -> Bounce.shade(tile, drawing.bodies, drawing.ambient),
@@ -125,14 +141,27 @@ final class TileRenderer {
             } else {
                 meetFew(drawing, bounce);
             }
+            runFor(tile.lights, LIGHT, drawing);
             if (tile.skies.count > 0) {
                 Stage.runAll(SKY, tile, drawing);
+                if (tile.skyPatches.count > 0) {
+                    Stage.runAll(SKY_PATCHES, tile, drawing);
+                }
+                runFor(tile.scatteredSkies, SCATTERED_SKY, drawing);
             }
-            if (tile.surfaces.count > 0) {
-                Stage.runAll(SURFACE, tile, drawing);
-            } else {
+            runFor(tile.grounds, GROUND, drawing);
+            runFor(tile.spheres, SPHERES, drawing);
+            runFor(tile.surfaces, SURFACE, drawing);
+            if (tile.surfaces.count == 0) {
                 tile.live.clear();
             }
+        }
+    }
+
+    /** Not for an empty list: the compiler makes objects in a loop that hardly any call of a stage comes to. */
+    private void runFor(PacketList packets, Stage[] stages, Drawing drawing) {
+        if (packets.count > 0) {
+            Stage.runAll(stages, tile, drawing);
         }
     }
 
