@@ -48,12 +48,16 @@ final class ContactBook {
     /** Takes over the impulses of the contacts of a body from an earlier search. */
     void inherit(ContactBook earlier, int body) {
         Contacts contacts = lists[list[body]];
-        for (int contact = start[body]; contact < end[body]; contact++) {
+        int from = start[body];
+        if (earlier.start[body] < earlier.end[body]) {
+            // Mostly nothing has changed since the last search.
+            Contacts old = earlier.lists[earlier.list[body]];
+            from += contacts.inheritWhileAlike(from, end[body], old, earlier.start[body], earlier.end[body]);
+        }
+        for (int contact = from; contact < end[body]; contact++) {
             int other = contacts.second[contact];
             int to = Contacts.IMPULSES * contact;
-            int same = earlier.start[body] + contact - start[body];
-            // Mostly nothing has changed since the last search.
-            int found = earlier.holds(body, same, other) ? same : earlier.find(body, other);
+            int found = earlier.find(body, other);
             if (found >= 0) {
                 double[] old = earlier.lists[earlier.list[body]].impulses;
                 System.arraycopy(old, Contacts.IMPULSES * found, contacts.impulses, to, Contacts.IMPULSES);
@@ -61,12 +65,12 @@ final class ContactBook {
                 found = other < 0 ? -1 : earlier.find(other, body);
                 if (found >= 0) {
                     double[] old = earlier.lists[earlier.list[other]].impulses;
-                    int from = Contacts.IMPULSES * found;
+                    int at = Contacts.IMPULSES * found;
                     // It acted on the other body.
-                    contacts.impulses[to] = -old[from];
-                    contacts.impulses[to + 1] = -old[from + 1];
-                    contacts.impulses[to + 2] = -old[from + 2];
-                    contacts.impulses[to + Contacts.BUILT] = old[from + Contacts.BUILT];
+                    contacts.impulses[to] = -old[at];
+                    contacts.impulses[to + 1] = -old[at + 1];
+                    contacts.impulses[to + 2] = -old[at + 2];
+                    contacts.impulses[to + Contacts.BUILT] = old[at + Contacts.BUILT];
                 } else {
                     Arrays.fill(contacts.impulses, to, to + Contacts.IMPULSES, 0);
                 }
@@ -106,10 +110,6 @@ final class ContactBook {
                 contacts.impulses[i] *= factor;
             }
         }
-    }
-
-    private boolean holds(int body, int contact, int other) {
-        return contact < end[body] && lists[list[body]].second[contact] == other;
     }
 
     private int find(int body, int other) {

@@ -57,6 +57,28 @@ final class Contacts {
         Arrays.fill(first, from, count, one);
     }
 
+    /**
+     * Takes over an earlier list's impulses, contact by contact, as long as the other bodies are the same.
+     *
+     * @param from the first contact here, and likewise there
+     * @param to the one after the last here, and likewise there
+     * @return how many contacts are the same
+     */
+    int inheritWhileAlike(int from, int to, Contacts earlier, int earlierFrom, int earlierTo) {
+        int most = Math.min(to - from, earlierTo - earlierFrom);
+        int alike = 0;
+        while (alike < most && second[from + alike] == earlier.second[earlierFrom + alike]) {
+            int own = IMPULSES * (from + alike);
+            int old = IMPULSES * (earlierFrom + alike);
+            impulses[own] = earlier.impulses[old];
+            impulses[own + 1] = earlier.impulses[old + 1];
+            impulses[own + 2] = earlier.impulses[old + 2];
+            impulses[own + BUILT] = earlier.impulses[old + BUILT];
+            alike++;
+        }
+        return alike;
+    }
+
     /** Keeps those of the pairs from one on whose other body is wanted. */
     void keep(int from, IntPredicate wanted) {
         int kept = from;

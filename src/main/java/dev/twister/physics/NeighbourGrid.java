@@ -241,8 +241,13 @@ final class NeighbourGrid {
     private void addPairsOfOwnLevel(int slot, Contacts contacts) {
         long own = key[slot];
         int bucket = bucketOfBody[body[slot]];
-        scan(slot, slot + 1, starts[bucket + 1], own, 0, contacts);
-        scanBucket(slot, own + 1, bucket + 1, contacts);
+        if (bucket < mask) {
+            // The rest of its own cell, and the next one.
+            scan(slot, slot + 1, starts[bucket + 2], own, 1, contacts);
+        } else {
+            scan(slot, slot + 1, starts[bucket + 1], own, 0, contacts);
+            scanBucket(slot, own + 1, bucket + 1, contacts);
+        }
         int left = bucket - 1;
         scanRow(slot, own + Y_FACTOR - 1, left + rowStride, contacts);
         scanRow(slot, own + Z_FACTOR - 1, left + layerStride, contacts);
