@@ -74,15 +74,15 @@ final class ContactSearch {
         }
         for (int colour = 0; colour < Columns.COLOURS; colour++) {
             int own = colour;
-            team.each(columns.rows(colour), index -> searchRow(columns.row(own, index)));
-        }
-        for (int slot = 0; slot < grid.slots; slot++) {
-            if (grid.isGiant(slot)) {
-                Contacts list = giantsContacts();
-                int start = list.count;
-                grid.addGiantsPairs(slot, list);
-                finish(grid.body[slot], columns.rows(), start);
-            }
+            int rows = columns.rows(colour);
+            // The giants' pairs are one more task.
+            team.each(colour == 0 ? rows + 1 : rows, index -> {
+                if (index < rows) {
+                    searchRow(columns.row(own, index));
+                } else {
+                    searchGiants();
+                }
+            });
         }
     }
 
@@ -127,6 +127,17 @@ final class ContactSearch {
                 finish(grid.body[slot], row, start);
             }
             ends[column] = list.count;
+        }
+    }
+
+    private void searchGiants() {
+        Contacts list = giantsContacts();
+        for (int slot = 0; slot < grid.slots; slot++) {
+            if (grid.isGiant(slot)) {
+                int start = list.count;
+                grid.addGiantsPairs(slot, list);
+                finish(grid.body[slot], columns.rows(), start);
+            }
         }
     }
 
