@@ -167,14 +167,15 @@ final class NeighbourGrid {
         }
     }
 
-    // A few slots' wide scans let the compiler get ready: until then each takes some 10 microseconds.
+    // A few slots' wide scans let the compiler get ready: until then each takes 10 to 40 microseconds.
     private int wideSlots() {
         if (slots < WideScan.MIN_SLOTS || !WideScan.SUITS) {
             return -1;
         }
         if (wideSearches < WideScan.FIRST_SEARCHES) {
             wideSearches++;
-            return Integer.highestOneBit(slots / WideScan.FIRST_SLOTS) - 1;
+            int wide = 1 << (wideSearches / WideScan.SEARCHES_TO_DOUBLE);
+            return Integer.highestOneBit(Math.max(1, slots / wide)) - 1;
         }
         return 0;
     }

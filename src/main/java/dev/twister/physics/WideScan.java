@@ -21,8 +21,8 @@ final class WideScan {
     /** So many searches, which are two seconds or less, use it for few slots only, while it is being compiled. */
     static final int FIRST_SEARCHES = 240;
 
-    /** How many slots those are; up to twice as many. */
-    static final int FIRST_SLOTS = 24;
+    /** After so many of them it is used for twice as many slots; for one in the first. */
+    static final int SEARCHES_TO_DOUBLE = 20;
 
     private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_512;
     private static final VectorSpecies<Long> LONGS = LongVector.SPECIES_512;
