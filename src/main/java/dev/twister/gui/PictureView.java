@@ -94,8 +94,8 @@ final class PictureView extends Pane {
     private void show(DrawnPicture picture) {
         Frame frame = picture.frame();
         if (onScreen.equals(Optional.of(frame))) {
-            // The exchange gives a repetition of the picture that is shown in its frame: to hand it to JavaFX would cost an
-            // engine on all cores a tenth of its frames.
+            // The exchange gives a repetition of the picture that is shown in its frame. To hand it to JavaFX would
+            // cost an engine on all cores a tenth of its frames.
             return;
         }
         onScreen = Optional.of(frame);
