@@ -17,7 +17,7 @@ final class Highlight {
     private static final Stage[] OF_FRACTIONS = {
         (tile, drawing) -> findFractions(tile),
         (tile, drawing) -> raiseEach(tile, tile.fractionPowers),
-        (tile, drawing) -> multiply(tile),
+        (tile, drawing) -> multiply(tile.values, tile.fractionPowers, Tile.FRACTION_POWER),
     };
 
     private Highlight() {}
@@ -92,26 +92,14 @@ final class Highlight {
 
     /** Raises the cosines to the reflectivities' powers where anything shines. */
     static void raise(Tile tile, Drawing drawing) {
-        if (tile.onePower.count > 0) {
-            Stage.runAll(OF_ONE_WHOLE_POWER, tile, drawing);
-        }
-        if (tile.wholePowers.count > 0) {
-            Stage.runAll(OF_WHOLE_POWERS, tile, drawing);
-        }
-        if (tile.fractionPowers.count > 0) {
-            Stage.runAll(OF_FRACTIONS, tile, drawing);
-        }
+        Stage.runFor(tile.onePower.count, OF_ONE_WHOLE_POWER, tile, drawing);
+        Stage.runFor(tile.wholePowers.count, OF_WHOLE_POWERS, tile, drawing);
+        Stage.runFor(tile.fractionPowers.count, OF_FRACTIONS, tile, drawing);
     }
 
     /** Scales the powers. */
     static void scale(Tile tile) {
-        float[] t = tile.values;
-        for (int k = 0; k < tile.surfaces.count; k++) {
-            int at = tile.surfaces.places[k];
-            Lanes.load(t, at + Tile.SPECULAR)
-                    .mul(Lanes.load(t, at + Tile.SPECULAR_WEIGHT))
-                    .intoArray(t, at + Tile.SPECULAR);
-        }
+        multiply(tile.values, tile.surfaces, Tile.SPECULAR_WEIGHT);
     }
 
     /** All lanes to the power of the first that shines, by repeated squaring. */
@@ -172,13 +160,11 @@ final class Highlight {
         }
     }
 
-    private static void multiply(Tile tile) {
-        float[] t = tile.values;
-        for (int k = 0; k < tile.fractionPowers.count; k++) {
-            int at = tile.fractionPowers.places[k];
-            Lanes.load(t, at + Tile.SPECULAR)
-                    .mul(Lanes.load(t, at + Tile.FRACTION_POWER))
-                    .intoArray(t, at + Tile.SPECULAR);
+    /** Multiplies the specular column by another one. */
+    private static void multiply(float[] t, PacketList packets, int column) {
+        for (int k = 0; k < packets.count; k++) {
+            int at = packets.places[k];
+            Lanes.load(t, at + Tile.SPECULAR).mul(Lanes.load(t, at + column)).intoArray(t, at + Tile.SPECULAR);
         }
     }
 }

@@ -14,4 +14,14 @@ interface Stage {
             stage.run(tile, drawing);
         }
     }
+
+    /**
+     * Runs the stages of a list with so many packets; not for an empty one, as the compiler makes objects in a loop that
+     * hardly any call of a stage comes to.
+     */
+    static void runFor(int packets, Stage[] stages, Tile tile, Drawing drawing) {
+        if (packets > 0) {
+            runAll(stages, tile, drawing);
+        }
+    }
 }

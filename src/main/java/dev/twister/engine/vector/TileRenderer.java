@@ -141,27 +141,18 @@ final class TileRenderer {
             } else {
                 meetFew(drawing, bounce);
             }
-            runFor(tile.lights, LIGHT, drawing);
+            Stage.runFor(tile.lights.count, LIGHT, tile, drawing);
             if (tile.skies.count > 0) {
                 Stage.runAll(SKY, tile, drawing);
-                if (tile.skyPatches.count > 0) {
-                    Stage.runAll(SKY_PATCHES, tile, drawing);
-                }
-                runFor(tile.scatteredSkies, SCATTERED_SKY, drawing);
+                Stage.runFor(tile.skyPatches.count, SKY_PATCHES, tile, drawing);
+                Stage.runFor(tile.scatteredSkies.count, SCATTERED_SKY, tile, drawing);
             }
-            runFor(tile.grounds, GROUND, drawing);
-            runFor(tile.spheres, SPHERES, drawing);
-            runFor(tile.surfaces, SURFACE, drawing);
+            Stage.runFor(tile.grounds.count, GROUND, tile, drawing);
+            Stage.runFor(tile.spheres.count, SPHERES, tile, drawing);
+            Stage.runFor(tile.surfaces.count, SURFACE, tile, drawing);
             if (tile.surfaces.count == 0) {
                 tile.live.clear();
             }
-        }
-    }
-
-    /** Not for an empty list: the compiler makes objects in a loop that hardly any call of a stage comes to. */
-    private void runFor(PacketList packets, Stage[] stages, Drawing drawing) {
-        if (packets.count > 0) {
-            Stage.runAll(stages, tile, drawing);
         }
     }
 
