@@ -23,9 +23,17 @@ final class TileOutput {
         }
     }
 
+    /** Row by row of the frame, so that what goes to one cache line goes there at once. */
     private static void writeWhole(int[] tile, int[] frame, int first, int width) {
-        for (int at = 0; at < Tile.SIZE; at += Tile.BLOCK_SIDE) {
-            IntVector.fromArray(BLOCK_ROW, tile, at).intoArray(frame, first + Tile.row(at) * width + Tile.column(at));
+        int to = first;
+        for (int blocks = 0; blocks < Tile.SIZE; blocks += Tile.SIDE * Tile.BLOCK_SIDE) {
+            for (int from = blocks; from < blocks + Tile.BLOCK; from += Tile.BLOCK_SIDE) {
+                for (int block = 0; block < Tile.SIDE / Tile.BLOCK_SIDE; block++) {
+                    IntVector.fromArray(BLOCK_ROW, tile, from + block * Tile.BLOCK)
+                            .intoArray(frame, to + block * Tile.BLOCK_SIDE);
+                }
+                to += width;
+            }
         }
     }
 
