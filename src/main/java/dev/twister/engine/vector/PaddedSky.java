@@ -18,8 +18,11 @@ final class PaddedSky {
     /** Bits of a float that a half leaves out. */
     static final int LOWER_BITS = 16;
 
-    /** A vector that starts at a texel may reach that many numbers beyond the last one. */
-    private static final int BLANKS = 2;
+    /** A vector that starts at a texel may reach that many numbers, or one row, beyond the last one. */
+    private static final int BLANKS = 16;
+
+    /** Rows above and below the panorama, and a blank one. */
+    private static final int MORE_ROWS = 3;
 
     private static final boolean WIDE_ENOUGH = FloatVector.SPECIES_PREFERRED.vectorBitSize() >= 256;
 
@@ -55,7 +58,7 @@ final class PaddedSky {
             width = input.skyboxDimensions()[Layout.SKYBOX_WIDTH];
             height = input.skyboxDimensions()[Layout.SKYBOX_HEIGHT];
             halved = WIDE_ENOUGH && fitHalves(source);
-            int room = BLANKS + Math.multiplyExact(NUMBERS_A_TEXEL, Math.multiplyExact(stride(), height + 2));
+            int room = BLANKS + Math.multiplyExact(NUMBERS_A_TEXEL, Math.multiplyExact(stride(), height + MORE_ROWS));
             floats = new float[halved ? 0 : room];
             halves = new short[halved ? room : 0];
             for (int row = -1; row <= height; row++) {

@@ -17,33 +17,25 @@ final class SkyDirection {
     private SkyDirection() {}
 
     /**
-     * Starts on the angles about the vertical: writes the smaller of |x| and |z| over the larger to the column of
-     * {@link Tile#SKY_TO_RIGHT}.
+     * Starts on the angles: writes the smaller of |x| and |z| over the larger to the column of {@link Tile#SKY_TO_RIGHT}, for
+     * those about the vertical, and the smaller of |y| and the length of (x, z) over the larger to that of
+     * {@link Tile#SKY_TO_BOTTOM}, for those above the horizon. One division serves both, as dividing takes longest.
      */
-    static void findAzimuthRatios(Tile tile) {
+    static void findRatios(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.skies.count; k++) {
             int at = tile.skies.places[k];
             FloatVector x = Lanes.load(t, at + Tile.DIRECTION_X).abs();
-            FloatVector z = Lanes.load(t, at + Tile.DIRECTION_Z).abs();
-            VectorMask<Float> steep = z.compare(VectorOperators.GT, x);
-            FloatVector larger = Lanes.larger(x.blend(z, steep), Lanes.all(TINY));
-            z.blend(x, steep).div(larger).intoArray(t, at + Tile.SKY_TO_RIGHT);
-        }
-    }
-
-    /** The same for the angles above the horizon, to the column of {@link Tile#SKY_TO_BOTTOM}. */
-    static void findElevationRatios(Tile tile) {
-        float[] t = tile.values;
-        for (int k = 0; k < tile.skies.count; k++) {
-            int at = tile.skies.places[k];
-            FloatVector x = Lanes.load(t, at + Tile.DIRECTION_X);
             FloatVector y = Lanes.load(t, at + Tile.DIRECTION_Y).abs();
-            FloatVector z = Lanes.load(t, at + Tile.DIRECTION_Z);
+            FloatVector z = Lanes.load(t, at + Tile.DIRECTION_Z).abs();
             FloatVector level = x.fma(x, z.mul(z)).sqrt();
+            VectorMask<Float> sideways = z.compare(VectorOperators.GT, x);
             VectorMask<Float> steep = y.compare(VectorOperators.GT, level);
-            FloatVector larger = Lanes.larger(level.blend(y, steep), Lanes.all(TINY));
-            y.blend(level, steep).div(larger).intoArray(t, at + Tile.SKY_TO_BOTTOM);
+            FloatVector larger = Lanes.larger(x.blend(z, sideways), Lanes.all(TINY));
+            FloatVector higher = level.blend(y, steep);
+            FloatVector inverse = Lanes.all(1f).div(larger.mul(higher));
+            z.blend(x, sideways).mul(higher).mul(inverse).intoArray(t, at + Tile.SKY_TO_RIGHT);
+            y.blend(level, steep).mul(larger).mul(inverse).intoArray(t, at + Tile.SKY_TO_BOTTOM);
         }
     }
 
@@ -103,10 +95,9 @@ final class SkyDirection {
             FloatVector x = Lanes.load(t, at + Tile.DIRECTION_X);
             FloatVector y = Lanes.load(t, at + Tile.DIRECTION_Y);
             FloatVector z = Lanes.load(t, at + Tile.DIRECTION_Z);
-            FloatVector level = x.fma(x, z.mul(z)).sqrt();
             FloatVector octant = Lanes.load(t, at + Tile.SKY_TO_BOTTOM);
-            FloatVector quadrant =
-                    octant.blend(Lanes.all(HALF_PI).sub(octant), y.abs().compare(VectorOperators.GT, level));
+            VectorMask<Float> steep = y.mul(y).compare(VectorOperators.GT, x.fma(x, z.mul(z)));
+            FloatVector quadrant = octant.blend(Lanes.all(HALF_PI).sub(octant), steep);
             FloatVector elevation = quadrant.blend(quadrant.neg(), y.compare(VectorOperators.LT, 0f));
             Lanes.all(0.5f)
                     .sub(elevation.mul(HALF_TURNS_PER_RADIAN))

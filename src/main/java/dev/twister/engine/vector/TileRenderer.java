@@ -39,16 +39,26 @@ final class TileRenderer {
     };
 
     private static final Stage[] SKY = {
-        (tile, drawing) -> SkyDirection.findAzimuthRatios(tile),
-        (tile, drawing) -> SkyDirection.findElevationRatios(tile),
+        (tile, drawing) -> SkyDirection.findRatios(tile),
         (tile, drawing) -> SkyDirection.findArcTangents(tile),
         (tile, drawing) -> SkyDirection.findColumns(tile, drawing.sky),
         (tile, drawing) -> SkyDirection.findRows(tile, drawing.sky),
+    };
+
+    private static final Stage[] SORT_SKY = {
         (tile, drawing) -> SkyPatches.sort(tile),
     };
 
     private static final Stage[] SKY_PATCHES = {
         (tile, drawing) -> SkyPatches.add(tile, drawing.sky),
+    };
+
+    private static final Stage[] SORT_SKY_IN_ROWS = {
+        (tile, drawing) -> SkyRows.sort(tile),
+    };
+
+    private static final Stage[] SKY_ROWS = {
+        (tile, drawing) -> SkyRows.add(tile, drawing.sky),
     };
 
     private static final Stage[] SCATTERED_SKY = {
@@ -115,7 +125,9 @@ final class TileRenderer {
         ViewRays.blacken(tile);
         for (int sample = 0; sample < drawing.pixelSamples; sample++) {
             tile.sample = sample;
-            listInside(drawing);
+            if (sample > 0) {
+                listInside(drawing);
+            }
             Stage.runAll(START, tile, drawing);
             follow(drawing);
         }
@@ -144,7 +156,9 @@ final class TileRenderer {
             Stage.runFor(tile.lights.count, LIGHT, tile, drawing);
             if (tile.skies.count > 0) {
                 Stage.runAll(SKY, tile, drawing);
-                Stage.runFor(tile.skyPatches.count, SKY_PATCHES, tile, drawing);
+                boolean inRows = SkyRows.FIT && drawing.sky.halved;
+                Stage.runAll(inRows ? SORT_SKY_IN_ROWS : SORT_SKY, tile, drawing);
+                Stage.runFor(tile.skyPatches.count, inRows ? SKY_ROWS : SKY_PATCHES, tile, drawing);
                 Stage.runFor(tile.scatteredSkies.count, SCATTERED_SKY, tile, drawing);
             }
             Stage.runFor(tile.grounds.count, GROUND, tile, drawing);
