@@ -4,9 +4,7 @@ import dev.twister.bench.Benchmark;
 import dev.twister.bench.BenchmarkEngines;
 import dev.twister.bench.BenchmarkPlan;
 import dev.twister.bench.BenchmarkReport;
-import dev.twister.bench.CsvReport;
 import dev.twister.bench.FastestEngine;
-import dev.twister.bench.JsonReport;
 import dev.twister.bench.MachineInfo;
 import dev.twister.bench.MotionPlan;
 import dev.twister.bench.PaperPlan;
@@ -170,17 +168,12 @@ final class BenchmarkCommand implements Callable<Integer> {
             throw new BadInputException("--output is the folder of --paper; write a report with --json or --csv");
         }
         BenchmarkPlan plan = plan();
-        json.ifPresent(file -> OutputFile.check("--json", file));
-        csv.ifPresent(file -> OutputFile.check("--csv", file));
+        ReportFiles files = new ReportFiles(json, csv);
+        files.check();
         Scene scene = SceneReader.read(SceneFiles.find(sceneName));
-        BenchmarkReport report = run(plan, scene);
+        BenchmarkReport report = run(plan, scene, files);
         spec.commandLine().getOut().println(ReportTable.of(report));
-        if (json.isPresent()) {
-            JsonReport.write(report, json.get());
-        }
-        if (csv.isPresent()) {
-            CsvReport.write(report, csv.get());
-        }
+        files.write(report);
         return report.passed() ? Main.OK : Main.FAILED;
     }
 
@@ -189,7 +182,7 @@ final class BenchmarkCommand implements Callable<Integer> {
         return World.of(scene, SkyboxReader.read(scene.skybox()));
     }
 
-    private BenchmarkReport run(BenchmarkPlan plan, Scene scene) {
+    private BenchmarkReport run(BenchmarkPlan plan, Scene scene, ReportFiles files) {
         World world = World.of(scene, SkyboxReader.read(scene.skybox()));
         Optional<MotionPlan> moving = motion.isOn()
                 ? Optional.of(new MotionPlan(scene, motion.startSeconds(), motion.secondsPerFrame()))
@@ -197,7 +190,9 @@ final class BenchmarkCommand implements Callable<Integer> {
         try (BenchmarkLines lines = new BenchmarkLines(
                 spec.commandLine().getOut(),
                 spec.commandLine().getErr(),
-                measured -> new BenchmarkReport(MachineInfo.ofThisMachine(), plan, sceneName, measured, List.of()))) {
+                files,
+                (measured, failed) ->
+                        new BenchmarkReport(MachineInfo.ofThisMachine(), plan, sceneName, measured, failed))) {
             return Benchmark.run(BenchmarkEngines::open, plan, sceneName, world, moving, lines);
         }
     }

@@ -1,25 +1,35 @@
 package dev.twister.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import dev.twister.bench.Benchmark;
 import dev.twister.bench.BenchmarkPlan;
 import dev.twister.bench.BenchmarkReport;
+import dev.twister.bench.EngineFailure;
 import dev.twister.bench.MachineInfo;
+import dev.twister.bench.Measurement;
 import dev.twister.bench.PictureSize;
 import dev.twister.engine.Engines;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import dev.twister.sky.SkyboxReader;
 import dev.twister.world.World;
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 class BenchmarkLinesTest {
     private static final PictureSize SIZE = new PictureSize(5, 3);
+
+    @TempDir
+    private Path folder;
 
     private final StringWriter out = new StringWriter();
     private final StringWriter err = new StringWriter();
@@ -35,10 +45,12 @@ class BenchmarkLinesTest {
 
         assertThat(err.toString()).contains("ended at parallel 5x3", "nothing was measured");
         assertThat(out.toString()).isEmpty();
+        assertThat(folder).isEmptyDirectory();
     }
 
     @Test
-    void anEndAfterThatLosesNothing() {
+    void anEndAfterThatLosesNothing() throws IOException {
+        Files.writeString(folder.resolve("report.json"), "older");
         try (BenchmarkLines lines = lines()) {
             Benchmark.run(Engines::open, plan, "benchmark", world(), Optional.empty(), lines);
             lines.begins("tornado:0:0", SIZE, 1);
@@ -47,6 +59,51 @@ class BenchmarkLinesTest {
 
         assertThat(err.toString()).contains("ended at tornado:0:0 5x3");
         assertThat(out.toString()).containsPattern("sequential .* 5x3 ").containsPattern("parallel .* 5x3 ");
+        Path json = folder.resolve("report-unfinished.json");
+        Path csv = folder.resolve("report-unfinished.csv");
+        assertThat(err.toString()).contains("is in " + json + " and " + csv);
+        assertThat(json)
+                .content()
+                .contains(
+                        "\"engine\" : \"parallel\"", "\"engine\" : \"tornado:0:0\"", "ended at", "\"passed\" : false");
+        assertThat(csv).content().contains("sequential,", "parallel,", "ended at");
+        assertThat(folder.resolve("report.json")).hasContent("older");
+        assertThat(folder.resolve("report.csv")).doesNotExist();
+    }
+
+    @Test
+    void aFinishedReportReplacesWhatAStoppedOneLeft() throws IOException {
+        ReportFiles files = files();
+        BenchmarkReport report = report(List.of(), List.of());
+        files.writeUnfinished(report);
+        assertThat(folder.resolve("report-unfinished.csv")).exists();
+
+        files.write(report);
+
+        assertThat(folder.resolve("report.json")).exists();
+        assertThat(folder.resolve("report.csv")).exists();
+        assertThat(folder.resolve("report-unfinished.json")).doesNotExist();
+        assertThat(folder.resolve("report-unfinished.csv")).doesNotExist();
+    }
+
+    @Test
+    void whatCannotBeWrittenIsSaid() throws IOException {
+        Path gone = Files.createDirectory(folder.resolve("gone"));
+        ReportFiles files = new ReportFiles(Optional.of(gone.resolve("report")), Optional.empty());
+        Files.delete(gone);
+
+        assertThat(files.writeUnfinished(report(List.of(), List.of())))
+                .contains("no file could be written", "there is no folder");
+    }
+
+    @Test
+    void nothingGoesBesideADevice() throws IOException {
+        Path device = Path.of("/dev/null");
+        assumeTrue(Files.exists(device));
+        ReportFiles files = new ReportFiles(Optional.of(device), Optional.empty());
+
+        assertThat(files.writeUnfinished(report(List.of(), List.of()))).isEqualTo("this was measured:");
+        assertThat(Path.of("/dev/null-unfinished")).doesNotExist();
     }
 
     @Test
@@ -60,10 +117,15 @@ class BenchmarkLinesTest {
     }
 
     private BenchmarkLines lines() {
-        return new BenchmarkLines(
-                new PrintWriter(out),
-                new PrintWriter(err),
-                measured -> new BenchmarkReport(MachineInfo.ofThisMachine(), plan, "benchmark", measured, List.of()));
+        return new BenchmarkLines(new PrintWriter(out), new PrintWriter(err), files(), this::report);
+    }
+
+    private ReportFiles files() {
+        return new ReportFiles(Optional.of(folder.resolve("report.json")), Optional.of(folder.resolve("report.csv")));
+    }
+
+    private BenchmarkReport report(List<Measurement> measured, List<EngineFailure> failed) {
+        return new BenchmarkReport(MachineInfo.ofThisMachine(), plan, "benchmark", measured, failed);
     }
 
     private static World world() {
