@@ -38,16 +38,22 @@ final class BodyStore {
     /** What the contacts' impulses of the last sub-step come to in {@link #MOVE}: the next one starts with them. */
     static final int SUPPORT = 8;
 
-    /** How far from the centre something may touch the body until the pairs are looked for again, in metres. */
-    static final int REACH = 11;
+    /** How long {@link #SUPPORT} was when it was last added to {@link #MOVE}; 0 for what sleeps. */
+    static final int CARRIED = 11;
 
     static final byte AWAKE = 0;
     static final byte ASLEEP = 1;
 
-    /** Hit in this step: it moves, but its other contacts are not known before the next one. */
+    /** Roused since the last search: its other contacts are not known before the next one. */
     static final byte WOKEN = 2;
 
+    /** In place of calm steps, until the loads of its contacts are in balance again. */
+    private static final int JUST_WOKEN = -1;
+
     final double[] numbers;
+
+    /** How far from the centre something may touch the body until the pairs are looked for again, in metres. */
+    final double[] reach;
 
     /** Where the centres were one step ago: 3 for each body. */
     final double[] before;
@@ -79,6 +85,7 @@ final class BodyStore {
         int room = FIRST_SPHERE + spheres.size();
         numbers = new double[STRIDE * room];
         before = new double[3 * room];
+        reach = new double[room];
         state = new byte[room];
         side = new byte[room];
         walled = new boolean[room];
@@ -188,13 +195,37 @@ final class BodyStore {
         Arrays.fill(numbers, at + MOVE, at + MOVE + 3, 0);
         Arrays.fill(numbers, at + SUPPORT, at + SUPPORT + 3, 0);
         numbers[at + INVERSE_MASS] = 0;
+        numbers[at + CARRIED] = 0;
     }
 
-    /** Lets a sphere that sleeps be moved. */
-    void wake(int body, byte how) {
-        state[body] = how;
+    /**
+     * Says that a sphere that sleeps is to be awake from the next search on. Until then it is as firm as it was, but for what
+     * hits it.
+     */
+    void rouse(int body) {
+        state[body] = WOKEN;
+        calmSteps[body] = JUST_WOKEN;
+    }
+
+    /** Lets a sphere that slept be moved. */
+    void free(int body) {
         int at = STRIDE * body;
         numbers[at + INVERSE_MASS] = inverseMass(numbers[at + RADIUS]);
+    }
+
+    /** Whether it has slept, and its contacts' loads are not what they would be if it had not. */
+    boolean isJustWoken(int body) {
+        return calmSteps[body] == JUST_WOKEN;
+    }
+
+    /** Says that the loads of a body's contacts are in balance. */
+    void setBraced(int body) {
+        calmSteps[body] = Math.max(0, calmSteps[body]);
+    }
+
+    void clearSupport(int body) {
+        int at = STRIDE * body + SUPPORT;
+        Arrays.fill(numbers, at, at + 3, 0);
     }
 
     /** Of a sphere that contacts move; 1 for the largest one. */

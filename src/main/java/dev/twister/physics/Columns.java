@@ -25,8 +25,8 @@ final class Columns {
      * @param minX and the other three: where the bodies' centres are
      */
     void sort(NeighbourGrid grid, double minX, double maxX, double minZ, double maxZ) {
-        // Two bodies of a pair are at most a cell apart; a column between two of one colour has to keep both off.
-        double least = 2 * grid.topCell();
+        // A column between two of one colour has to keep the pairs of both apart.
+        double least = 2 * grid.farthestPair();
         double widthX = Math.max(least, (maxX - minX) / MAX_SIDE);
         double widthZ = Math.max(least, (maxZ - minZ) / MAX_SIDE);
         columnsX = side(minX, maxX, widthX);

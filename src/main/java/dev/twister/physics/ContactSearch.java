@@ -14,6 +14,7 @@ final class ContactSearch {
     private final NeighbourGrid grid;
     private final Columns columns = new Columns();
     private int[] ends = {};
+    private boolean unbalanced;
     private ContactBook contacts;
     private ContactBook earlier;
 
@@ -29,6 +30,11 @@ final class ContactSearch {
 
     Columns columns() {
         return columns;
+    }
+
+    /** How many lists of contacts there are: one for each row of columns, and the last one that of the giants. */
+    int lists() {
+        return columns.rows() + 1;
     }
 
     /** The contacts of a row of columns, one column's after the other's. */
@@ -54,9 +60,11 @@ final class ContactSearch {
      * Finds all pairs whose bodies' reaches meet.
      *
      * @param bounds where the centres are: least and largest x, y, z
+     * @param anyJustWoken whether a body's contacts are to be found that are out of balance
      */
-    void search(double[] bounds) {
-        grid.layOut(bounds[1] - bounds[0], bounds[3] - bounds[2]);
+    void search(double[] bounds, boolean anyJustWoken) {
+        unbalanced = anyJustWoken;
+        grid.layOut(bounds);
         team.inChunks(firstBody, bodies.count, BODIES_AT_ONCE, (from, to) -> {
             for (int body = from; body < to; body++) {
                 grid.locate(body);
@@ -148,6 +156,19 @@ final class ContactSearch {
         contacts.list(list).setFirst(body, start);
         contacts.setRange(body, list, start);
         contacts.inherit(earlier, body);
+        if (unbalanced) {
+            findUnbalanced(body, contacts.list(list), start);
+        }
+    }
+
+    private void findUnbalanced(int body, Contacts list, int start) {
+        boolean woken = bodies.isJustWoken(body);
+        for (int contact = start; contact < list.count; contact++) {
+            int other = list.second[contact];
+            if (woken || (other >= 0 && bodies.isJustWoken(other))) {
+                list.addUnbalanced(contact);
+            }
+        }
     }
 
     private void addSurfaces(int body, Contacts list) {
@@ -155,7 +176,7 @@ final class ContactSearch {
         double x = bodies.numbers[at + BodyStore.POSITION];
         double y = bodies.numbers[at + BodyStore.POSITION + 1] - surroundings.height();
         double z = bodies.numbers[at + BodyStore.POSITION + 2];
-        double reach = bodies.numbers[at + BodyStore.REACH];
+        double reach = bodies.reach[body];
         if (surroundings.isOver(x, z)) {
             if (bodies.side[body] * y <= reach) {
                 list.add(-1 - Surroundings.GROUND);

@@ -21,10 +21,11 @@ final class ContactSolver {
 
     /**
      * How much more load a contact of rest may carry into the next sub-step than it carried into this one, in weights of
-     * its heavier body. What the next sub-step starts with is solved in one sweep; a shock's impulse, hundreds of weights,
-     * is not needed again there, and what the sweep does not take back of it would be speed out of nothing.
+     * its lighter body, so that what lies between a heavy one and the ground gets no more from the one than from the other.
+     * What the next sub-step starts with is solved in one sweep; a shock's impulse, hundreds of weights, is not needed
+     * again there, and what the sweep does not take back of it would be speed out of nothing.
      */
-    private static final double MOST_NEW_LOAD = 4;
+    private static final double MOST_NEW_LOAD = 8;
 
     /** Overlap that is left alone, in radii, so that what rests keeps touching. */
     private static final double SLOP = 0.005;
@@ -48,15 +49,29 @@ final class ContactSolver {
     private double gravityY;
     private double gravityZ;
     private final double friction;
+    private final boolean bracing;
+    private final double pushShare;
     private double mostNewLoad;
     private double impactSpeed;
     private double wakeSpeedSquared;
 
-    ContactSolver(BodyStore bodies, Surroundings surroundings) {
+    private ContactSolver(BodyStore bodies, Surroundings surroundings, boolean bracing) {
+        this.bracing = bracing;
+        pushShare = bracing ? 0 : PUSH_SHARE;
         this.bodies = bodies;
         this.surroundings = surroundings;
         numbers = bodies.numbers;
         friction = surroundings.friction();
+    }
+
+    /** One that moves the bodies of a sub-step. */
+    static ContactSolver moving(BodyStore bodies, Surroundings surroundings) {
+        return new ContactSolver(bodies, surroundings, false);
+    }
+
+    /** One that only finds loads, of any size: nothing is pushed apart, bounces, or is woken. */
+    static ContactSolver bracing(BodyStore bodies, Surroundings surroundings) {
+        return new ContactSolver(bodies, surroundings, true);
     }
 
     /** Says how long the sub-steps are from now on, in seconds. */
@@ -66,9 +81,9 @@ final class ContactSolver {
         gravityY = surroundings.gravity().y() * square;
         gravityZ = surroundings.gravity().z() * square;
         double strength = surroundings.gravityStrength();
-        mostNewLoad = MOST_NEW_LOAD * strength * square;
-        impactSpeed = Rest.impactSpeed(strength) * seconds;
-        wakeSpeedSquared = Rest.wakeSpeedSquared(strength) * square;
+        mostNewLoad = bracing ? Double.POSITIVE_INFINITY : MOST_NEW_LOAD * strength * square;
+        impactSpeed = bracing ? Double.POSITIVE_INFINITY : Rest.impactSpeed(strength) * seconds;
+        wakeSpeedSquared = bracing ? Double.POSITIVE_INFINITY : Rest.wakeSpeedSquared(strength) * square;
     }
 
     /**
@@ -108,6 +123,14 @@ final class ContactSolver {
         return bits;
     }
 
+    /** Solves the contacts of a list whose loads are out of balance, once. */
+    void solveUnbalanced(Contacts contacts) {
+        for (int index = 0; index < contacts.unbalancedCount; index++) {
+            int contact = contacts.unbalanced[index];
+            solve(contacts, contact, contact + 1);
+        }
+    }
+
     private void solvePair(Contacts contacts, int contact, int one, int two) {
         int a = BodyStore.STRIDE * one;
         int b = BodyStore.STRIDE * two;
@@ -120,8 +143,11 @@ final class ContactSolver {
         double outside = square - radii * radii;
         double[] impulses = contacts.impulses;
         int at = Contacts.IMPULSES * contact;
+        double ofLighter = Math.max(n[a + BodyStore.INVERSE_MASS], n[b + BodyStore.INVERSE_MASS]);
         if (n[a + BodyStore.INVERSE_MASS] == 0 || n[b + BodyStore.INVERSE_MASS] == 0) {
             wake(one, two, square, radii);
+            // Also one that sleeps is to carry no more than it could bear when it wakes.
+            ofLighter = Math.max(inverseMassAwake(one), inverseMassAwake(two));
         }
         double dx = n[a + BodyStore.MOVE] - n[b + BodyStore.MOVE];
         double dy = n[a + BodyStore.MOVE + 1] - n[b + BodyStore.MOVE + 1];
@@ -145,9 +171,10 @@ final class ContactSolver {
             nx = px * inverse;
             ny = py * inverse;
             nz = pz * inverse;
+            // What loads that were carried on move a body by is no fall: its other contacts take it back.
             if (!loaded
-                    && -closing * inverse > impactSpeed
-                    && impact(impulses, at, a, b, wa, wb, px, py, pz, outside, closing, dx * dx + dy * dy + dz * dz)) {
+                    && -closing * inverse > impactSpeed + n[a + BodyStore.CARRIED] + n[b + BodyStore.CARRIED]
+                    && impact(impulses, at, a, b, px, py, pz, outside, closing, dx * dx + dy * dy + dz * dz)) {
                 return;
             }
         } else {
@@ -159,8 +186,8 @@ final class ContactSolver {
         }
         double gap = distance - radii;
         double most = 2 * MOST_PUSH * Math.min(n[a + BodyStore.RADIUS], n[b + BodyStore.RADIUS]);
-        double push = Math.max(0, Math.min(PUSH_SHARE * (-gap - SLOP * radii), most));
-        hold(impulses, at, a, b, wa, wb, nx, ny, nz, dx, dy, dz, gap, push);
+        double push = Math.max(0, Math.min(pushShare * (-gap - SLOP * radii), most));
+        hold(impulses, at, a, b, wa, wb, ofLighter, nx, ny, nz, dx, dy, dz, gap, push);
     }
 
     /**
@@ -169,6 +196,7 @@ final class ContactSolver {
      * @param at where the contact's impulses are
      * @param b the second body's numbers; not read where its inverse mass is 0
      * @param wa the first body's inverse mass, and the other alike
+     * @param ofLighter the inverse mass of the lighter body, also of one that sleeps
      * @param nx and the other two: the normal, towards the first body
      * @param dx and the other two: what the first body moves more than the second one
      * @param push how far they are to be pushed apart
@@ -180,6 +208,7 @@ final class ContactSolver {
             int b,
             double wa,
             double wb,
+            double ofLighter,
             double nx,
             double ny,
             double nz,
@@ -211,9 +240,8 @@ final class ContactSolver {
         double sy = iy - oy;
         double sz = iz - oz;
         double old = impulses[at + Contacts.BUILT];
-        double ofHeavier = wa > 0 && wb > 0 ? Math.min(wa, wb) : wa + wb;
-        if ((built - old) * ofHeavier > mostNewLoad) {
-            double load = old + mostNewLoad / ofHeavier;
+        if ((built - old) * ofLighter > mostNewLoad) {
+            double load = old + mostNewLoad / ofLighter;
             double kept = load / built;
             built = load;
             ix *= kept;
@@ -241,8 +269,6 @@ final class ContactSolver {
             int at,
             int a,
             int b,
-            double wa,
-            double wb,
             double px,
             double py,
             double pz,
@@ -276,6 +302,8 @@ final class ContactSolver {
         if (!(along < 0)) {
             return false;
         }
+        double wa = inverseMassWhenHit(a);
+        double wb = inverseMassWhenHit(b);
         double both = wa + wb;
         double impulse = -(1 + surroundings.elasticity()) * along / both;
         double tx = along * nx - dx;
@@ -291,6 +319,15 @@ final class ContactSolver {
         apply(a, wa, sx, sy, sz, -time * sx, -time * sy, -time * sz, 0, 0, 0);
         apply(b, wb, -sx, -sy, -sz, time * sx, time * sy, time * sz, 0, 0, 0);
         return true;
+    }
+
+    /** Also of one that has been roused: what is hit moves at once. */
+    private double inverseMassWhenHit(int at) {
+        int body = at / BodyStore.STRIDE;
+        if (numbers[at + BodyStore.INVERSE_MASS] == 0 && bodies.state[body] == BodyStore.WOKEN) {
+            bodies.free(body);
+        }
+        return numbers[at + BodyStore.INVERSE_MASS];
     }
 
     private void solveSurface(double[] impulses, int at, int body, int surface) {
@@ -340,7 +377,7 @@ final class ContactSolver {
         double tx = along * nx - dx;
         double ty = along * ny - dy;
         double tz = along * nz - dz;
-        if (old == 0 && -atStart > impactSpeed) {
+        if (old == 0 && -atStart > impactSpeed + n[a + BodyStore.CARRIED]) {
             double met = Math.max(gap, along);
             // Energy: the speed at the surface, and what is left of the bounced one where it is taken up.
             double hit = Math.max(0, atStart * atStart - 2 * pull * met);
@@ -361,8 +398,8 @@ final class ContactSolver {
                     back * nz);
             return;
         }
-        double push = Math.max(0, Math.min(PUSH_SHARE * (-gap - SLOP * radius), MOST_SURFACE_PUSH * radius));
-        hold(impulses, at, a, a, weight, 0, nx, ny, nz, dx, dy, dz, gap, push);
+        double push = Math.max(0, Math.min(pushShare * (-gap - SLOP * radius), MOST_SURFACE_PUSH * radius));
+        hold(impulses, at, a, a, weight, 0, weight, nx, ny, nz, dx, dy, dz, gap, push);
     }
 
     // A miss needs no root: moving apart, never near enough, or not yet at the end of the sub-step.
@@ -370,6 +407,10 @@ final class ContactSolver {
         return closing >= 0
                 || closing * closing < path * outside
                 || (-closing > path && outside + 2 * closing + path > 0);
+    }
+
+    private double inverseMassAwake(int body) {
+        return body == BodyStore.LIGHT ? 0 : bodies.inverseMass(numbers[BodyStore.STRIDE * body + BodyStore.RADIUS]);
     }
 
     private void wake(int one, int two, double square, double radii) {
@@ -386,7 +427,7 @@ final class ContactSolver {
                 numbers[at] * numbers[at] + numbers[at + 1] * numbers[at + 1] + numbers[at + 2] * numbers[at + 2];
         boolean hit = speedSquared > wakeSpeedSquared * numbers[BodyStore.STRIDE * sleeper + BodyStore.RADIUS];
         if (hit && bodies.state[sleeper] == BodyStore.ASLEEP && sleeper != BodyStore.LIGHT) {
-            bodies.wake(sleeper, BodyStore.WOKEN);
+            bodies.rouse(sleeper);
         }
     }
 

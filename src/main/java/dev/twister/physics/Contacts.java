@@ -27,11 +27,17 @@ final class Contacts {
 
     int count;
 
+    /** The contacts of bodies that have just woken. */
+    int[] unbalanced = NO_BODIES;
+
+    int unbalancedCount;
+
     /** Written by the solver, and read by no one. */
     long fetched;
 
     void clear() {
         count = 0;
+        unbalancedCount = 0;
     }
 
     /** Adds a contact; its first body and its impulses are to be set. */
@@ -77,6 +83,15 @@ final class Contacts {
             alike++;
         }
         return alike;
+    }
+
+    /** Says that a contact is one of a body that has just woken. */
+    void addUnbalanced(int contact) {
+        if (unbalancedCount == unbalanced.length) {
+            unbalanced = Arrays.copyOf(unbalanced, Math.max(LEAST_ROOM, 2 * unbalancedCount));
+        }
+        unbalanced[unbalancedCount] = contact;
+        unbalancedCount++;
     }
 
     /** Keeps those of the pairs from one on whose other body is wanted. */

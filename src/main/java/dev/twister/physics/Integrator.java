@@ -23,7 +23,7 @@ final class Integrator {
     private double gravityY;
     private double gravityZ;
     private double longestMove;
-    private double mostSupportSquared;
+    private double mostSupport;
 
     Integrator(BodyStore bodies, Surroundings surroundings) {
         this.bodies = bodies;
@@ -41,8 +41,7 @@ final class Integrator {
         gravityY = gravity.y() * square;
         gravityZ = gravity.z() * square;
         longestMove = Simulation.MAX_SPEED * seconds;
-        double mostSupport = MOST_SUPPORT * surroundings.gravityStrength() * seconds * seconds;
-        mostSupportSquared = mostSupport * mostSupport;
+        mostSupport = MOST_SUPPORT * surroundings.gravityStrength() * seconds * seconds;
     }
 
     /** What a body moves before its first sub-step so that it starts with a velocity, on one axis. */
@@ -82,7 +81,10 @@ final class Integrator {
                 int at = BodyStore.STRIDE * body + BodyStore.MOVE;
                 int by = BodyStore.STRIDE * body + BodyStore.SUPPORT;
                 double support = n[by] * n[by] + n[by + 1] * n[by + 1] + n[by + 2] * n[by + 2];
-                double carried = support > mostSupportSquared ? Math.sqrt(mostSupportSquared / support) : 1;
+                double length = Math.sqrt(support);
+                n[at - BodyStore.MOVE + BodyStore.CARRIED] = length;
+                // What has just woken is braced at once.
+                double carried = length > mostSupport && !bodies.isJustWoken(body) ? mostSupport / length : 1;
                 double x = kept * n[at] + gravityX + carried * n[by];
                 double y = kept * n[at + 1] + gravityY + carried * n[by + 1];
                 double z = kept * n[at + 2] + gravityZ + carried * n[by + 2];

@@ -11,19 +11,24 @@ import java.util.Arrays;
  */
 final class NeighbourGrid {
     /** Odd numbers without a pattern: no two cells near each other have one key. */
-    private static final long Y_FACTOR = 0x9E3779B97F4A7C15L;
+    private static final int Y_FACTOR = 0x9E3779B1;
 
-    private static final long Z_FACTOR = 0xC2B2AE3D27D4EB4FL;
-    private static final long LEVEL_FACTOR = 0x165667B19E3779F9L;
+    private static final int Z_FACTOR = 0x85EBCA77;
+    private static final int LEVEL_FACTOR = 0xC2B2AE3D;
     private static final int MIDDLE_LEVEL = 32;
     private static final int LEVELS = 64;
     private static final int MIN_BUCKETS = 1 << 10;
     private static final int BUCKETS_FOR_A_BODY = 4;
 
+    /** What floats may lose of a reach, of coordinates and of squares of both: more is added, so that no pair is lost. */
+    private static final double ROUNDED_REACH = 1 + 0x1p-20;
+
+    private static final double ROUNDED_COORDINATE = 0x1p-23;
+
     private final BodyStore bodies;
     private final double baseCell;
     private final double[] cells = new double[LEVELS];
-    private final long[] keyOfBody;
+    private final int[] keyOfBody;
     private final int[] bucketOfBody;
     private final byte[] levelOfBody;
     private final int[] inLevel = new int[LEVELS];
@@ -43,14 +48,19 @@ final class NeighbourGrid {
 
     private int layerStride = 1;
 
-    /** By slot, which is the order of the cells: the body, its cell's key, its centre, its reach (below 0 asleep). */
+    private double largestRounding;
+
+    /**
+     * By slot, which is the order of the cells: the body, its cell's key, its centre, its reach (below 0 asleep). As few
+     * bits as do, for a search waits for memory.
+     */
     final int[] body;
 
-    final long[] key;
-    final double[] x;
-    final double[] y;
-    final double[] z;
-    final double[] reach;
+    final int[] key;
+    final float[] x;
+    final float[] y;
+    final float[] z;
+    final float[] reach;
     int from;
     int slots;
 
@@ -69,24 +79,25 @@ final class NeighbourGrid {
             cells[level] = Math.scalb(baseCell, level - MIDDLE_LEVEL);
         }
         int room = bodies.state.length;
-        keyOfBody = new long[room];
+        keyOfBody = new int[room];
         bucketOfBody = new int[room];
         levelOfBody = new byte[room];
         // The last slots too may be read so many at once.
         body = new int[room + WideScan.LANES];
-        key = new long[room + WideScan.LANES];
-        x = new double[room + WideScan.LANES];
-        y = new double[room + WideScan.LANES];
-        z = new double[room + WideScan.LANES];
-        reach = new double[room + WideScan.LANES];
+        key = new int[room + WideScan.LANES];
+        x = new float[room + WideScan.LANES];
+        y = new float[room + WideScan.LANES];
+        z = new float[room + WideScan.LANES];
+        reach = new float[room + WideScan.LANES];
         if (room > WideScan.MIN_SLOTS && WideScan.SUITS) {
             // Loads the classes now: within a step that would be felt.
             WideScan.scan(this, 0, 0, WideScan.LANES, 0, -1, new Contacts());
         }
     }
 
-    double topCell() {
-        return cells[topLevel];
+    /** How far the two bodies of a pair without a giant are apart at most, along an axis, in metres. */
+    double farthestPair() {
+        return cells[topLevel] * ROUNDED_REACH * ROUNDED_REACH + 4 * largestRounding;
     }
 
     int level(int slot) {
@@ -96,10 +107,9 @@ final class NeighbourGrid {
     /**
      * Lays the buckets out for bodies within some bounds; others are found too, but share buckets with them.
      *
-     * @param width of the bounds along x, in metres
-     * @param height of the bounds along y, in metres
+     * @param bounds least and largest x, y, z, in metres
      */
-    void layOut(double width, double height) {
+    void layOut(double[] bounds) {
         int buckets = Math.max(MIN_BUCKETS, Integer.highestOneBit(Math.max(1, bodies.count)) * BUCKETS_FOR_A_BODY);
         if (starts.length != buckets + 1) {
             starts = new int[buckets + 1];
@@ -108,14 +118,25 @@ final class NeighbourGrid {
         }
         mask = buckets - 1;
         // The base level has most of the bodies.
-        rowStride = (int) Math.clamp(width / baseCell + 2, 3, buckets / 3.0);
-        layerStride = (int) Math.clamp(rowStride * (height / baseCell + 2), rowStride, buckets);
+        rowStride = (int) Math.clamp((bounds[1] - bounds[0]) / baseCell + 2, 3, buckets / 3.0);
+        layerStride = (int) Math.clamp(rowStride * ((bounds[3] - bounds[2]) / baseCell + 2), rowStride, buckets);
+        largestRounding = rounding(
+                farthest(bounds[0], bounds[1]), farthest(bounds[2], bounds[3]), farthest(bounds[4], bounds[5]));
+    }
+
+    // From 0, also where there is nothing within the bounds.
+    private static double farthest(double least, double largest) {
+        return Math.max(0, Math.max(-least, largest));
+    }
+
+    private static double rounding(double px, double py, double pz) {
+        return (Math.abs(px) + Math.abs(py) + Math.abs(pz)) * ROUNDED_COORDINATE;
     }
 
     /** Finds a body's level and cell; its reach and its position must stand. */
     void locate(int number) {
         int at = BodyStore.STRIDE * number;
-        double ratio = 2 * bodies.numbers[at + BodyStore.REACH] / baseCell;
+        double ratio = 2 * bodies.reach[number] / baseCell;
         int exponent = Math.getExponent(ratio);
         int steps = ratio > Math.scalb(1.0, exponent) ? exponent + 1 : exponent;
         int level = Math.clamp(steps + (long) MIDDLE_LEVEL, 0, LEVELS - 1);
@@ -190,10 +211,13 @@ final class NeighbourGrid {
             int number = body[slot];
             int at = BodyStore.STRIDE * number;
             key[slot] = keyOfBody[number];
-            x[slot] = numbers[at + BodyStore.POSITION];
-            y[slot] = numbers[at + BodyStore.POSITION + 1];
-            z[slot] = numbers[at + BodyStore.POSITION + 2];
-            double far = numbers[at + BodyStore.REACH];
+            double px = numbers[at + BodyStore.POSITION];
+            double py = numbers[at + BodyStore.POSITION + 1];
+            double pz = numbers[at + BodyStore.POSITION + 2];
+            x[slot] = (float) px;
+            y[slot] = (float) py;
+            z[slot] = (float) pz;
+            float far = (float) (bodies.reach[number] * ROUNDED_REACH + rounding(px, py, pz));
             reach[slot] = bodies.state[number] == BodyStore.ASLEEP ? -far : far;
             int bucket = bucketOfBody[number];
             boolean coarse = levelOfBody[number] > finestLevel && levelOfBody[number] <= topLevel;
@@ -240,7 +264,7 @@ final class NeighbourGrid {
     }
 
     private void addPairsOfOwnLevel(int slot, Contacts contacts) {
-        long own = key[slot];
+        int own = key[slot];
         int bucket = bucketOfBody[body[slot]];
         if (bucket < mask) {
             // The rest of its own cell, and the next one.
@@ -257,14 +281,18 @@ final class NeighbourGrid {
     }
 
     private void addPairsOfLevel(int slot, int level, Contacts contacts) {
-        int bucket = bucket(x[slot], y[slot], z[slot], level);
+        int at = BodyStore.STRIDE * body[slot] + BodyStore.POSITION;
+        double px = bodies.numbers[at];
+        double py = bodies.numbers[at + 1];
+        double pz = bodies.numbers[at + 2];
+        int bucket = bucket(px, py, pz, level);
         if (near[bucket] == 0 || (reach[slot] < 0 && awakeNear[bucket] == 0)) {
             return;
         }
-        long middle = cellKey(x[slot], y[slot], z[slot], level);
+        int middle = cellKey(px, py, pz, level);
         for (int dz = -1; dz <= 1; dz++) {
             for (int dy = -1; dy <= 1; dy++) {
-                long firstKey = middle + dz * Z_FACTOR + dy * Y_FACTOR - 1;
+                int firstKey = middle + dz * Z_FACTOR + dy * Y_FACTOR - 1;
                 scanRow(slot, firstKey, bucket + dz * layerStride + dy * rowStride - 1, contacts);
             }
         }
@@ -278,7 +306,7 @@ final class NeighbourGrid {
         contacts.keep(start, other -> other != body[slot] && (levelOfBody[other] <= topLevel || other > body[slot]));
     }
 
-    private void scanRow(int slot, long firstKey, int firstBucket, Contacts contacts) {
+    private void scanRow(int slot, int firstKey, int firstBucket, Contacts contacts) {
         int bucket = firstBucket & mask;
         if (bucket + 3 <= mask + 1) {
             scan(slot, starts[bucket], starts[bucket + 3], firstKey, 2, contacts);
@@ -289,54 +317,54 @@ final class NeighbourGrid {
         }
     }
 
-    private void scanBucket(int slot, long wanted, int unwrapped, Contacts contacts) {
+    private void scanBucket(int slot, int wanted, int unwrapped, Contacts contacts) {
         int bucket = unwrapped & mask;
         scan(slot, starts[bucket], starts[bucket + 1], wanted, 0, contacts);
     }
 
     // Buckets hold other cells' bodies too: the keys tell. Without a branch for the distance, which nothing could
     // predict.
-    private void scan(int slot, int start, int end, long firstKey, long span, Contacts contacts) {
+    private void scan(int slot, int start, int end, int firstKey, int span, Contacts contacts) {
         if ((slot & wideSlots) == wideSlots) {
             WideScan.scan(this, slot, start, end, firstKey, span, contacts);
             return;
         }
-        double px = x[slot];
-        double py = y[slot];
-        double pz = z[slot];
-        double own = Math.abs(reach[slot]);
+        float px = x[slot];
+        float py = y[slot];
+        float pz = z[slot];
+        float own = Math.abs(reach[slot]);
         boolean awake = reach[slot] > 0;
         int[] found = contacts.roomFor(end - start);
         int count = contacts.count;
         for (int other = start; other < end; other++) {
-            if (Long.compareUnsigned(key[other] - firstKey, span) <= 0 && (awake || reach[other] > 0)) {
-                double dx = px - x[other];
-                double dy = py - y[other];
-                double dz = pz - z[other];
-                double sum = own + Math.abs(reach[other]);
+            if (Integer.compareUnsigned(key[other] - firstKey, span) <= 0 && (awake || reach[other] > 0)) {
+                float dx = px - x[other];
+                float dy = py - y[other];
+                float dz = pz - z[other];
+                float sum = own + Math.abs(reach[other]);
                 found[count] = body[other];
                 // The sign, as a number.
-                long apart = Double.doubleToRawLongBits(sum * sum - (dx * dx + dy * dy + dz * dz)) >> (Long.SIZE - 1);
-                count += 1 + (int) apart;
+                int apart = Float.floatToRawIntBits(sum * sum - (dx * dx + dy * dy + dz * dz)) >> (Integer.SIZE - 1);
+                count += 1 + apart;
             }
         }
         contacts.addFound(count);
     }
 
-    private long cellKey(double px, double py, double pz, int level) {
+    private int cellKey(double px, double py, double pz, int level) {
         double cell = cells[level];
-        return (long) Math.floor(px / cell)
-                + (long) Math.floor(py / cell) * Y_FACTOR
-                + (long) Math.floor(pz / cell) * Z_FACTOR
-                + level * LEVEL_FACTOR;
+        return index(px, cell) + index(py, cell) * Y_FACTOR + index(pz, cell) * Z_FACTOR + level * LEVEL_FACTOR;
     }
 
     private int bucket(double px, double py, double pz, int level) {
         double cell = cells[level];
-        long linear = (long) Math.floor(px / cell)
-                + (long) Math.floor(py / cell) * rowStride
-                + (long) Math.floor(pz / cell) * layerStride
-                + level * LEVEL_FACTOR;
-        return (int) linear & mask;
+        int linear =
+                index(px, cell) + index(py, cell) * rowStride + index(pz, cell) * layerStride + level * LEVEL_FACTOR;
+        return linear & mask;
+    }
+
+    // Its last bits, where a world is as large as that.
+    private static int index(double place, double cell) {
+        return (int) (long) Math.floor(place / cell);
     }
 }

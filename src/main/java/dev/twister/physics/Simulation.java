@@ -50,6 +50,7 @@ public final class Simulation implements AutoCloseable {
     private final int firstBody;
     private final ContactSearch search;
     private final ContactSolver solver;
+    private final Bracing bracing;
     private final Integrator integrator;
     private final Spout spout;
     private final Survey survey;
@@ -69,7 +70,8 @@ public final class Simulation implements AutoCloseable {
         team = new Team(spheres.size() < MIN_BODIES_FOR_THREADS ? 1 : threads);
         firstBody = scene.physics().solidLight() ? BodyStore.LIGHT : BodyStore.FIRST_SPHERE;
         search = new ContactSearch(bodies, surroundings, team, firstBody, typicalRadius(spheres) * (1 + 2 * MARGIN));
-        solver = new ContactSolver(bodies, surroundings);
+        solver = ContactSolver.moving(bodies, surroundings);
+        bracing = new Bracing(bodies, surroundings);
         integrator = new Integrator(bodies, surroundings);
         survey = new Survey(bodies, team, firstBody);
         spout = Spout.of(scene.pour(), spheres.subList(placed, spheres.size()));
@@ -262,9 +264,12 @@ public final class Simulation implements AutoCloseable {
         double moves = SUBSTEPS;
         double seconds = SUBSTEPS * substep;
         double fall = surroundings.gravityStrength() * seconds * seconds;
-        search.search(survey.reach(MARGIN, moves, fall));
+        double[] bounds = survey.reach(MARGIN, moves, fall);
+        search.search(bounds, survey.anyJustWoken());
         Columns columns = search.columns();
+        bracing.load(search);
         inChunks(integrator::accelerate);
+        bracing.brace(search);
         for (int sub = 1; sub <= SUBSTEPS; sub++) {
             for (int colour = 0; colour < Columns.COLOURS; colour++) {
                 int own = colour;
@@ -315,6 +320,7 @@ public final class Simulation implements AutoCloseable {
     private void setSubstep(double seconds) {
         substep = seconds;
         solver.setSubstep(seconds);
+        bracing.setSubstep(seconds);
         integrator.setSubstep(seconds);
     }
 

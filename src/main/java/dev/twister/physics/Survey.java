@@ -7,11 +7,15 @@ final class Survey {
     private static final int FACTS = 7;
     private static final int LONGEST_MOVE_SQUARED = 6;
 
+    /** In the same place, for they are told by different looks: above 0 where one has just woken. */
+    private static final int WOKEN = 6;
+
     private final BodyStore bodies;
     private final Team team;
     private final int firstBody;
     private final double[] bounds = new double[6];
     private double[] facts = {};
+    private boolean anyJustWoken;
 
     Survey(BodyStore bodies, Team team, int firstBody) {
         this.bodies = bodies;
@@ -54,7 +58,16 @@ final class Survey {
                 bounds[2 * axis + 1] = Math.max(bounds[2 * axis + 1], found[at + 1]);
             }
         }
+        anyJustWoken = false;
+        for (int at = WOKEN; at < found.length; at += FACTS) {
+            anyJustWoken |= found[at] > 0;
+        }
         return bounds;
+    }
+
+    /** Whether a body has just woken ({@link BodyStore#isJustWoken}), by the last call of {@link #reach}. */
+    boolean anyJustWoken() {
+        return anyJustWoken;
     }
 
     private interface Look {
@@ -86,7 +99,6 @@ final class Survey {
                 bodies.sleep(body);
             }
             if (bodies.state[body] != BodyStore.ASLEEP) {
-                bodies.state[body] = BodyStore.AWAKE;
                 longest = Math.max(longest, moveSquared(at));
             }
         }
@@ -95,6 +107,7 @@ final class Survey {
 
     private void setReach(int from, int to, int facts0, double margin, double moves, double fall) {
         double[] n = bodies.numbers;
+        double woken = 0;
         for (int axis = 0; axis < 3; axis++) {
             facts[facts0 + 2 * axis] = Double.POSITIVE_INFINITY;
             facts[facts0 + 2 * axis + 1] = Double.NEGATIVE_INFINITY;
@@ -103,15 +116,21 @@ final class Survey {
             int at = BodyStore.STRIDE * body;
             double far = n[at + BodyStore.RADIUS] * (1 + margin);
             if (bodies.state[body] != BodyStore.ASLEEP) {
+                if (bodies.state[body] == BodyStore.WOKEN) {
+                    bodies.state[body] = BodyStore.AWAKE;
+                    bodies.free(body);
+                }
+                woken += bodies.isJustWoken(body) ? 1 : 0;
                 far += Math.sqrt(moveSquared(at)) * moves + fall;
             }
-            n[at + BodyStore.REACH] = far;
+            bodies.reach[body] = far;
             for (int axis = 0; axis < 3; axis++) {
                 int fact = facts0 + 2 * axis;
                 facts[fact] = Math.min(facts[fact], n[at + axis]);
                 facts[fact + 1] = Math.max(facts[fact + 1], n[at + axis]);
             }
         }
+        facts[facts0 + WOKEN] = woken;
     }
 
     private double moveSquared(int at) {

@@ -1,8 +1,7 @@
 package dev.twister.physics;
 
-import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
-import jdk.incubator.vector.LongVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
@@ -24,12 +23,11 @@ final class WideScan {
     /** After so many of them it is used for twice as many slots; for one in the first. */
     static final int SEARCHES_TO_DOUBLE = 20;
 
-    private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_512;
-    private static final VectorSpecies<Long> LONGS = LongVector.SPECIES_512;
+    private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
     private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
 
     /** Whether the processor has such lanes; only those that have them can pack some of them together. */
-    static final boolean SUITS = DoubleVector.SPECIES_PREFERRED.equals(DOUBLES);
+    static final boolean SUITS = FloatVector.SPECIES_PREFERRED.equals(FloatVector.SPECIES_512);
 
     private WideScan() {}
 
@@ -40,19 +38,19 @@ final class WideScan {
      * @param end the one after the last
      * @param firstKey the least key of a cell that counts, and how many more do
      */
-    static void scan(NeighbourGrid grid, int slot, int start, int end, long firstKey, long span, Contacts contacts) {
-        double own = Math.abs(grid.reach[slot]);
-        double least = grid.reach[slot] > 0 ? Double.NEGATIVE_INFINITY : 0;
+    static void scan(NeighbourGrid grid, int slot, int start, int end, int firstKey, int span, Contacts contacts) {
+        float own = Math.abs(grid.reach[slot]);
+        float least = grid.reach[slot] > 0 ? Float.NEGATIVE_INFINITY : 0;
         int[] found = contacts.roomFor(end - start + LANES);
         int count = contacts.count;
         for (int other = start; other < end; other += LANES) {
-            DoubleVector dx = DoubleVector.fromArray(DOUBLES, grid.x, other).sub(grid.x[slot]);
-            DoubleVector dy = DoubleVector.fromArray(DOUBLES, grid.y, other).sub(grid.y[slot]);
-            DoubleVector dz = DoubleVector.fromArray(DOUBLES, grid.z, other).sub(grid.z[slot]);
-            DoubleVector reach = DoubleVector.fromArray(DOUBLES, grid.reach, other);
-            DoubleVector sum = reach.abs().add(own);
-            DoubleVector square = dx.mul(dx).add(dy.mul(dy)).add(dz.mul(dz));
-            LongVector cell = LongVector.fromArray(LONGS, grid.key, other).sub(firstKey);
+            FloatVector dx = FloatVector.fromArray(FLOATS, grid.x, other).sub(grid.x[slot]);
+            FloatVector dy = FloatVector.fromArray(FLOATS, grid.y, other).sub(grid.y[slot]);
+            FloatVector dz = FloatVector.fromArray(FLOATS, grid.z, other).sub(grid.z[slot]);
+            FloatVector reach = FloatVector.fromArray(FLOATS, grid.reach, other);
+            FloatVector sum = reach.abs().add(own);
+            FloatVector square = dx.mul(dx).add(dy.mul(dy)).add(dz.mul(dz));
+            IntVector cell = IntVector.fromArray(INTS, grid.key, other).sub(firstKey);
             long meet = square.compare(VectorOperators.LE, sum.mul(sum)).toLong()
                     & reach.compare(VectorOperators.GT, least).toLong()
                     & cell.compare(VectorOperators.ULE, span).toLong()

@@ -136,7 +136,7 @@ class CollisionTest {
                 Simulation.of(Motion.scene(physics, Motion.sphere(-3, 0.5, 0, 0.5), Motion.sphere(0, 0.5, 0, 0.5)))) {
             Motion.run(simulation, 2);
             assertThat(Motion.sleepers(simulation)).isEqualTo(2);
-            simulation.store().wake(1, BodyStore.AWAKE);
+            simulation.store().rouse(1);
             Motion.setVelocity(simulation, 1, 4, 0, 0);
             Motion.run(simulation, 1);
 

@@ -1,12 +1,16 @@
 package dev.twister.physics;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
 import dev.twister.scene.Physics;
 import dev.twister.scene.Plane;
+import dev.twister.scene.Pour;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.SceneReader;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import java.nio.file.Path;
@@ -95,6 +99,61 @@ final class Motion {
     static double energy(Simulation simulation, int body) {
         double speed = speed(simulation, body);
         return mass(simulation, body) * (speed * speed / 2 + GRAVITY * place(simulation, body, 1));
+    }
+
+    /** As {@link #energy}, over the plane and one by one, by the scene's spheres: a change of the bodies' order changes nothing. */
+    static double[] energies(Simulation simulation, double height) {
+        BodyStore bodies = simulation.store();
+        double[] energies = new double[bodies.count - 1];
+        for (int body = 1; body < bodies.count; body++) {
+            double lift = GRAVITY * height * mass(simulation, body);
+            energies[bodies.sphere[body]] = energy(simulation, body) - lift;
+        }
+        return energies;
+    }
+
+    /**
+     * Moves by some steps and holds the energy in each of them to what there was and what came with new spheres.
+     *
+     * @param mostGain of the most energy that there was so far: what a step may add
+     * @return the most energy that there was
+     */
+    static double runWithoutGain(Simulation simulation, int steps, double height, double mostSoFar, double mostGain) {
+        double most = mostSoFar;
+        double[] before = energies(simulation, height);
+        for (int step = 0; step < steps; step++) {
+            simulation.step();
+            double[] now = energies(simulation, height);
+            double sum = sum(before, 0) + sum(now, before.length);
+            most = Math.max(most, sum);
+            assertThat(sum(now, 0))
+                    .as("energy at %.3f s", simulation.seconds())
+                    .isFinite()
+                    .isLessThanOrEqualTo(sum + mostGain * most);
+            before = now;
+        }
+        return most;
+    }
+
+    /** The scene with a thousand poured, in another order and of other sizes. */
+    static Scene pourOfAThousand(int seed) {
+        Scene scene = SceneReader.read(Path.of("scenes", "pour-1000.json"));
+        Pour pour = scene.pour().orElseThrow();
+        return scene.withPour(new Pour(
+                pour.count(),
+                pour.rate(),
+                pour.position(),
+                pour.width(),
+                pour.speed(),
+                pour.minRadius(),
+                pour.maxRadius(),
+                pour.palette(),
+                pour.reflectivity(),
+                seed));
+    }
+
+    private static double sum(double[] energies, int from) {
+        return Arrays.stream(energies, from, energies.length).sum();
     }
 
     /** How far one sphere is in another, as a share of their radii together; below 0 apart. */

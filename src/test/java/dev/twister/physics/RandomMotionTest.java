@@ -87,7 +87,7 @@ class RandomMotionTest {
         }
         try (Team team = new Team(1)) {
             ContactSearch search = new ContactSearch(bodies, Surroundings.of(scene), team, 1, 0.05);
-            search.search(new Survey(bodies, team, 1).reach(0.1, 4, 0.001));
+            search.search(new Survey(bodies, team, 1).reach(0.1, 4, 0.001), false);
             List<String> found = new ArrayList<>();
             collect(search.giantsContacts(), found);
             for (int row = 0; row < search.columns().rows(); row++) {
@@ -116,7 +116,7 @@ class RandomMotionTest {
                 double x = n[a] - n[b];
                 double y = n[a + 1] - n[b + 1];
                 double z = n[a + 2] - n[b + 2];
-                double reach = n[a + BodyStore.REACH] + n[b + BodyStore.REACH];
+                double reach = bodies.reach[one] + bodies.reach[other];
                 boolean asleep = bodies.state[one] == BodyStore.ASLEEP && bodies.state[other] == BodyStore.ASLEEP;
                 if (!asleep && x * x + y * y + z * z <= reach * reach) {
                     pairs.add(name(one, other));
