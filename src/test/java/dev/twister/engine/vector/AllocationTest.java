@@ -1,6 +1,7 @@
 package dev.twister.engine.vector;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import com.sun.management.ThreadMXBean;
 import dev.twister.engine.Engine;
@@ -15,12 +16,13 @@ import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import jdk.incubator.vector.FloatVector;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Whether a warm frame allocates. Each width has a JVM of its own, as a user's has: one that has seen several widths
- * compiles worse.
+ * Whether a warm frame allocates. Each width that the CPU has gets a JVM of its own, as a user's has: one that has seen
+ * several widths compiles worse.
  */
 final class AllocationTest {
     /** The frame's times, and what the JVM does beside; boxed vectors would be megabytes. */
@@ -41,6 +43,9 @@ final class AllocationTest {
         "512, crowd of 1000"
     })
     void allocatesNextToNothingInAWarmFrame(int bits, String scene) throws IOException, InterruptedException {
+        assumeThat(bits)
+                .as("bits of the CPU's vectors: wider ones are objects at every step")
+                .isLessThanOrEqualTo(FloatVector.SPECIES_PREFERRED.vectorBitSize());
         String first = warmUp(bits, scene);
         // The order in which the compiler takes the stages is its own: once in many JVMs one of them stays boxed.
         String last = first.contains(WarmFrames.WARM) ? first : warmUp(bits, scene);
