@@ -9,7 +9,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Collectors;
 
 /**
  * Where a benchmark's report goes. One that was stopped goes beside it, so that an older, finished one is not lost for it:
@@ -40,38 +39,40 @@ record ReportFiles(Optional<Path> json, Optional<Path> csv) {
         if (csv.isPresent()) {
             CsvReport.write(report, csv.get());
         }
-        for (Path file : besides(json, csv)) {
-            Files.deleteIfExists(file);
+        for (Optional<Path> file : List.of(beside(json), beside(csv))) {
+            if (file.isPresent()) {
+                Files.deleteIfExists(file.get());
+            }
         }
     }
 
     /** Writes a report that was stopped, and returns what there is to say of it. */
     String writeUnfinished(BenchmarkReport report) {
-        List<Path> besideJson = besides(json, Optional.empty());
-        List<Path> besideCsv = besides(Optional.empty(), csv);
+        List<String> written = new ArrayList<>();
+        Optional<Path> besideJson = beside(json);
+        Optional<Path> besideCsv = beside(csv);
         try {
-            for (Path file : besideJson) {
-                JsonReport.write(report, file);
+            if (besideJson.isPresent()) {
+                JsonReport.write(report, besideJson.get());
+                written.add(besideJson.get().toString());
             }
-            for (Path file : besideCsv) {
-                CsvReport.write(report, file);
+            if (besideCsv.isPresent()) {
+                CsvReport.write(report, besideCsv.get());
+                written.add(besideCsv.get().toString());
             }
         } catch (IOException problem) {
-            return "no file could be written (" + problem.getMessage() + "), but this was measured:";
+            String files = written.isEmpty() ? "no file" : "no file but " + written.getFirst();
+            return files + " could be written (" + problem.getMessage() + "), but this was measured:";
         }
-        String files = besides(json, csv).stream().map(Path::toString).collect(Collectors.joining(" and "));
-        return files.isEmpty() ? "this was measured:" : "what was measured is in " + files + ":";
+        return written.isEmpty()
+                ? "this was measured:"
+                : "what was measured is in " + String.join(" and ", written) + ":";
     }
 
     /** Nothing goes beside a device or a pipe. */
-    private static List<Path> besides(Optional<Path> json, Optional<Path> csv) {
-        List<Path> files = new ArrayList<>();
-        json.ifPresent(files::add);
-        csv.ifPresent(files::add);
-        return files.stream()
-                .filter(file -> Files.notExists(file) || Files.isRegularFile(file))
-                .map(ReportFiles::beside)
-                .toList();
+    private static Optional<Path> beside(Optional<Path> file) {
+        return file.filter(path -> Files.notExists(path) || Files.isRegularFile(path))
+                .map(ReportFiles::beside);
     }
 
     private static Path beside(Path file) {

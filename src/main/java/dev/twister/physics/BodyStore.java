@@ -193,7 +193,7 @@ final class BodyStore {
         calmSteps[body] = 0;
         int at = STRIDE * body;
         Arrays.fill(numbers, at + MOVE, at + MOVE + 3, 0);
-        Arrays.fill(numbers, at + SUPPORT, at + SUPPORT + 3, 0);
+        clearSupport(body);
         numbers[at + INVERSE_MASS] = 0;
         numbers[at + CARRIED] = 0;
     }

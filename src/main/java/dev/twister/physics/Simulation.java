@@ -265,11 +265,16 @@ public final class Simulation implements AutoCloseable {
         double seconds = SUBSTEPS * substep;
         double fall = surroundings.gravityStrength() * seconds * seconds;
         double[] bounds = survey.reach(MARGIN, moves, fall);
-        search.search(bounds, survey.anyJustWoken());
+        boolean anyJustWoken = survey.anyJustWoken();
+        search.search(bounds, anyJustWoken);
         Columns columns = search.columns();
-        bracing.load(search);
+        if (anyJustWoken) {
+            bracing.load(search);
+        }
         inChunks(integrator::accelerate);
-        bracing.brace(search);
+        if (anyJustWoken) {
+            bracing.brace(search);
+        }
         for (int sub = 1; sub <= SUBSTEPS; sub++) {
             for (int colour = 0; colour < Columns.COLOURS; colour++) {
                 int own = colour;

@@ -10,7 +10,7 @@ final class PatchList {
 
     final int[] top = new int[places.length];
 
-    /** How many texels they are wide and high. */
+    /** How many texels they are wide and high; only {@link SkyPatches} asks for it. */
     final int[] columns = new int[places.length];
 
     final int[] rows = new int[places.length];

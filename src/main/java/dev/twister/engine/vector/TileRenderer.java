@@ -126,6 +126,7 @@ final class TileRenderer {
         for (int sample = 0; sample < drawing.pixelSamples; sample++) {
             tile.sample = sample;
             if (sample > 0) {
+                // Following the last sample's rays has emptied it.
                 listInside(drawing);
             }
             Stage.runAll(START, tile, drawing);
