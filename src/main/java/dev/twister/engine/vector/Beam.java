@@ -170,9 +170,9 @@ final class Beam {
                     .max(fromY.mul(y.secondScale).reinterpretAsInts())
                     .max(fromZ.mul(z.secondScale).reinterpretAsInts());
         }
-        IntVector far = fromX.fma(x.farScale, x.farAddition).reinterpretAsInts();
-        IntVector farY = fromY.fma(y.farScale, y.farAddition).reinterpretAsInts();
-        IntVector farZ = fromZ.fma(z.farScale, z.farAddition).reinterpretAsInts();
+        IntVector far = fromX.mul(x.farScale).add(x.farAddition).reinterpretAsInts();
+        IntVector farY = fromY.mul(y.farScale).add(y.farAddition).reinterpretAsInts();
+        IntVector farZ = fromZ.mul(z.farScale).add(z.farAddition).reinterpretAsInts();
         far = far.min(Float.floatToRawIntBits(end)).min(farY.min(farZ));
         near.reinterpretAsFloats().intoArray(entries, 0);
         return near.compare(VectorOperators.LE, far).toLong();
@@ -208,9 +208,9 @@ final class Beam {
                     .max(fromY.mul(y.secondScale).reinterpretAsInts())
                     .max(fromZ.mul(z.secondScale).reinterpretAsInts());
         }
-        IntVector far = fromX.fma(x.farScale, x.farAddition).reinterpretAsInts();
-        IntVector farY = fromY.fma(y.farScale, y.farAddition).reinterpretAsInts();
-        IntVector farZ = fromZ.fma(z.farScale, z.farAddition).reinterpretAsInts();
+        IntVector far = fromX.mul(x.farScale).add(x.farAddition).reinterpretAsInts();
+        IntVector farY = fromY.mul(y.farScale).add(y.farAddition).reinterpretAsInts();
+        IntVector farZ = fromZ.mul(z.farScale).add(z.farAddition).reinterpretAsInts();
         far = far.min(Float.floatToRawIntBits(end)).min(farY.min(farZ));
         return near.compare(VectorOperators.LE, far).toLong();
     }

@@ -39,8 +39,8 @@ final class Bounce {
 
     private static void add(
             float[] t, int at, int color, int albedo, FloatVector matte, FloatVector specular, float light) {
-        FloatVector diffuse = matte.fma(Lanes.load(t, at + albedo), Lanes.load(t, at + color));
-        specular.fma(Lanes.all(light), diffuse).intoArray(t, at + color);
+        FloatVector diffuse = Lanes.fma(matte, Lanes.load(t, at + albedo), Lanes.load(t, at + color));
+        Lanes.fma(specular, Lanes.all(light), diffuse).intoArray(t, at + color);
     }
 
     /** Mirrors the live rays at the surfaces and starts them there. */
@@ -59,10 +59,10 @@ final class Bounce {
                     .add(directionY.mul(normalY))
                     .add(directionZ.mul(normalZ))
                     .mul(-2f);
-            FloatVector x = twice.fma(normalX, directionX);
-            FloatVector y = twice.fma(normalY, directionY);
-            FloatVector z = twice.fma(normalZ, directionZ);
-            FloatVector inverse = Lanes.inverseRoot(x.fma(x, y.fma(y, z.mul(z))));
+            FloatVector x = Lanes.fma(twice, normalX, directionX);
+            FloatVector y = Lanes.fma(twice, normalY, directionY);
+            FloatVector z = Lanes.fma(twice, normalZ, directionZ);
+            FloatVector inverse = Lanes.inverseRoot(Lanes.fma(x, x, Lanes.fma(y, y, z.mul(z))));
             x.mul(inverse).intoArray(t, at + Tile.DIRECTION_X);
             y.mul(inverse).intoArray(t, at + Tile.DIRECTION_Y);
             z.mul(inverse).intoArray(t, at + Tile.DIRECTION_Z);

@@ -30,10 +30,11 @@ final class Highlight {
             FloatVector x = half(t, at, Tile.TO_LIGHT_X, Tile.DIRECTION_X);
             FloatVector y = half(t, at, Tile.TO_LIGHT_Y, Tile.DIRECTION_Y);
             FloatVector z = half(t, at, Tile.TO_LIGHT_Z, Tile.DIRECTION_Z);
-            FloatVector normalDotHalf = x.fma(
+            FloatVector normalDotHalf = Lanes.fma(
+                    x,
                     Lanes.load(t, at + Tile.NORMAL_X),
-                    y.fma(Lanes.load(t, at + Tile.NORMAL_Y), z.mul(Lanes.load(t, at + Tile.NORMAL_Z))));
-            FloatVector cosine = normalDotHalf.mul(Lanes.inverseRoot(x.fma(x, y.fma(y, z.mul(z)))));
+                    Lanes.fma(y, Lanes.load(t, at + Tile.NORMAL_Y), z.mul(Lanes.load(t, at + Tile.NORMAL_Z))));
+            FloatVector cosine = normalDotHalf.mul(Lanes.inverseRoot(Lanes.fma(x, x, Lanes.fma(y, y, z.mul(z)))));
             Lanes.smaller(Lanes.larger(cosine, Lanes.all(0f)), Lanes.all(1f)).intoArray(t, at + Tile.SPECULAR);
         }
     }
@@ -155,7 +156,7 @@ final class Highlight {
                 result = result.blend(result.mul(root), taken);
                 rest = rest.blend(rest.sub(1f), taken);
             }
-            FloatVector last = rest.fma(root.sub(1f), Lanes.all(1f));
+            FloatVector last = Lanes.fma(rest, root.sub(1f), Lanes.all(1f));
             result.mul(last).blend(1f, whole).intoArray(t, at + Tile.FRACTION_POWER);
         }
     }

@@ -218,8 +218,8 @@ final class Hull {
         FloatVector acrossX = x.sub(along.mul(axisX));
         FloatVector acrossY = y.sub(along.mul(axisY));
         FloatVector acrossZ = z.sub(along.mul(axisZ));
-        FloatVector across =
-                acrossX.fma(acrossX, acrossY.fma(acrossY, acrossZ.mul(acrossZ))).sqrt();
+        FloatVector across = Lanes.fma(acrossX, acrossX, Lanes.fma(acrossY, acrossY, acrossZ.mul(acrossZ)))
+                .sqrt();
         FloatVector reach = Lanes.load(radii, at).add(radius).mul(RELATIVE_MARGIN);
         FloatVector margin = along.abs().add(across).add(reach.abs()).mul(ABSOLUTE_MARGIN);
         FloatVector generous = reach.add(margin);

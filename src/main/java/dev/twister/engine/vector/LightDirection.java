@@ -17,7 +17,7 @@ final class LightDirection {
             FloatVector x = Lanes.all(bodies.x[Layout.LIGHT]).sub(Lanes.load(t, at + Tile.POINT_X));
             FloatVector y = Lanes.all(bodies.y[Layout.LIGHT]).sub(Lanes.load(t, at + Tile.POINT_Y));
             FloatVector z = Lanes.all(bodies.z[Layout.LIGHT]).sub(Lanes.load(t, at + Tile.POINT_Z));
-            FloatVector squared = x.fma(x, y.fma(y, z.mul(z)));
+            FloatVector squared = Lanes.fma(x, x, Lanes.fma(y, y, z.mul(z)));
             FloatVector inverse = Lanes.inverseRoot(squared);
             FloatVector unitX = x.mul(inverse);
             FloatVector unitY = y.mul(inverse);

@@ -16,14 +16,11 @@ final class LightHit {
                     .blend(
                             Lanes.load(t, at + Tile.THROUGHPUT),
                             Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.LIGHT));
-            throughput
-                    .fma(Lanes.all(bodies.red[Layout.LIGHT]), Lanes.load(t, at + Tile.RED))
+            Lanes.fma(throughput, Lanes.all(bodies.red[Layout.LIGHT]), Lanes.load(t, at + Tile.RED))
                     .intoArray(t, at + Tile.RED);
-            throughput
-                    .fma(Lanes.all(bodies.green[Layout.LIGHT]), Lanes.load(t, at + Tile.GREEN))
+            Lanes.fma(throughput, Lanes.all(bodies.green[Layout.LIGHT]), Lanes.load(t, at + Tile.GREEN))
                     .intoArray(t, at + Tile.GREEN);
-            throughput
-                    .fma(Lanes.all(bodies.blue[Layout.LIGHT]), Lanes.load(t, at + Tile.BLUE))
+            Lanes.fma(throughput, Lanes.all(bodies.blue[Layout.LIGHT]), Lanes.load(t, at + Tile.BLUE))
                     .intoArray(t, at + Tile.BLUE);
         }
     }

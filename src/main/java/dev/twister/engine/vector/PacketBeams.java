@@ -11,7 +11,7 @@ import jdk.incubator.vector.VectorOperators;
  * {@link PacketLeaves} then tests each against as many boxes as there are lanes.
  */
 final class PacketBeams {
-    /** What a plane's t is made less or greater by, as a part of the origin's: it is rounded by two units of 2^-24. */
+    /** What a plane's t is made less or greater by, as a part of the origin's: it is rounded by three units of 2^-24. */
     private static final float ROUNDING = 2e-7f;
 
     // Three columns each, one an axis: what makes the t of the near side, of the far one, and of a second near one.

@@ -134,11 +134,12 @@ final class PacketHits {
                         .sub(originZ);
                 FloatVector radius =
                         FloatVector.fromArray(Lanes.FLOATS, spheres, first + SphereColumns.RADIUS * Lanes.COUNT);
-                FloatVector along = x.fma(directionX, y.fma(directionY, z.mul(directionZ)));
+                FloatVector along = Lanes.fma(x, directionX, Lanes.fma(y, directionY, z.mul(directionZ)));
                 FloatVector acrossX = x.sub(along.mul(directionX));
                 FloatVector acrossY = y.sub(along.mul(directionY));
                 FloatVector acrossZ = z.sub(along.mul(directionZ));
-                FloatVector acrossSquared = acrossX.fma(acrossX, acrossY.fma(acrossY, acrossZ.mul(acrossZ)));
+                FloatVector acrossSquared =
+                        Lanes.fma(acrossX, acrossX, Lanes.fma(acrossY, acrossY, acrossZ.mul(acrossZ)));
                 FloatVector within = radius.mul(radius).sub(acrossSquared);
                 long met = along.compare(VectorOperators.GT, 0f)
                         .and(within.compare(VectorOperators.GE, 0f))
@@ -196,11 +197,11 @@ final class PacketHits {
                     .sub(originY);
             FloatVector z = FloatVector.broadcast(Lanes.FLOATS, spheres[sphere + SphereColumns.Z * Lanes.COUNT])
                     .sub(originZ);
-            FloatVector along = x.fma(directionX, y.fma(directionY, z.mul(directionZ)));
+            FloatVector along = Lanes.fma(x, directionX, Lanes.fma(y, directionY, z.mul(directionZ)));
             FloatVector acrossX = x.sub(along.mul(directionX));
             FloatVector acrossY = y.sub(along.mul(directionY));
             FloatVector acrossZ = z.sub(along.mul(directionZ));
-            FloatVector across = acrossX.fma(acrossX, acrossY.fma(acrossY, acrossZ.mul(acrossZ)));
+            FloatVector across = Lanes.fma(acrossX, acrossX, Lanes.fma(acrossY, acrossY, acrossZ.mul(acrossZ)));
             FloatVector near = along.sub(FloatVector.broadcast(Lanes.FLOATS, radius * radius)
                     .sub(across)
                     .sqrt());

@@ -7,7 +7,8 @@ import jdk.incubator.vector.VectorOperators;
 
 /**
  * The leaves that each of a packet's beams may meet, found level by level for all beams together: what is tested next does
- * not depend on what was found last, so that the CPU tests several nodes at a time.
+ * not depend on what was found last, so that the CPU tests several nodes at a time. Without helpers, for the reason that
+ * {@link ShadowConics} has.
  */
 final class PacketLeaves {
     private static final int ROOM = 4096;
@@ -70,40 +71,37 @@ final class PacketLeaves {
             FloatVector farZ =
                     FloatVector.fromArray(Lanes.FLOATS, boxes, 2 * (at + 2 * Lanes.COUNT) + PacketBeams.AXES - z);
             IntVector near = FloatVector.fromArray(Lanes.FLOATS, boxes, x)
-                    .fma(f[PacketBeams.NEAR_SCALE + beam], f[PacketBeams.NEAR_ADDITION + beam])
+                    .mul(f[PacketBeams.NEAR_SCALE + beam])
+                    .add(f[PacketBeams.NEAR_ADDITION + beam])
                     .reinterpretAsInts();
             IntVector nearY = FloatVector.fromArray(Lanes.FLOATS, boxes, y)
-                    .fma(
-                            f[PacketBeams.NEAR_SCALE + Lanes.COUNT + beam],
-                            f[PacketBeams.NEAR_ADDITION + Lanes.COUNT + beam])
+                    .mul(f[PacketBeams.NEAR_SCALE + Lanes.COUNT + beam])
+                    .add(f[PacketBeams.NEAR_ADDITION + Lanes.COUNT + beam])
                     .reinterpretAsInts();
             IntVector nearZ = FloatVector.fromArray(Lanes.FLOATS, boxes, z)
-                    .fma(
-                            f[PacketBeams.NEAR_SCALE + 2 * Lanes.COUNT + beam],
-                            f[PacketBeams.NEAR_ADDITION + 2 * Lanes.COUNT + beam])
+                    .mul(f[PacketBeams.NEAR_SCALE + 2 * Lanes.COUNT + beam])
+                    .add(f[PacketBeams.NEAR_ADDITION + 2 * Lanes.COUNT + beam])
                     .reinterpretAsInts();
             near = near.max(0).max(nearY.max(nearZ));
             if ((beams.straddles >>> beam & 1) != 0) {
-                near = near.max(farX.fma(f[PacketBeams.SECOND_SCALE + beam], f[PacketBeams.SECOND_ADDITION + beam])
+                near = near.max(farX.mul(f[PacketBeams.SECOND_SCALE + beam])
+                                .add(f[PacketBeams.SECOND_ADDITION + beam])
                                 .reinterpretAsInts())
-                        .max(farY.fma(
-                                        f[PacketBeams.SECOND_SCALE + Lanes.COUNT + beam],
-                                        f[PacketBeams.SECOND_ADDITION + Lanes.COUNT + beam])
+                        .max(farY.mul(f[PacketBeams.SECOND_SCALE + Lanes.COUNT + beam])
+                                .add(f[PacketBeams.SECOND_ADDITION + Lanes.COUNT + beam])
                                 .reinterpretAsInts())
-                        .max(farZ.fma(
-                                        f[PacketBeams.SECOND_SCALE + 2 * Lanes.COUNT + beam],
-                                        f[PacketBeams.SECOND_ADDITION + 2 * Lanes.COUNT + beam])
+                        .max(farZ.mul(f[PacketBeams.SECOND_SCALE + 2 * Lanes.COUNT + beam])
+                                .add(f[PacketBeams.SECOND_ADDITION + 2 * Lanes.COUNT + beam])
                                 .reinterpretAsInts());
             }
-            IntVector far = farX.fma(f[PacketBeams.FAR_SCALE + beam], f[PacketBeams.FAR_ADDITION + beam])
+            IntVector far = farX.mul(f[PacketBeams.FAR_SCALE + beam])
+                    .add(f[PacketBeams.FAR_ADDITION + beam])
                     .reinterpretAsInts();
-            IntVector nextY = farY.fma(
-                            f[PacketBeams.FAR_SCALE + Lanes.COUNT + beam],
-                            f[PacketBeams.FAR_ADDITION + Lanes.COUNT + beam])
+            IntVector nextY = farY.mul(f[PacketBeams.FAR_SCALE + Lanes.COUNT + beam])
+                    .add(f[PacketBeams.FAR_ADDITION + Lanes.COUNT + beam])
                     .reinterpretAsInts();
-            IntVector nextZ = farZ.fma(
-                            f[PacketBeams.FAR_SCALE + 2 * Lanes.COUNT + beam],
-                            f[PacketBeams.FAR_ADDITION + 2 * Lanes.COUNT + beam])
+            IntVector nextZ = farZ.mul(f[PacketBeams.FAR_SCALE + 2 * Lanes.COUNT + beam])
+                    .add(f[PacketBeams.FAR_ADDITION + 2 * Lanes.COUNT + beam])
                     .reinterpretAsInts();
             far = far.min(beams.ends[beam]).min(nextY.min(nextZ));
             VectorMask<Integer> met = near.compare(VectorOperators.LE, far);

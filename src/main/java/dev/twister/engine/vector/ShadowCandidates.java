@@ -20,7 +20,7 @@ final class ShadowCandidates {
                     .div(distance)
                     .blend(0f, distance.compare(VectorOperators.LE, 0f));
             tangent.intoArray(t, at + Tile.DISC_TANGENT);
-            tangent.fma(tangent, Lanes.all(1f)).sqrt().intoArray(t, at + Tile.DISC_SECANT);
+            Lanes.fma(tangent, tangent, Lanes.all(1f)).sqrt().intoArray(t, at + Tile.DISC_SECANT);
         }
     }
 
@@ -90,14 +90,16 @@ final class ShadowCandidates {
                     .sub(pointY);
             FloatVector z = FloatVector.broadcast(Lanes.FLOATS, spheres[sphere + SphereColumns.Z * stride])
                     .sub(pointZ);
-            FloatVector along = x.fma(toLightX, y.fma(toLightY, z.mul(toLightZ)));
+            FloatVector along = Lanes.fma(x, toLightX, Lanes.fma(y, toLightY, z.mul(toLightZ)));
             FloatVector acrossX = x.sub(along.mul(toLightX));
             FloatVector acrossY = y.sub(along.mul(toLightY));
             FloatVector acrossZ = z.sub(along.mul(toLightZ));
-            FloatVector across = acrossX.fma(acrossX, acrossY.fma(acrossY, acrossZ.mul(acrossZ)));
+            FloatVector across = Lanes.fma(acrossX, acrossX, Lanes.fma(acrossY, acrossY, acrossZ.mul(acrossZ)));
             FloatVector margin = along.abs().add(distance).add(radius).mul(SoftShadow.ABSOLUTE_MARGIN);
-            FloatVector reach = along.fma(tangent, secant.mul(radius))
-                    .fma(FloatVector.broadcast(Lanes.FLOATS, SoftShadow.RELATIVE_MARGIN), margin);
+            FloatVector reach = Lanes.fma(
+                    Lanes.fma(along, tangent, secant.mul(radius)),
+                    FloatVector.broadcast(Lanes.FLOATS, SoftShadow.RELATIVE_MARGIN),
+                    margin);
             betweens[sphere] = reach.compare(VectorOperators.GT, 0f)
                     .and(across.compare(VectorOperators.LE, reach.mul(reach)))
                     .and(along.compare(VectorOperators.GT, -radius))
@@ -146,19 +148,23 @@ final class ShadowCandidates {
         FloatVector x = Lanes.all(bodies.x[body]).sub(Lanes.load(t, at + Tile.POINT_X));
         FloatVector y = Lanes.all(bodies.y[body]).sub(Lanes.load(t, at + Tile.POINT_Y));
         FloatVector z = Lanes.all(bodies.z[body]).sub(Lanes.load(t, at + Tile.POINT_Z));
-        FloatVector along = x.fma(
+        FloatVector along = Lanes.fma(
+                x,
                 Lanes.load(t, at + Tile.TO_LIGHT_X),
-                y.fma(Lanes.load(t, at + Tile.TO_LIGHT_Y), z.mul(Lanes.load(t, at + Tile.TO_LIGHT_Z))));
+                Lanes.fma(y, Lanes.load(t, at + Tile.TO_LIGHT_Y), z.mul(Lanes.load(t, at + Tile.TO_LIGHT_Z))));
         FloatVector acrossX = x.sub(along.mul(Lanes.load(t, at + Tile.TO_LIGHT_X)));
         FloatVector acrossY = y.sub(along.mul(Lanes.load(t, at + Tile.TO_LIGHT_Y)));
         FloatVector acrossZ = z.sub(along.mul(Lanes.load(t, at + Tile.TO_LIGHT_Z)));
-        FloatVector across = acrossX.fma(acrossX, acrossY.fma(acrossY, acrossZ.mul(acrossZ)));
+        FloatVector across = Lanes.fma(acrossX, acrossX, Lanes.fma(acrossY, acrossY, acrossZ.mul(acrossZ)));
         FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
         FloatVector margin = along.abs().add(distance).add(radius).mul(SoftShadow.ABSOLUTE_MARGIN);
-        FloatVector reach = along.fma(
+        FloatVector reach = Lanes.fma(
+                Lanes.fma(
+                        along,
                         Lanes.load(t, at + Tile.DISC_TANGENT),
-                        Lanes.load(t, at + Tile.DISC_SECANT).mul(radius))
-                .fma(Lanes.all(SoftShadow.RELATIVE_MARGIN), margin);
+                        Lanes.load(t, at + Tile.DISC_SECANT).mul(radius)),
+                Lanes.all(SoftShadow.RELATIVE_MARGIN),
+                margin);
         return reach.compare(VectorOperators.GT, 0f)
                 .and(across.compare(VectorOperators.LE, reach.mul(reach)))
                 .and(along.compare(VectorOperators.GT, -radius))
@@ -172,7 +178,7 @@ final class ShadowCandidates {
         FloatVector x = Lanes.all(bodies.x[body]).sub(Lanes.load(t, at + Tile.POINT_X));
         FloatVector y = Lanes.all(bodies.y[body]).sub(Lanes.load(t, at + Tile.POINT_Y));
         FloatVector z = Lanes.all(bodies.z[body]).sub(Lanes.load(t, at + Tile.POINT_Z));
-        return x.fma(x, y.fma(y, z.mul(z)))
+        return Lanes.fma(x, x, Lanes.fma(y, y, z.mul(z)))
                 .compare(VectorOperators.GT, radius * radius)
                 .and(Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f))
                 .and(Lanes.load(t, at + Tile.HIT).compare(VectorOperators.NE, body))
@@ -188,21 +194,22 @@ final class ShadowCandidates {
         FloatVector x = Lanes.all(bodies.x[body]).sub(Lanes.load(t, at + Tile.POINT_X));
         FloatVector y = Lanes.all(bodies.y[body]).sub(Lanes.load(t, at + Tile.POINT_Y));
         FloatVector z = Lanes.all(bodies.z[body]).sub(Lanes.load(t, at + Tile.POINT_Z));
-        FloatVector along = x.fma(
+        FloatVector along = Lanes.fma(
+                x,
                 Lanes.load(t, at + Tile.TO_LIGHT_X),
-                y.fma(Lanes.load(t, at + Tile.TO_LIGHT_Y), z.mul(Lanes.load(t, at + Tile.TO_LIGHT_Z))));
+                Lanes.fma(y, Lanes.load(t, at + Tile.TO_LIGHT_Y), z.mul(Lanes.load(t, at + Tile.TO_LIGHT_Z))));
         FloatVector acrossX = x.sub(along.mul(Lanes.load(t, at + Tile.TO_LIGHT_X)));
         FloatVector acrossY = y.sub(along.mul(Lanes.load(t, at + Tile.TO_LIGHT_Y)));
         FloatVector acrossZ = z.sub(along.mul(Lanes.load(t, at + Tile.TO_LIGHT_Z)));
-        FloatVector perpendicular =
-                acrossX.fma(acrossX, acrossY.fma(acrossY, acrossZ.mul(acrossZ))).sqrt();
+        FloatVector perpendicular = Lanes.fma(acrossX, acrossX, Lanes.fma(acrossY, acrossY, acrossZ.mul(acrossZ)))
+                .sqrt();
         FloatVector tangent = Lanes.load(t, at + Tile.DISC_TANGENT);
         FloatVector secant = Lanes.load(t, at + Tile.DISC_SECANT);
         FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
         return along.compare(VectorOperators.GT, radius)
                 .and(along.add(radius).compare(VectorOperators.LT, distance.mul(SoftShadow.UMBRA_MARGIN)))
                 .and(along.compare(VectorOperators.GT, perpendicular.mul(tangent)))
-                .and(along.fma(tangent, perpendicular)
+                .and(Lanes.fma(along, tangent, perpendicular)
                         .compare(VectorOperators.LE, secant.mul(radius * SoftShadow.UMBRA_MARGIN)))
                 .toLong();
     }

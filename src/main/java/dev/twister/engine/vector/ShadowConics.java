@@ -9,8 +9,9 @@ import jdk.incubator.vector.VectorOperators;
  * decides: it meets the sphere at (a, u, w) where {@code (u y - w x)^2 + (u - a x)^2 + (w - a y)^2 <= r^2 (1 + x^2 + y^2)},
  * a conic in (x, y), so that a sample costs five multiplications a candidate.
  *
- * <p>The loops call the Vector API itself: a helper of several operations that the compiler has met first on its own may
- * be too large to be inlined, and its vectors become objects, in some JVMs and not in others.
+ * <p>The loops call the Vector API itself, and of helpers {@link Lanes#fma} alone: one of several operations that the
+ * compiler has met first on its own may be too large to be inlined, and its vectors become objects, in some JVMs and not in
+ * others.
  */
 final class ShadowConics {
     /** Where the second candidate's facts begin. */
@@ -43,13 +44,13 @@ final class ShadowConics {
             FloatVector scaledU = u.mul(scale);
             FloatVector scaledW = w.mul(scale);
             FloatVector rest = a.mul(a).sub(radiusSquared.mul(scale).mul(scale));
-            scaledW.fma(scaledW, rest).intoArray(candidates, at + ShadowScratch.XX);
+            Lanes.fma(scaledW, scaledW, rest).intoArray(candidates, at + ShadowScratch.XX);
             scaledU.mul(scaledW).mul(-2f).intoArray(candidates, at + ShadowScratch.XY);
-            scaledU.fma(scaledU, rest).intoArray(candidates, at + ShadowScratch.YY);
+            Lanes.fma(scaledU, scaledU, rest).intoArray(candidates, at + ShadowScratch.YY);
             a.mul(u).mul(-2f).intoArray(candidates, at + ShadowScratch.X);
             a.mul(w).mul(-2f).intoArray(candidates, at + ShadowScratch.Y);
             // No sphere that cannot shade has a conic below 0: its squared radius counts as -1.
-            u.fma(u, w.mul(w)).sub(radiusSquared).intoArray(candidates, at + ShadowScratch.CONSTANT);
+            Lanes.fma(u, u, w.mul(w)).sub(radiusSquared).intoArray(candidates, at + ShadowScratch.CONSTANT);
         }
     }
 
@@ -70,10 +71,10 @@ final class ShadowConics {
             FloatVector y = FloatVector.broadcast(Lanes.FLOATS, disc[at + 1]);
             FloatVector xToo = FloatVector.broadcast(Lanes.FLOATS, disc[next]);
             FloatVector yToo = FloatVector.broadcast(Lanes.FLOATS, disc[next + 1]);
-            FloatVector inX = xy.fma(y, xx.fma(x, linearX)).fma(x, constant);
-            FloatVector inXToo = xy.fma(yToo, xx.fma(xToo, linearX)).fma(xToo, constant);
-            FloatVector conic = yy.fma(y, linearY).fma(y, inX);
-            FloatVector conicToo = yy.fma(yToo, linearY).fma(yToo, inXToo);
+            FloatVector inX = Lanes.fma(Lanes.fma(xy, y, Lanes.fma(xx, x, linearX)), x, constant);
+            FloatVector inXToo = Lanes.fma(Lanes.fma(xy, yToo, Lanes.fma(xx, xToo, linearX)), xToo, constant);
+            FloatVector conic = Lanes.fma(Lanes.fma(yy, y, linearY), y, inX);
+            FloatVector conicToo = Lanes.fma(Lanes.fma(yy, yToo, linearY), yToo, inXToo);
             // An odd last sample is not counted twice.
             float oneMore = next > at ? 1f : 0f;
             blocked = blocked.blend(blocked.add(1f), conic.compare(VectorOperators.LE, 0f));
@@ -101,10 +102,10 @@ final class ShadowConics {
         for (int at = 0; at < 2 * samples; at += 2) {
             FloatVector x = FloatVector.broadcast(Lanes.FLOATS, disc[at]);
             FloatVector y = FloatVector.broadcast(Lanes.FLOATS, disc[at + 1]);
-            FloatVector inX = xy.fma(y, xx.fma(x, linearX)).fma(x, constant);
-            FloatVector inXToo = xyToo.fma(y, xxToo.fma(x, linearXToo)).fma(x, constantToo);
-            FloatVector conic = yy.fma(y, linearY).fma(y, inX);
-            FloatVector conicToo = yyToo.fma(y, linearYToo).fma(y, inXToo);
+            FloatVector inX = Lanes.fma(Lanes.fma(xy, y, Lanes.fma(xx, x, linearX)), x, constant);
+            FloatVector inXToo = Lanes.fma(Lanes.fma(xyToo, y, Lanes.fma(xxToo, x, linearXToo)), x, constantToo);
+            FloatVector conic = Lanes.fma(Lanes.fma(yy, y, linearY), y, inX);
+            FloatVector conicToo = Lanes.fma(Lanes.fma(yyToo, y, linearYToo), y, inXToo);
             FloatVector lower = conic.blend(conicToo, conicToo.compare(VectorOperators.LT, conic));
             blocked = blocked.blend(blocked.add(1f), lower.compare(VectorOperators.LE, 0f));
         }
@@ -134,8 +135,8 @@ final class ShadowConics {
         for (int sample = 0; sample < samples; sample++) {
             FloatVector x = FloatVector.broadcast(Lanes.FLOATS, disc[2 * sample]);
             FloatVector y = FloatVector.broadcast(Lanes.FLOATS, disc[2 * sample + 1]);
-            FloatVector inX = xy.fma(y, xx.fma(x, linearX)).fma(x, constant);
-            FloatVector conic = yy.fma(y, linearY).fma(y, inX);
+            FloatVector inX = Lanes.fma(Lanes.fma(xy, y, Lanes.fma(xx, x, linearX)), x, constant);
+            FloatVector conic = Lanes.fma(Lanes.fma(yy, y, linearY), y, inX);
             FloatVector before = FloatVector.fromArray(Lanes.FLOATS, conics, sample * Lanes.COUNT);
             conic.blend(before, before.compare(VectorOperators.LT, conic)).intoArray(conics, sample * Lanes.COUNT);
         }

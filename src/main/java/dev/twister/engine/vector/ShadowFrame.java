@@ -18,7 +18,7 @@ final class ShadowFrame {
         FloatVector x = Lanes.load(t, at + Tile.TO_LIGHT_X);
         FloatVector y = Lanes.load(t, at + Tile.TO_LIGHT_Y);
         FloatVector z = Lanes.load(t, at + Tile.TO_LIGHT_Z);
-        FloatVector acrossSquared = y.fma(y, z.mul(z));
+        FloatVector acrossSquared = Lanes.fma(y, y, z.mul(z));
         VectorMask<Float> alongX = acrossSquared.compare(VectorOperators.LE, 0f);
         FloatVector scale = Lanes.inverseRoot(acrossSquared.blend(x.mul(x), alongX));
         FloatVector uY = z.mul(scale).blend(0f, alongX);
@@ -69,13 +69,15 @@ final class ShadowFrame {
         FloatVector x = Lanes.all(bodies.x[body]).sub(Lanes.load(t, at + Tile.POINT_X));
         FloatVector y = Lanes.all(bodies.y[body]).sub(Lanes.load(t, at + Tile.POINT_Y));
         FloatVector z = Lanes.all(bodies.z[body]).sub(Lanes.load(t, at + Tile.POINT_Z));
-        FloatVector along = x.fma(
+        FloatVector along = Lanes.fma(
+                x,
                 Lanes.load(t, at + Tile.TO_LIGHT_X),
-                y.fma(Lanes.load(t, at + Tile.TO_LIGHT_Y), z.mul(Lanes.load(t, at + Tile.TO_LIGHT_Z))));
-        FloatVector u = y.fma(Lanes.load(frame, ShadowScratch.U_Y), z.mul(Lanes.load(frame, ShadowScratch.U_Z)));
-        FloatVector w = x.fma(
+                Lanes.fma(y, Lanes.load(t, at + Tile.TO_LIGHT_Y), z.mul(Lanes.load(t, at + Tile.TO_LIGHT_Z))));
+        FloatVector u = Lanes.fma(y, Lanes.load(frame, ShadowScratch.U_Y), z.mul(Lanes.load(frame, ShadowScratch.U_Z)));
+        FloatVector w = Lanes.fma(
+                x,
                 Lanes.load(frame, ShadowScratch.W_X),
-                y.fma(Lanes.load(frame, ShadowScratch.W_Y), z.mul(Lanes.load(frame, ShadowScratch.W_Z))));
+                Lanes.fma(y, Lanes.load(frame, ShadowScratch.W_Y), z.mul(Lanes.load(frame, ShadowScratch.W_Z))));
         along.intoArray(scratch.facts, to + ShadowScratch.ALONG);
         u.intoArray(scratch.facts, to + ShadowScratch.ACROSS_U);
         w.intoArray(scratch.facts, to + ShadowScratch.ACROSS_W);
@@ -89,7 +91,7 @@ final class ShadowFrame {
         float radiusSquared = radius * radius;
         VectorMask<Float> shades = along.compare(VectorOperators.GT, -radius)
                 .and(along.sub(radius).compare(VectorOperators.LT, distance.mul(SoftShadow.RELATIVE_MARGIN)))
-                .and(along.fma(along, u.fma(u, w.mul(w))).compare(VectorOperators.GT, radiusSquared))
+                .and(Lanes.fma(along, along, Lanes.fma(u, u, w.mul(w))).compare(VectorOperators.GT, radiusSquared))
                 .and(Lanes.load(t, at + Tile.HIT).compare(VectorOperators.NE, body))
                 .and(Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f));
         Lanes.all(-1f).blend(radiusSquared, shades).intoArray(facts, to + ShadowScratch.RADIUS_SQUARED);
@@ -104,7 +106,7 @@ final class ShadowFrame {
         FloatVector along = Lanes.load(scratch.facts, to + ShadowScratch.ALONG);
         FloatVector u = Lanes.load(scratch.facts, to + ShadowScratch.ACROSS_U);
         FloatVector w = Lanes.load(scratch.facts, to + ShadowScratch.ACROSS_W);
-        FloatVector widest = u.fma(u, w.mul(w)).sqrt().mul(Lanes.load(scratch.frame, ShadowScratch.SCALE));
+        FloatVector widest = Lanes.fma(u, u, w.mul(w)).sqrt().mul(Lanes.load(scratch.frame, ShadowScratch.SCALE));
         FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
         return along.mul(WITHIN)
                 .compare(VectorOperators.LE, widest)

@@ -35,14 +35,14 @@ final class ShadowRays {
         FloatVector p = u.sub(a.mul(x));
         FloatVector q = w.sub(a.mul(y));
         FloatVector moment = p.mul(y).sub(q.mul(x));
-        FloatVector lengthSquared = x.fma(x, y.fma(y, Lanes.all(1f)));
-        VectorMask<Float> met =
-                moment.fma(moment, p.fma(p, q.mul(q))).compare(VectorOperators.LE, radiusSquared.mul(lengthSquared));
-        FloatVector along = x.fma(u, y.fma(w, a));
+        FloatVector lengthSquared = Lanes.fma(x, x, Lanes.fma(y, y, Lanes.all(1f)));
+        VectorMask<Float> met = Lanes.fma(moment, moment, Lanes.fma(p, p, q.mul(q)))
+                .compare(VectorOperators.LE, radiusSquared.mul(lengthSquared));
+        FloatVector along = Lanes.fma(x, u, Lanes.fma(y, w, a));
         FloatVector beyondA = distance.sub(a);
         FloatVector beyondU = distance.mul(x).sub(u);
         FloatVector beyondW = distance.mul(y).sub(w);
-        FloatVector beyondSquared = beyondA.fma(beyondA, beyondU.fma(beyondU, beyondW.mul(beyondW)));
+        FloatVector beyondSquared = Lanes.fma(beyondA, beyondA, Lanes.fma(beyondU, beyondU, beyondW.mul(beyondW)));
         VectorMask<Float> before = along.compare(VectorOperators.LT, distance.mul(lengthSquared))
                 .or(beyondSquared.compare(VectorOperators.LT, radiusSquared));
         return met.and(before).and(along.compare(VectorOperators.GT, 0f)).toLong();

@@ -28,7 +28,7 @@ final class SkyDirection {
             FloatVector x = Lanes.load(t, at + Tile.DIRECTION_X).abs();
             FloatVector y = Lanes.load(t, at + Tile.DIRECTION_Y).abs();
             FloatVector z = Lanes.load(t, at + Tile.DIRECTION_Z).abs();
-            FloatVector level = x.fma(x, z.mul(z)).sqrt();
+            FloatVector level = Lanes.fma(x, x, z.mul(z)).sqrt();
             VectorMask<Float> sideways = z.compare(VectorOperators.GT, x);
             VectorMask<Float> steep = y.compare(VectorOperators.GT, level);
             FloatVector larger = Lanes.larger(x.blend(z, sideways), Lanes.all(TINY));
@@ -39,27 +39,21 @@ final class SkyDirection {
         }
     }
 
-    /** Replaces both columns' ratios, in [0, 1], by their arc tangents. */
-    static void findArcTangents(Tile tile) {
-        findArcTangents(tile, Tile.SKY_TO_RIGHT);
-        findArcTangents(tile, Tile.SKY_TO_BOTTOM);
-    }
-
-    /** The scalar kernel's polynomial. */
-    private static void findArcTangents(Tile tile, int column) {
+    /** Replaces a column's ratios, in [0, 1], by their arc tangents: the scalar kernel's polynomial. */
+    static void findArcTangents(Tile tile, int column) {
         float[] t = tile.values;
         for (int k = 0; k < tile.skies.count; k++) {
             int at = tile.skies.places[k] + column;
             FloatVector ratio = Lanes.load(t, at);
             FloatVector s = ratio.mul(ratio);
-            FloatVector polynomial = s.fma(0.0029035176f, -0.01628287f);
-            polynomial = polynomial.fma(s, Lanes.all(0.043039143f));
-            polynomial = polynomial.fma(s, Lanes.all(-0.07533658f));
-            polynomial = polynomial.fma(s, Lanes.all(0.106546685f));
-            polynomial = polynomial.fma(s, Lanes.all(-0.14207132f));
-            polynomial = polynomial.fma(s, Lanes.all(0.19993053f));
-            polynomial = polynomial.fma(s, Lanes.all(-0.33333093f));
-            ratio.fma(polynomial.mul(s), ratio).intoArray(t, at);
+            FloatVector polynomial = Lanes.fma(s, 0.0029035176f, -0.01628287f);
+            polynomial = Lanes.fma(polynomial, s, Lanes.all(0.043039143f));
+            polynomial = Lanes.fma(polynomial, s, Lanes.all(-0.07533658f));
+            polynomial = Lanes.fma(polynomial, s, Lanes.all(0.106546685f));
+            polynomial = Lanes.fma(polynomial, s, Lanes.all(-0.14207132f));
+            polynomial = Lanes.fma(polynomial, s, Lanes.all(0.19993053f));
+            polynomial = Lanes.fma(polynomial, s, Lanes.all(-0.33333093f));
+            Lanes.fma(ratio, polynomial.mul(s), ratio).intoArray(t, at);
         }
     }
 
@@ -96,7 +90,7 @@ final class SkyDirection {
             FloatVector y = Lanes.load(t, at + Tile.DIRECTION_Y);
             FloatVector z = Lanes.load(t, at + Tile.DIRECTION_Z);
             FloatVector octant = Lanes.load(t, at + Tile.SKY_TO_BOTTOM);
-            VectorMask<Float> steep = y.mul(y).compare(VectorOperators.GT, x.fma(x, z.mul(z)));
+            VectorMask<Float> steep = y.mul(y).compare(VectorOperators.GT, Lanes.fma(x, x, z.mul(z)));
             FloatVector quadrant = octant.blend(Lanes.all(HALF_PI).sub(octant), steep);
             FloatVector elevation = quadrant.blend(quadrant.neg(), y.compare(VectorOperators.LT, 0f));
             Lanes.all(0.5f)

@@ -62,9 +62,9 @@ final class SkyPatches {
                 int texel = PaddedSky.NUMBERS_A_TEXEL * ((patches.top[k] + row) * sky.stride() + patches.left[k]);
                 for (int column = 0; column < patches.columns[k]; column++) {
                     FloatVector weight = high.mul(nearness(toRight, column));
-                    red = weight.fma(Lanes.all(sky.value(texel)), red);
-                    green = weight.fma(Lanes.all(sky.value(texel + 1)), green);
-                    blue = weight.fma(Lanes.all(sky.value(texel + 2)), blue);
+                    red = Lanes.fma(weight, Lanes.all(sky.value(texel)), red);
+                    green = Lanes.fma(weight, Lanes.all(sky.value(texel + 1)), green);
+                    blue = Lanes.fma(weight, Lanes.all(sky.value(texel + 2)), blue);
                     texel += PaddedSky.NUMBERS_A_TEXEL;
                 }
             }
@@ -84,6 +84,6 @@ final class SkyPatches {
     private static void addChannel(
             float[] t, int color, VectorMask<Float> met, FloatVector throughput, FloatVector radiance) {
         FloatVector before = Lanes.load(t, color);
-        before.blend(throughput.fma(radiance, before), met).intoArray(t, color);
+        before.blend(Lanes.fma(throughput, radiance, before), met).intoArray(t, color);
     }
 }

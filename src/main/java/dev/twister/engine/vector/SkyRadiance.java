@@ -8,7 +8,10 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
-/** The panorama's radiance, bilinear between four texels, where the lanes of a packet look here and there. */
+/**
+ * The panorama's radiance, bilinear between four texels, where the lanes of a packet look here and there. Its vectors are of
+ * other widths than the packets', for which {@link Lanes#fma} is kept, so that the compiler knows their width there.
+ */
 final class SkyRadiance {
     /** A texel: red, green, blue and a blank. */
     private static final VectorSpecies<Float> TEXEL = FloatVector.SPECIES_128;
@@ -80,11 +83,11 @@ final class SkyRadiance {
                     .lanewise(VectorOperators.LSHL, PaddedSky.LOWER_BITS)
                     .reinterpretAsFloats();
             FloatVector toBottom = FloatVector.broadcast(PAIR, t[pixel + Tile.SKY_TO_BOTTOM]);
-            lower.sub(upper).fma(toBottom, upper).intoArray(pair, 0);
+            lower.sub(upper).mul(toBottom).add(upper).intoArray(pair, 0);
             float toRight = t[pixel + Tile.SKY_TO_RIGHT];
-            t[pixel + Tile.SKY_RED] = Math.fma(pair[3] - pair[0], toRight, pair[0]);
-            t[pixel + Tile.SKY_GREEN] = Math.fma(pair[4] - pair[1], toRight, pair[1]);
-            t[pixel + Tile.SKY_BLUE] = Math.fma(pair[5] - pair[2], toRight, pair[2]);
+            t[pixel + Tile.SKY_RED] = pair[0] + (pair[3] - pair[0]) * toRight;
+            t[pixel + Tile.SKY_GREEN] = pair[1] + (pair[4] - pair[1]) * toRight;
+            t[pixel + Tile.SKY_BLUE] = pair[2] + (pair[5] - pair[2]) * toRight;
         }
     }
 
@@ -103,12 +106,14 @@ final class SkyRadiance {
             FloatVector lower = FloatVector.fromArray(TEXEL, floats, texel + below);
             upper = FloatVector.fromArray(TEXEL, floats, texel + right)
                     .sub(upper)
-                    .fma(toRight, upper);
+                    .mul(toRight)
+                    .add(upper);
             lower = FloatVector.fromArray(TEXEL, floats, texel + below + right)
                     .sub(lower)
-                    .fma(toRight, lower);
+                    .mul(toRight)
+                    .add(lower);
             FloatVector toBottom = FloatVector.broadcast(TEXEL, t[pixel + Tile.SKY_TO_BOTTOM]);
-            lower.sub(upper).fma(toBottom, upper).intoArray(color, 0);
+            lower.sub(upper).mul(toBottom).add(upper).intoArray(color, 0);
             t[pixel + Tile.SKY_RED] = color[0];
             t[pixel + Tile.SKY_GREEN] = color[1];
             t[pixel + Tile.SKY_BLUE] = color[2];
@@ -127,7 +132,7 @@ final class SkyRadiance {
             for (int channel = at; channel < at + 3 * Tile.SIZE; channel += Tile.SIZE) {
                 FloatVector radiance = FloatVector.fromArray(Lanes.FLOATS, t, channel + Tile.SKY_RED);
                 FloatVector before = FloatVector.fromArray(Lanes.FLOATS, t, channel + Tile.RED);
-                throughput.fma(radiance, before).intoArray(t, channel + Tile.RED);
+                Lanes.fma(throughput, radiance, before).intoArray(t, channel + Tile.RED);
             }
         }
     }

@@ -10,7 +10,8 @@ import jdk.incubator.vector.VectorSpecies;
 
 /**
  * What {@link SkyPatches} does, for 16 lanes and a sky in halves: a row of a patch is one vector, and each lane picks its
- * four texels out of three rows. Without helpers, for the reason that {@link ShadowConics} has.
+ * four texels out of three rows. Without helpers, for the reason that {@link ShadowConics} has; not even {@link Lanes#fma}, as
+ * every CPU with so many lanes has what it asks for.
  */
 final class SkyRows {
     /** Whether a row of a patch fits a vector. */

@@ -40,7 +40,8 @@ final class TileRenderer {
 
     private static final Stage[] SKY = {
         (tile, drawing) -> SkyDirection.findRatios(tile),
-        (tile, drawing) -> SkyDirection.findArcTangents(tile),
+        (tile, drawing) -> SkyDirection.findArcTangents(tile, Tile.SKY_TO_RIGHT),
+        (tile, drawing) -> SkyDirection.findArcTangents(tile, Tile.SKY_TO_BOTTOM),
         (tile, drawing) -> SkyDirection.findColumns(tile, drawing.sky),
         (tile, drawing) -> SkyDirection.findRows(tile, drawing.sky),
     };

@@ -60,12 +60,12 @@ final class ToneStage {
             FloatVector linear = Lanes.smaller(Lanes.load(t, at), Lanes.all(1f));
             FloatVector x = linear.sqrt().sqrt().sqrt();
             FloatVector polynomial = Lanes.all(0.012356257f);
-            polynomial = polynomial.fma(x, Lanes.all(-0.08731597f));
-            polynomial = polynomial.fma(x, Lanes.all(0.3976099f));
-            polynomial = polynomial.fma(x, Lanes.all(0.76444095f));
-            polynomial = polynomial.fma(x, Lanes.all(-0.10223673f));
-            polynomial = polynomial.fma(x, Lanes.all(0.016488077f));
-            polynomial = polynomial.fma(x, Lanes.all(-0.0013424668f));
+            polynomial = Lanes.fma(polynomial, x, Lanes.all(-0.08731597f));
+            polynomial = Lanes.fma(polynomial, x, Lanes.all(0.3976099f));
+            polynomial = Lanes.fma(polynomial, x, Lanes.all(0.76444095f));
+            polynomial = Lanes.fma(polynomial, x, Lanes.all(-0.10223673f));
+            polynomial = Lanes.fma(polynomial, x, Lanes.all(0.016488077f));
+            polynomial = Lanes.fma(polynomial, x, Lanes.all(-0.0013424668f));
             FloatVector curved = polynomial.mul(1.055f).sub(0.055f);
             linear.mul(12.92f)
                     .blend(curved, linear.compare(VectorOperators.GT, SRGB_LINEAR_END))

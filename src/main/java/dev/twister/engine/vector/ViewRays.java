@@ -28,7 +28,7 @@ final class ViewRays {
             FloatVector directionY = turned(u, v, camera, 1, forwardY);
             FloatVector directionZ = turned(u, v, camera, 2, forwardZ);
             FloatVector inverse = Lanes.inverseRoot(
-                    directionX.fma(directionX, directionY.fma(directionY, directionZ.mul(directionZ))));
+                    Lanes.fma(directionX, directionX, Lanes.fma(directionY, directionY, directionZ.mul(directionZ))));
             directionX.mul(inverse).intoArray(t, at + Tile.DIRECTION_X);
             directionY.mul(inverse).intoArray(t, at + Tile.DIRECTION_Y);
             directionZ.mul(inverse).intoArray(t, at + Tile.DIRECTION_Z);
@@ -71,7 +71,7 @@ final class ViewRays {
     private static FloatVector turned(FloatVector u, FloatVector v, float[] camera, int axis, float forward) {
         FloatVector right = Lanes.all(camera[Layout.CAMERA_RIGHT + axis]);
         FloatVector up = Lanes.all(camera[Layout.CAMERA_UP + axis]);
-        return u.fma(right, v.fma(up, Lanes.all(forward)));
+        return Lanes.fma(u, right, Lanes.fma(v, up, Lanes.all(forward)));
     }
 
     /** Puts all rays at the camera, leaving nothing, with a whole throughput. */

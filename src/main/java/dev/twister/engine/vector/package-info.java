@@ -4,5 +4,7 @@
  * <p>A tile is drawn in stages. Each stage is one short loop over the tile's packets, reads and writes {@code float[]}
  * columns of the {@link dev.twister.engine.vector.Tile}, and holds vectors in local variables only. That is on purpose:
  * past some 60 vector operations, or 325 bytecodes, a method is no longer inlined whole, and vectors become objects.
+ *
+ * <p>Where a product is added in one step, that is {@code Lanes.fma}, as not every CPU has the Vector API's own.
  */
 package dev.twister.engine.vector;

@@ -19,6 +19,7 @@ import java.nio.file.Path;
 import jdk.incubator.vector.FloatVector;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Whether a warm frame allocates. Each width that the CPU has gets a JVM of its own, as a user's has: one that has seen
@@ -46,18 +47,29 @@ final class AllocationTest {
         assumeThat(bits)
                 .as("bits of the CPU's vectors: wider ones are objects at every step")
                 .isLessThanOrEqualTo(FloatVector.SPECIES_PREFERRED.vectorBitSize());
-        String first = warmUp(bits, scene);
+        requireWarm("-D" + Lanes.BITS_PROPERTY + "=" + bits, scene);
+    }
+
+    /** As on CPUs without it, which have four lanes. */
+    @ParameterizedTest
+    @ValueSource(strings = {"benchmark", "crowd of 1000"})
+    void allocatesNextToNothingWithoutFusedMultiplyAdd(String scene) throws IOException, InterruptedException {
+        requireWarm("-XX:UseAVX=1", scene);
+    }
+
+    private static void requireWarm(String option, String scene) throws IOException, InterruptedException {
+        String first = warmUp(option, scene);
         // The order in which the compiler takes the stages is its own: once in many JVMs one of them stays boxed.
-        String last = first.contains(WarmFrames.WARM) ? first : warmUp(bits, scene);
+        String last = first.contains(WarmFrames.WARM) ? first : warmUp(option, scene);
         assertThat(last).contains(WarmFrames.WARM);
     }
 
-    /** What a JVM of that width said in the end. */
-    private static String warmUp(int bits, String scene) throws IOException, InterruptedException {
+    /** What a JVM with that option said in the end. */
+    private static String warmUp(String option, String scene) throws IOException, InterruptedException {
         Process java = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "--add-modules=jdk.incubator.vector",
-                        "-D" + Lanes.BITS_PROPERTY + "=" + bits,
+                        "@" + Path.of("scripts", "jvm.options"),
+                        option,
                         "-cp",
                         System.getProperty("java.class.path"),
                         WarmFrames.class.getName(),

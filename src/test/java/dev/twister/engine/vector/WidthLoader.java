@@ -5,6 +5,8 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.Arrays;
+import java.util.Map;
+import java.util.Properties;
 
 /**
  * Loads the engine's classes anew, with a width of its own: lanes are a constant of a class, so that each width is other
@@ -23,17 +25,27 @@ final class WidthLoader extends ClassLoader {
      * @param bits 128, 256 or 512
      */
     static Engine open(int bits, int threads) {
-        return open(bits, new Object[] {threads});
+        return open(Map.of(Lanes.BITS_PROPERTY, Integer.toString(bits)), threads);
     }
 
     /** The same, which walks the hierarchy from that many bodies on. */
     static Engine openForCrowds(int bits, int threads, int crowd) {
-        return open(bits, new Object[] {threads, crowd});
+        return open(Map.of(Lanes.BITS_PROPERTY, Integer.toString(bits)), threads, crowd);
     }
 
-    private static Engine open(int bits, Object[] arguments) {
-        String before = System.getProperty(Lanes.BITS_PROPERTY);
-        System.setProperty(Lanes.BITS_PROPERTY, Integer.toString(bits));
+    /** An engine as on the CPUs that have no fused multiply-add, which have four lanes. */
+    static Engine openWithoutFusing(int threads) {
+        return openWithoutFusing(threads, VectorEngine.CROWD);
+    }
+
+    /** The same, which walks the hierarchy from that many bodies on. */
+    static Engine openWithoutFusing(int threads, int crowd) {
+        return open(Map.of(Lanes.BITS_PROPERTY, "128", FusedMultiplyAdd.PROPERTY, "false"), threads, crowd);
+    }
+
+    private static Engine open(Map<String, String> properties, Object... arguments) {
+        Properties before = (Properties) System.getProperties().clone();
+        System.getProperties().putAll(properties);
         try {
             Class<?> engines = new WidthLoader().loadClass(VectorEngines.class.getName());
             Class<?>[] types = new Class<?>[arguments.length];
@@ -42,13 +54,9 @@ final class WidthLoader extends ClassLoader {
             open.setAccessible(true);
             return (Engine) open.invoke(null, arguments);
         } catch (ReflectiveOperationException e) {
-            throw new LinkageError("cannot open the engine at " + bits + " bits", e);
+            throw new LinkageError("cannot open the engine with " + properties, e);
         } finally {
-            if (before == null) {
-                System.clearProperty(Lanes.BITS_PROPERTY);
-            } else {
-                System.setProperty(Lanes.BITS_PROPERTY, before);
-            }
+            System.setProperties(before);
         }
     }
 

@@ -1,0 +1,30 @@
+package dev.twister.engine.vector;
+
+import com.sun.management.HotSpotDiagnosticMXBean;
+import java.lang.management.ManagementFactory;
+
+/** Whether the CPU multiplies and adds in one step, which those before 2013, and some small or virtual ones since, do not. */
+final class FusedMultiplyAdd {
+    /** A system property that overrides what the JVM says: {@code true} or {@code false}. */
+    static final String PROPERTY = "dev.twister.vector.fma";
+
+    private FusedMultiplyAdd() {}
+
+    /** As the JVM uses it; so where a JVM does not say. */
+    static boolean isFast() {
+        String override = System.getProperty(PROPERTY);
+        return override == null ? jvmUsesIt() : Boolean.parseBoolean(override);
+    }
+
+    private static boolean jvmUsesIt() {
+        HotSpotDiagnosticMXBean diagnostics = ManagementFactory.getPlatformMXBean(HotSpotDiagnosticMXBean.class);
+        if (diagnostics == null) {
+            return true;
+        }
+        try {
+            return Boolean.parseBoolean(diagnostics.getVMOption("UseFMA").getValue());
+        } catch (IllegalArgumentException noSuchOption) {
+            return true;
+        }
+    }
+}
