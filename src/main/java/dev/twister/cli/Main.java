@@ -2,6 +2,7 @@ package dev.twister.cli;
 
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
+import java.nio.file.Path;
 import picocli.CommandLine;
 
 /** Where Twister starts. */
@@ -42,6 +43,7 @@ public final class Main {
                 .setErr(err)
                 .setCaseInsensitiveEnumValuesAllowed(true)
                 .setExpandAtFiles(false)
+                .registerConverter(Path.class, new PathConverter())
                 .setUsageHelpWidth(HELP_WIDTH)
                 .setParameterExceptionHandler(Failures::explainParameter)
                 .setExecutionExceptionHandler(Failures::explain);

@@ -91,6 +91,19 @@ class BadInputTest {
         assertThat(folder).isEmptyDirectory();
     }
 
+    /** On Linux only this character is in no file's name; Windows has more, and so has a JVM that takes names for ASCII. */
+    @Test
+    void whatNamesNoFileIsTold() {
+        Outcome outcome = Outcome.of("render", "benchmark", "-o", "a\0.png");
+
+        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.err())
+                .startsWith("twister: ")
+                .contains("--output", "cannot be a file's name")
+                .doesNotContain("Exception")
+                .hasLineCount(2);
+    }
+
     @Test
     void aBrokenSceneIsToldWithItsPlace() throws IOException {
         Path scene = Files.writeString(folder.resolve("broken.json"), "{\"version\": 1,\n \"camera\": }");
