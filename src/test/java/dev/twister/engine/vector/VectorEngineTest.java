@@ -84,7 +84,7 @@ final class VectorEngineTest {
         int differing = 0;
         try (Engine sequential = Engines.open("sequential");
                 Engine vector = WidthLoader.open(bits, 2)) {
-            for (int count = 0; count < scenes(bits, 400); count++) {
+            for (int count = 0; count < asMany(bits, 400); count++) {
                 LitScene scene = RandomScenes.scene(random, random.nextInt(6));
                 FrameInput input = World.of(scene.scene(), scene.sky()).snapshot();
                 PictureDifference difference =
@@ -104,12 +104,12 @@ final class VectorEngineTest {
     void hierarchyDrawsRandomScenesAsThePlainLoopDoes(int bits) {
         try (Engine plain = WidthLoader.openForCrowds(bits, 2, Integer.MAX_VALUE);
                 Engine vector = WidthLoader.openForCrowds(bits, 2, 0)) {
-            assertSameOnRandomScenes(plain, vector, scenes(bits, 300));
+            assertSameOnRandomScenes(plain, vector, asMany(bits, 300));
         }
     }
 
-    /** Vectors wider than the CPU's are objects at every step: fewer scenes must do. */
-    private static int scenes(int bits, int usual) {
+    /** Vectors wider than the CPU's are objects at every step: fewer scenes or spheres must do. */
+    private static int asMany(int bits, int usual) {
         return bits > FloatVector.SPECIES_PREFERRED.vectorBitSize() ? usual / 4 : usual;
     }
 
@@ -118,7 +118,7 @@ final class VectorEngineTest {
     void hierarchyDrawsRandomScenesWithoutFusingToo() {
         try (Engine plain = WidthLoader.openWithoutFusing(2, Integer.MAX_VALUE);
                 Engine vector = WidthLoader.openWithoutFusing(2, 0)) {
-            assertSameOnRandomScenes(plain, vector, 300);
+            assertSameOnRandomScenes(plain, vector, 100);
         }
     }
 
@@ -144,7 +144,7 @@ final class VectorEngineTest {
     @ParameterizedTest
     @ValueSource(ints = {128, 256, 512})
     void hierarchyDrawsACrowdAsThePlainLoopDoes(int bits) {
-        FrameInput input = Crowds.world(3000, 160, 90).snapshot();
+        FrameInput input = Crowds.world(asMany(bits, 3000), 160, 90).snapshot();
         try (Engine plain = WidthLoader.openForCrowds(bits, 2, Integer.MAX_VALUE);
                 Engine vector = WidthLoader.openForCrowds(bits, 2, 0)) {
             PictureDifference difference = PictureDifference.between(pixels(vector, input), pixels(plain, input));
