@@ -47,29 +47,30 @@ final class AllocationTest {
         assumeThat(bits)
                 .as("bits of the CPU's vectors: wider ones are objects at every step")
                 .isLessThanOrEqualTo(FloatVector.SPECIES_PREFERRED.vectorBitSize());
-        requireWarm("-D" + Lanes.BITS_PROPERTY + "=" + bits, scene);
+        requireWarm(bits, FusedMultiplyAdd.isFast(), scene);
     }
 
     /** As on CPUs without it, which have four lanes. */
     @ParameterizedTest
     @ValueSource(strings = {"benchmark", "crowd of 1000"})
     void allocatesNextToNothingWithoutFusedMultiplyAdd(String scene) throws IOException, InterruptedException {
-        requireWarm("-XX:UseAVX=1", scene);
+        requireWarm(128, false, scene);
     }
 
-    private static void requireWarm(String option, String scene) throws IOException, InterruptedException {
-        String first = warmUp(option, scene);
+    private static void requireWarm(int bits, boolean fused, String scene) throws IOException, InterruptedException {
+        String first = warmUp(bits, fused, scene);
         // The order in which the compiler takes the stages is its own: once in many JVMs one of them stays boxed.
-        String last = first.contains(WarmFrames.WARM) ? first : warmUp(option, scene);
+        String last = first.contains(WarmFrames.WARM) ? first : warmUp(bits, fused, scene);
         assertThat(last).contains(WarmFrames.WARM);
     }
 
-    /** What a JVM with that option said in the end. */
-    private static String warmUp(String option, String scene) throws IOException, InterruptedException {
+    /** What a JVM of that width said in the end. */
+    private static String warmUp(int bits, boolean fused, String scene) throws IOException, InterruptedException {
         Process java = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                         "@" + Path.of("scripts", "jvm.options"),
-                        option,
+                        "-D" + Lanes.BITS_PROPERTY + "=" + bits,
+                        "-D" + FusedMultiplyAdd.PROPERTY + "=" + fused,
                         "-cp",
                         System.getProperty("java.class.path"),
                         WarmFrames.class.getName(),
