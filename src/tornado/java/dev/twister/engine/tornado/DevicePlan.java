@@ -110,6 +110,7 @@ final class DevicePlan implements AutoCloseable {
                         hierarchy,
                         input.width(),
                         input.rows(),
+                        input.hasFewSpheres() ? PixelKernel.FEW_SPHERES : PixelKernel.SHORTCUTS,
                         linear ? PixelKernel.LINEAR : PixelKernel.ARGB)
                 .transferToHost(DataTransferMode.EVERY_EXECUTION, linear ? radiance : pixels);
         plan = new TornadoExecutionPlan(graph.snapshot());
@@ -128,6 +129,7 @@ final class DevicePlan implements AutoCloseable {
                 && input.rows() == fixed.rows()
                 && frame.isLinear() == linear
                 && input.bodyPositions().length == bodyPositions.length
+                && input.hasFewSpheres() == fixed.hasFewSpheres()
                 && input.skybox() == fixed.skybox()
                 && input.skyboxDimensions() == fixed.skyboxDimensions()
                 && (sendsLooks() || hasLooksOf(fixed, input));

@@ -18,6 +18,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
      *
      * @param pixels {@code int[width * rows]} where the output is ARGB, else one int
      * @param radiance {@code float[3 * width * rows]} where the output is LINEAR, else one float
+     * @param shortcuts one of {@link PixelKernel}'s
      * @param output one of {@link PixelKernel}'s
      */
     static void draw(
@@ -37,6 +38,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
             float[] hierarchy,
             int width,
             int rows,
+            int shortcuts,
             int output) {
         for (@Parallel int row = 0; row < rows; row++) {
             for (@Parallel int column = 0; column < width; column++) {
@@ -59,7 +61,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
                         pixelOffsets,
                         hierarchy,
                         scratch,
-                        PixelKernel.SHORTCUTS,
+                        shortcuts,
                         output);
             }
         }

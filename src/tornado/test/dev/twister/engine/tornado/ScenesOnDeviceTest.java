@@ -52,7 +52,7 @@ class ScenesOnDeviceTest {
         }
     }
 
-    /** By the same code, so that not a bit may differ: one leaf of all spheres is the plain loop. */
+    /** Not a bit may differ: one leaf of all spheres is drawn by the plain loop. */
     @ParameterizedTest
     @MethodSource("offers")
     void hierarchyDrawsWhatThePlainLoopDraws(EngineOffer offer) {
