@@ -28,9 +28,6 @@ public final class FastestEngine {
     /** Wherever it works, see benchmarks/NOTES.md; until it has been measured. */
     private static final String MOSTLY_FASTEST = "vector";
 
-    /** What a cold JVM takes to compile that one, twice over. */
-    private static final Duration WARMING = Duration.ofSeconds(8);
-
     /** How long frames wait for it, all together. */
     private static final Duration PATIENCE = Duration.ofSeconds(3);
 
@@ -107,7 +104,7 @@ public final class FastestEngine {
     /** Whether what draws is the fastest of all engines, now that there is time to look for all of them. */
     private Optional<Engine> confirmedBeside(
             Engine drawing, String standIn, Supplier<List<EngineOffer>> all, BooleanSupplier cancelled) {
-        waiting.await(WARMING, cancelled);
+        waiting.await(Successor.WARMING, cancelled);
         if (cancelled.getAsBoolean()) {
             return Optional.empty();
         }

@@ -5,14 +5,18 @@ import dev.twister.engine.EngineException;
 import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
+import java.util.stream.Stream;
 
 /**
  * An engine that is opened and warmed on a thread of its own, with small pictures of what is drawn meanwhile, until it
- * beats the one that draws.
+ * beats the one that draws. That one must have drawn a few frames by then: its first is the JVM's interpreter's, which
+ * everything beats. (The vector engine is no faster on CPUs without AVX, and on JVMs that do not
+ * compile the Vector API.)
  */
 final class Successor implements AutoCloseable {
     /** Large enough that what a device takes for each frame, whatever its size, does not hide how fast it is. */
@@ -21,16 +25,36 @@ final class Successor implements AutoCloseable {
     /** Some pictures a second are shown meanwhile. */
     private static final long PAUSE_NANOS = 400_000_000;
 
+    /** Its last ones. */
+    private static final int FRAMES_TO_BEAT = 3;
+
+    /** What a cold JVM takes to compile the vector engine, twice over: frames that are no better then are given up. */
+    static final Duration WARMING = Duration.ofSeconds(8);
+
     private final Function<BooleanSupplier, Optional<Engine>> opener;
     private final Duration patience;
-    /** Nothing beats a frame that is not there yet. */
-    private volatile double nanosPerPixelToBeat;
+    private volatile ToBeat toBeat = new ToBeat(List.of());
 
     private volatile boolean closed;
     private boolean started;
     private long waitedNanos;
     private Optional<Engine> ready = Optional.empty();
     private Runnable listener = () -> {};
+
+    /** The last frames of the engine that draws, in nanoseconds a pixel: the scene may change. */
+    private record ToBeat(List<Double> last) {
+        ToBeat and(double nanosPerPixel) {
+            return new ToBeat(Stream.concat(last.stream(), Stream.of(nanosPerPixel))
+                    .skip(Math.max(0, last.size() + 1 - FRAMES_TO_BEAT))
+                    .toList());
+        }
+
+        /** Where no more frames are drawn, those there are must do for what gets no faster. */
+        boolean isBeatenBy(double nanosPerPixel, boolean settled) {
+            boolean known = last.size() == FRAMES_TO_BEAT || (!last.isEmpty() && settled);
+            return known && last.stream().allMatch(frame -> nanosPerPixel < frame);
+        }
+    }
 
     /**
      * Starts nothing.
@@ -62,9 +86,9 @@ final class Successor implements AutoCloseable {
         }
     }
 
-    /** How long the engine that draws takes for a pixel. */
+    /** How long the engine that draws took for a pixel of a frame; by one thread. */
     void mustBeat(double nanosPerPixel) {
-        nanosPerPixelToBeat = nanosPerPixel;
+        toBeat = toBeat.and(nanosPerPixel);
     }
 
     /** Has someone told, on another thread, when there is an engine to take; at once where there is one. */
@@ -121,9 +145,15 @@ final class Successor implements AutoCloseable {
         try {
             Frame frame = Frame.ofPixels(small.width(), small.rows());
             double pixels = (double) frame.width() * frame.height();
-            while (!warm && !closed) {
+            BestTime best = new BestTime();
+            CompilerActivity compiler = new CompilerActivity();
+            long spentNanos = 0;
+            while (!warm && !closed && !(best.isSettled() && spentNanos > WARMING.toNanos())) {
                 engine.render(small, frame);
-                warm = frame.times().totalNanos() / pixels < nanosPerPixelToBeat;
+                long nanos = frame.times().totalNanos();
+                best.add(nanos, compiler.sinceLastAsked());
+                spentNanos += nanos;
+                warm = toBeat.isBeatenBy(nanos / pixels, best.isSettled());
             }
         } finally {
             if (!warm) {

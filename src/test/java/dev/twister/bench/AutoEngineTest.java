@@ -14,6 +14,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
+import java.util.function.IntConsumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -91,6 +92,60 @@ class AutoEngineTest {
         slow.awaitClosed();
     }
 
+    /** The stand-in's first frame is as slow as the interpreter that draws it: everything beats that one. */
+    @Test
+    void oneThatBeatsOnlyTheFirstFrameNeverDraws() throws InterruptedException {
+        CountingEngine slow = new CountingEngine("vector", 101);
+        CountDownLatch drawn = new CountDownLatch(1);
+        standIn.nanosPerPixelAtFirst = 1000;
+        try (Engine auto = auto(_ -> {
+            awaitUninterruptibly(drawn);
+            return Optional.of(slow);
+        })) {
+            auto.render(input, frame);
+            auto.render(input, frame);
+            drawn.countDown();
+            slow.awaitClosed();
+            auto.render(input, frame);
+
+            assertThat(auto.id()).isEqualTo("parallel");
+        }
+    }
+
+    @Test
+    void oneThatIsFasterWaitsForThreeFramesToBeat() throws InterruptedException {
+        CountingEngine fast = new CountingEngine("vector", 1);
+        CountDownLatch threeDrawn = new CountDownLatch(1);
+        int frames = 5;
+        fast.pauses = frame -> {
+            if (frame == frames) {
+                awaitUninterruptibly(threeDrawn);
+            }
+        };
+        try (Successor successor = new Successor(_ -> Optional.of(fast))) {
+            successor.mustBeat(100);
+            successor.startWith(input);
+            fast.awaitFrames(frames + 1);
+            assertThat(successor.take()).isEmpty();
+
+            successor.mustBeat(100);
+            successor.mustBeat(100);
+            threeDrawn.countDown();
+            while (successor.take().isEmpty()) {
+                Thread.onSpinWait();
+            }
+        }
+    }
+
+    @Test
+    void oneThatDoesNotBecomeFasterIsGivenUp() throws InterruptedException {
+        CountingEngine slow = new CountingEngine("tornado:0:0", 1000);
+        try (Engine auto = auto(_ -> Optional.of(slow))) {
+            auto.render(input, frame);
+            slow.awaitClosed();
+        }
+    }
+
     @Test
     void oneThatFailsLeavesTheStandIn() throws InterruptedException {
         CountDownLatch asked = new CountDownLatch(1);
@@ -142,6 +197,14 @@ class AutoEngineTest {
         return new AutoEngine(standIn, new Successor(successor));
     }
 
+    private static void awaitUninterruptibly(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException _) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
     private void renderUntil(Engine auto, String id) {
         while (!auto.id().equals(id)) {
             auto.render(input, frame);
@@ -154,12 +217,15 @@ class AutoEngineTest {
         private final int nanosPerPixel;
         private final AtomicInteger frames = new AtomicInteger();
         private volatile int closed;
+        private int nanosPerPixelAtFirst;
+        private IntConsumer pauses = _ -> {};
         private volatile int lastWidth;
         private volatile int lastHeight;
 
         CountingEngine(String id, int nanosPerPixel) {
             this.id = id;
             this.nanosPerPixel = nanosPerPixel;
+            nanosPerPixelAtFirst = nanosPerPixel;
         }
 
         @Override
@@ -177,8 +243,10 @@ class AutoEngineTest {
             lastWidth = drawn.width();
             lastHeight = drawn.height();
             Arrays.fill(into.argb(), id.hashCode());
-            into.setTimes(FrameTimes.onJvm((long) nanosPerPixel * drawn.width() * drawn.rows()));
-            frames.incrementAndGet();
+            int drawnBefore = frames.getAndIncrement();
+            pauses.accept(drawnBefore);
+            int nanos = drawnBefore == 0 ? nanosPerPixelAtFirst : nanosPerPixel;
+            into.setTimes(FrameTimes.onJvm((long) nanos * drawn.width() * drawn.rows()));
         }
 
         void awaitFrames(int wanted) throws InterruptedException {
