@@ -5,12 +5,11 @@ import dev.twister.engine.EngineException;
 import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 import java.time.Duration;
-import java.util.List;
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
-import java.util.stream.Stream;
 
 /**
  * An engine that is opened and warmed on a thread of its own, with small pictures of what is drawn meanwhile, until it
@@ -33,28 +32,15 @@ final class Successor implements AutoCloseable {
 
     private final Function<BooleanSupplier, Optional<Engine>> opener;
     private final Duration patience;
-    private volatile ToBeat toBeat = new ToBeat(List.of());
+    /** What the last frames of the engine that draws took, in nanoseconds a pixel: the scene may change. */
+    private final double[] nanosToBeat = new double[FRAMES_TO_BEAT];
 
+    private long framesToBeat;
     private volatile boolean closed;
     private boolean started;
     private long waitedNanos;
     private Optional<Engine> ready = Optional.empty();
     private Runnable listener = () -> {};
-
-    /** The last frames of the engine that draws, in nanoseconds a pixel: the scene may change. */
-    private record ToBeat(List<Double> last) {
-        ToBeat and(double nanosPerPixel) {
-            return new ToBeat(Stream.concat(last.stream(), Stream.of(nanosPerPixel))
-                    .skip(Math.max(0, last.size() + 1 - FRAMES_TO_BEAT))
-                    .toList());
-        }
-
-        /** Where no more frames are drawn, those there are must do for what gets no faster. */
-        boolean isBeatenBy(double nanosPerPixel, boolean settled) {
-            boolean known = last.size() == FRAMES_TO_BEAT || (!last.isEmpty() && settled);
-            return known && last.stream().allMatch(frame -> nanosPerPixel < frame);
-        }
-    }
 
     /**
      * Starts nothing.
@@ -86,9 +72,17 @@ final class Successor implements AutoCloseable {
         }
     }
 
-    /** How long the engine that draws took for a pixel of a frame; by one thread. */
-    void mustBeat(double nanosPerPixel) {
-        toBeat = toBeat.and(nanosPerPixel);
+    /** How long the engine that draws took for a pixel of a frame. */
+    synchronized void mustBeat(double nanosPerPixel) {
+        nanosToBeat[(int) (framesToBeat % FRAMES_TO_BEAT)] = nanosPerPixel;
+        framesToBeat++;
+    }
+
+    /** Where no more frames are drawn, those there are must do for what gets no faster. */
+    private synchronized boolean isBeatenBy(double nanosPerPixel, boolean settled) {
+        int known = (int) Math.min(framesToBeat, FRAMES_TO_BEAT);
+        boolean enough = known == FRAMES_TO_BEAT || (known > 0 && settled);
+        return enough && Arrays.stream(nanosToBeat, 0, known).allMatch(frame -> nanosPerPixel < frame);
     }
 
     /** Has someone told, on another thread, when there is an engine to take; at once where there is one. */
@@ -153,7 +147,7 @@ final class Successor implements AutoCloseable {
                 long nanos = frame.times().totalNanos();
                 best.add(nanos, compiler.sinceLastAsked());
                 spentNanos += nanos;
-                warm = toBeat.isBeatenBy(nanos / pixels, best.isSettled());
+                warm = isBeatenBy(nanos / pixels, best.isSettled());
             }
         } finally {
             if (!warm) {
