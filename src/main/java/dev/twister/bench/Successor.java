@@ -14,8 +14,7 @@ import java.util.function.Function;
 /**
  * An engine that is opened and warmed on a thread of its own, with small pictures of what is drawn meanwhile, until it
  * beats the one that draws. That one must have drawn a few frames by then: its first is the JVM's interpreter's, which
- * everything beats. (The vector engine is no faster on CPUs without AVX, and on JVMs that do not
- * compile the Vector API.)
+ * even the vector engine on a CPU without AVX beats.
  */
 final class Successor implements AutoCloseable {
     /** Large enough that what a device takes for each frame, whatever its size, does not hide how fast it is. */
@@ -24,7 +23,7 @@ final class Successor implements AutoCloseable {
     /** Some pictures a second are shown meanwhile. */
     private static final long PAUSE_NANOS = 400_000_000;
 
-    /** Its last ones. */
+    /** How many frames of the engine that draws, its last ones, are to be beaten. */
     private static final int FRAMES_TO_BEAT = 3;
 
     /** What a cold JVM takes to compile the vector engine, twice over: frames that are no better then are given up. */

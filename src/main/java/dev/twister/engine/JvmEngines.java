@@ -41,14 +41,14 @@ public final class JvmEngines implements EngineProvider {
     }
 
     private static void drawInTurn(FrameInput input, Frame frame) {
-        int shortcuts = shortcuts(input);
+        int shortcuts = Shortcuts.of(input);
         for (int row = 0; row < frame.height(); row++) {
             JvmKernel.drawRow(input, frame, row, shortcuts);
         }
     }
 
     private static void drawInParallel(FrameInput input, Frame frame) {
-        int shortcuts = shortcuts(input);
+        int shortcuts = Shortcuts.of(input);
         IntStream.range(0, frame.height()).parallel().forEach(row -> JvmKernel.drawRow(input, frame, row, shortcuts));
     }
 
@@ -56,10 +56,5 @@ public final class JvmEngines implements EngineProvider {
         for (int row = 0; row < frame.height(); row++) {
             JvmKernel.drawRow(input, frame, row, PixelKernel.PLAIN);
         }
-    }
-
-    // The loop is small enough for the JVM's compiler to become part of the kernel's code, the walk is not.
-    private static int shortcuts(FrameInput input) {
-        return input.hasFewSpheres() ? PixelKernel.FEW_SPHERES : PixelKernel.SHORTCUTS;
     }
 }

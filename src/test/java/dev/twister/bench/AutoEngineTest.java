@@ -99,7 +99,7 @@ class AutoEngineTest {
         CountDownLatch drawn = new CountDownLatch(1);
         standIn.nanosPerPixelAtFirst = 1000;
         try (Engine auto = auto(_ -> {
-            awaitUninterruptibly(drawn);
+            Latches.await(drawn);
             return Optional.of(slow);
         })) {
             auto.render(input, frame);
@@ -119,7 +119,7 @@ class AutoEngineTest {
         int frames = 5;
         fast.pauses = frame -> {
             if (frame == frames) {
-                awaitUninterruptibly(threeDrawn);
+                Latches.await(threeDrawn);
             }
         };
         try (Successor successor = new Successor(_ -> Optional.of(fast))) {
@@ -195,14 +195,6 @@ class AutoEngineTest {
 
     private Engine auto(Function<BooleanSupplier, Optional<Engine>> successor) {
         return new AutoEngine(standIn, new Successor(successor));
-    }
-
-    private static void awaitUninterruptibly(CountDownLatch latch) {
-        try {
-            latch.await();
-        } catch (InterruptedException _) {
-            Thread.currentThread().interrupt();
-        }
     }
 
     private void renderUntil(Engine auto, String id) {

@@ -196,22 +196,14 @@ class FastestEngineTest {
     /** Devices are looked for when vector draws. */
     private void drawUntilRemembered(List<EngineOffer> offers) {
         CountDownLatch won = new CountDownLatch(1);
-        FastestEngine fastest = new FastestEngine(
-                this::time, new ChoiceStore(Optional.of(folder)), (_, _) -> awaitUninterruptibly(won));
+        FastestEngine fastest =
+                new FastestEngine(this::time, new ChoiceStore(Optional.of(folder)), (_, _) -> Latches.await(won));
         try (Engine engine = fastest.openAtOnce(offers("parallel", "vector"), () -> offers)) {
             drawUntil(engine, "vector");
             won.countDown();
             while (fastest.remembered(offers).isEmpty()) {
                 Thread.onSpinWait();
             }
-        }
-    }
-
-    private static void awaitUninterruptibly(CountDownLatch latch) {
-        try {
-            latch.await();
-        } catch (InterruptedException _) {
-            Thread.currentThread().interrupt();
         }
     }
 

@@ -1,6 +1,7 @@
 package dev.twister.engine.tornado;
 
 import dev.twister.engine.EngineException;
+import dev.twister.engine.Shortcuts;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.kernel.PixelKernel;
@@ -110,7 +111,7 @@ final class DevicePlan implements AutoCloseable {
                         hierarchy,
                         input.width(),
                         input.rows(),
-                        input.hasFewSpheres() ? PixelKernel.FEW_SPHERES : PixelKernel.SHORTCUTS,
+                        Shortcuts.of(input),
                         linear ? PixelKernel.LINEAR : PixelKernel.ARGB)
                 .transferToHost(DataTransferMode.EVERY_EXECUTION, linear ? radiance : pixels);
         plan = new TornadoExecutionPlan(graph.snapshot());
@@ -129,7 +130,7 @@ final class DevicePlan implements AutoCloseable {
                 && input.rows() == fixed.rows()
                 && frame.isLinear() == linear
                 && input.bodyPositions().length == bodyPositions.length
-                && input.hasFewSpheres() == fixed.hasFewSpheres()
+                && Shortcuts.of(input) == Shortcuts.of(fixed)
                 && input.skybox() == fixed.skybox()
                 && input.skyboxDimensions() == fixed.skyboxDimensions()
                 && (sendsLooks() || hasLooksOf(fixed, input));
