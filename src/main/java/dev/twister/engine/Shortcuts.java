@@ -9,7 +9,7 @@ public final class Shortcuts {
 
     /**
      * {@link PixelKernel#FEW_SPHERES} or {@link PixelKernel#SHORTCUTS}. The loop over few spheres is small enough for the
-     * JVM's compiler to become part of the kernel's code, the walk is not; on a device the walk costs a tenth of the frame.
+     * JVM's compiler to become part of the kernel's code, the walk is not; on PoCL the walk takes a tenth of the frame or less.
      */
     public static int of(FrameInput input) {
         return input.hasFewSpheres() ? PixelKernel.FEW_SPHERES : PixelKernel.SHORTCUTS;
