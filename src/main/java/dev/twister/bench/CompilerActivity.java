@@ -5,13 +5,13 @@ import java.lang.management.ManagementFactory;
 import java.util.Optional;
 
 /** Whether the JVM's compiler has finished anything since it was last asked: code that is compiled anew is faster soon. */
-public final class CompilerActivity {
+final class CompilerActivity {
     private final Optional<CompilationMXBean> compiler = Optional.ofNullable(ManagementFactory.getCompilationMXBean())
             .filter(CompilationMXBean::isCompilationTimeMonitoringSupported);
 
     private long compiledMillis;
 
-    public boolean sinceLastAsked() {
+    boolean sinceLastAsked() {
         long before = compiledMillis;
         compiledMillis =
                 compiler.map(CompilationMXBean::getTotalCompilationTime).orElse(before);

@@ -3,6 +3,7 @@ package dev.twister.bench;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.EngineOffer;
+import dev.twister.engine.Engines;
 import dev.twister.engine.JvmEngines;
 import java.time.Duration;
 import java.util.Comparator;
@@ -201,7 +202,7 @@ public final class FastestEngine {
     /** The JVM's engines come first: they need no compiler that could still be at work beside the next trial. */
     private List<EngineTime> measure(List<EngineOffer> candidates, BooleanSupplier cancelled) {
         return candidates.stream()
-                .sorted(Comparator.comparing(TrialLimits::isDevice))
+                .sorted(Comparator.comparing(offer -> Engines.isDevice(offer.id())))
                 .map(offer -> new EngineTime(
                         offer.id(), trial.frameTime(offer, TrialLimits.PATIENT.of(offer, candidates), cancelled)))
                 .sorted(Comparator.comparing(

@@ -1,6 +1,7 @@
 package dev.twister.bench;
 
 import dev.twister.engine.EngineOffer;
+import dev.twister.engine.Engines;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
@@ -26,7 +27,10 @@ record MachineKey(Map<String, String> facts) {
     /** What of it is known before devices are looked for. */
     static MachineKey beforeDevices(List<EngineOffer> engines) {
         return of(
-                engines.stream().filter(engine -> !TrialLimits.isDevice(engine)).toList(), "not looked for");
+                engines.stream()
+                        .filter(engine -> !Engines.isDevice(engine.id()))
+                        .toList(),
+                "not looked for");
     }
 
     private static MachineKey of(List<EngineOffer> engines, String devices) {

@@ -2,7 +2,6 @@ package dev.twister.bench;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
-import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 import java.time.Duration;
 import java.util.Arrays;
@@ -17,9 +16,6 @@ import java.util.function.Function;
  * even the vector engine on a CPU without AVX beats.
  */
 final class Successor implements AutoCloseable {
-    /** Large enough that what a device takes for each frame, whatever its size, does not hide how fast it is. */
-    private static final int WARM_UP_WIDTH = 320;
-
     /** Some pictures a second are shown meanwhile. */
     private static final long PAUSE_NANOS = 400_000_000;
 
@@ -66,7 +62,7 @@ final class Successor implements AutoCloseable {
     void startWith(FrameInput input) {
         if (!started) {
             started = true;
-            FrameInput small = reduced(input);
+            FrameInput small = SettlingFrames.small(input);
             Thread.ofPlatform().daemon().name("twister-warm-up").start(() -> warm(small));
         }
     }
@@ -136,17 +132,13 @@ final class Successor implements AutoCloseable {
     private void warm(Engine engine, FrameInput small) {
         boolean warm = false;
         try {
-            Frame frame = Frame.ofPixels(small.width(), small.rows());
-            double pixels = (double) frame.width() * frame.height();
-            BestTime best = new BestTime();
-            CompilerActivity compiler = new CompilerActivity();
+            SettlingFrames frames = new SettlingFrames(engine, small);
+            double pixels = (double) small.width() * small.rows();
             long spentNanos = 0;
-            while (!warm && !closed && !(best.isSettled() && spentNanos > WARMING.toNanos())) {
-                engine.render(small, frame);
-                long nanos = frame.times().totalNanos();
-                best.add(nanos, compiler.sinceLastAsked());
+            while (!warm && !closed && !(frames.areSettled() && spentNanos > WARMING.toNanos())) {
+                long nanos = frames.draw().toNanos();
                 spentNanos += nanos;
-                warm = isBeatenBy(nanos / pixels, best.isSettled());
+                warm = isBeatenBy(nanos / pixels, frames.areSettled());
             }
         } finally {
             if (!warm) {
@@ -166,11 +158,5 @@ final class Successor implements AutoCloseable {
             notifyAll();
             listener.run();
         }
-    }
-
-    private static FrameInput reduced(FrameInput input) {
-        int width = Math.min(WARM_UP_WIDTH, input.width());
-        int height = Math.max(1, (int) ((long) width * input.height() / input.width()));
-        return input.ofSize(width, height);
     }
 }

@@ -3,7 +3,6 @@ package dev.twister.bench;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.EngineOffer;
-import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SampleWorld;
 import java.time.Duration;
@@ -54,12 +53,10 @@ final class TimedTrial implements EngineTrial {
     }
 
     private void draw(EngineOffer offer, BestTime best, BooleanSupplier over) {
-        Frame frame = Frame.ofPixels(WIDTH, HEIGHT);
-        CompilerActivity compiler = new CompilerActivity();
         try (Engine engine = offer.opener().get()) {
-            while (!over.getAsBoolean() && !best.isSettled()) {
-                engine.render(input, frame);
-                best.add(frame.times().totalNanos(), compiler.sinceLastAsked());
+            SettlingFrames frames = new SettlingFrames(engine, input, best);
+            while (!over.getAsBoolean() && !frames.areSettled()) {
+                frames.draw();
             }
         } catch (EngineException _) {
             // An engine that fails is not the fastest; whoever opens it by its name is told why.

@@ -17,12 +17,10 @@ record TrialLimits(Duration jvm, Duration devices) {
 
     /** This engine's share. */
     Duration of(EngineOffer offer, List<EngineOffer> all) {
-        boolean device = isDevice(offer);
-        long sharers = all.stream().filter(other -> isDevice(other) == device).count();
+        boolean device = Engines.isDevice(offer.id());
+        long sharers = all.stream()
+                .filter(other -> Engines.isDevice(other.id()) == device)
+                .count();
         return (device ? devices : jvm).dividedBy(Math.max(1, sharers));
-    }
-
-    static boolean isDevice(EngineOffer offer) {
-        return offer.id().startsWith(Engines.TORNADO_PREFIX);
     }
 }

@@ -15,10 +15,15 @@ public final class Engines {
 
     private Engines() {}
 
+    /** Whether an engine of this id draws on a device of TornadoVM's. */
+    public static boolean isDevice(String id) {
+        return id.startsWith(TORNADO_PREFIX);
+    }
+
     /** All engines known here, working or not, the JVM's own first. */
     public static List<EngineOffer> offers() {
         List<EngineOffer> offers = new ArrayList<>(offers(_ -> true));
-        if (offers.stream().noneMatch(offer -> offer.id().startsWith(TORNADO_PREFIX))) {
+        if (offers.stream().noneMatch(offer -> isDevice(offer.id()))) {
             offers.add(EngineOffer.impossible(
                     TORNADO_PREFIX,
                     "any OpenCL, PTX or CUDA device",
@@ -61,7 +66,7 @@ public final class Engines {
         List<EngineOffer> offers = offers();
         return find(offers, id)
                 .or(() -> offers.stream()
-                        .filter(offer -> id.equals(TORNADO_PREFIX) && offer.id().startsWith(TORNADO_PREFIX))
+                        .filter(offer -> id.equals(TORNADO_PREFIX) && isDevice(offer.id()))
                         .findFirst())
                 .orElseThrow(() -> new UnknownEngineException("no engine is called '" + id + "'; there are "
                         + offers.stream().map(EngineOffer::id).collect(Collectors.joining(", "))));

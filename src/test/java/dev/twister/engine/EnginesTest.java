@@ -47,6 +47,6 @@ class EnginesTest {
     void noDeviceIsLookedForWhereItNeedNotBe() {
         assertThat(Engines.offersAtOnce().stream().map(EngineOffer::id))
                 .contains("parallel", "auto")
-                .noneMatch(id -> id.startsWith(Engines.TORNADO_PREFIX));
+                .noneMatch(Engines::isDevice);
     }
 }

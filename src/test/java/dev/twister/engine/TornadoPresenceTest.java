@@ -10,8 +10,7 @@ class TornadoPresenceTest {
     @Test
     void deviceTestsAreBuiltWhereTheEngineWorks() {
         assumeTrue(
-                Engines.offers().stream()
-                        .anyMatch(offer -> offer.id().startsWith(Engines.TORNADO_PREFIX) && offer.works()),
+                Engines.offers().stream().anyMatch(offer -> Engines.isDevice(offer.id()) && offer.works()),
                 "no TornadoVM SDK here: the TornadoVM engine's tests were not built");
         assertThatCode(() -> Class.forName("dev.twister.engine.tornado.ScenesOnDeviceTest"))
                 .doesNotThrowAnyException();

@@ -75,8 +75,7 @@ class EngineChangeTest {
 
     /** Or the line that says why there are none. */
     private static boolean hasDevices(ComboBox<?> list) {
-        return WindowDriver.call(
-                () -> list.getItems().stream().anyMatch(item -> item.toString().startsWith(Engines.TORNADO_PREFIX)));
+        return WindowDriver.call(() -> list.getItems().stream().anyMatch(item -> Engines.isDevice(item.toString())));
     }
 
     @Test

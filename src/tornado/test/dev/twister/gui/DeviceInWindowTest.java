@@ -20,7 +20,7 @@ class DeviceInWindowTest {
     void aDeviceComesAndGoesDrawsAtRestAndFollowsEdits() {
         Optional<EngineOffer> device = Engines.offers().stream()
                 .filter(EngineOffer::works)
-                .filter(offer -> offer.id().startsWith(Engines.TORNADO_PREFIX))
+                .filter(offer -> Engines.isDevice(offer.id()))
                 .findFirst();
         assumeTrue(device.isPresent(), "no device to test the TornadoVM engine on");
         EngineOffer offer = device.orElseThrow();

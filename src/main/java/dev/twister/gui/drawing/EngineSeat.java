@@ -110,12 +110,8 @@ final class EngineSeat implements AutoCloseable {
 
     /** TornadoVM's runtime is one for all its engines: one does not compile while another draws. */
     private boolean mustWaitFor(Candidate next) {
-        return isTornado(next.offer().id())
-                && seated.filter(engine -> isTornado(engine.id())).isPresent();
-    }
-
-    private static boolean isTornado(String id) {
-        return id.startsWith(Engines.TORNADO_PREFIX);
+        return Engines.isDevice(next.offer().id())
+                && seated.filter(engine -> Engines.isDevice(engine.id())).isPresent();
     }
 
     private void seat(Candidate next) {

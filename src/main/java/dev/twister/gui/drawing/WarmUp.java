@@ -1,12 +1,10 @@
 package dev.twister.gui.drawing;
 
-import dev.twister.bench.BestTime;
-import dev.twister.bench.CompilerActivity;
+import dev.twister.bench.SettlingFrames;
 import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
 import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
-import java.time.Duration;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 
@@ -30,7 +28,7 @@ record WarmUp(FrameInput whole, FrameInput small) {
      * @param unwanted whether to stop because the engine will not be used
      */
     void run(Engine engine, BooleanSupplier unwanted) {
-        if (engine.id().startsWith(Engines.TORNADO_PREFIX)) {
+        if (Engines.isDevice(engine.id())) {
             // TornadoVM compiles for each size and kind of picture.
             engine.render(whole, Frame.ofPixels(whole.width(), whole.rows()));
         } else {
@@ -39,16 +37,14 @@ record WarmUp(FrameInput whole, FrameInput small) {
     }
 
     private void runOnJvm(Engine engine, BooleanSupplier unwanted) {
-        Frame frame = Frame.ofPixels(small.width(), small.rows());
+        SettlingFrames frames = new SettlingFrames(engine, small);
         double ratio = (double) whole.width() * whole.rows() / ((double) small.width() * small.rows());
-        CompilerActivity compiler = new CompilerActivity();
-        BestTime best = new BestTime();
         long start = System.nanoTime();
+        long nanos;
         do {
-            engine.render(small, frame);
-            best.add(frame.times().totalNanos(), compiler.sinceLastAsked());
-        } while (!best.isSettled()
-                && best.found().orElse(Duration.ZERO).toNanos() > SWIFT_NANOS / ratio
+            nanos = frames.draw().toNanos();
+        } while (!frames.areSettled()
+                && nanos > SWIFT_NANOS / ratio
                 && System.nanoTime() - start < PATIENCE_NANOS
                 && !unwanted.getAsBoolean());
     }

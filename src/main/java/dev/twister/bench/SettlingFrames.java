@@ -1,0 +1,58 @@
+package dev.twister.bench;
+
+import dev.twister.engine.Engine;
+import dev.twister.image.Frame;
+import dev.twister.world.FrameInput;
+import java.time.Duration;
+
+/** The first frames of an engine, which get faster as compilers come to what it runs. */
+public final class SettlingFrames {
+    /** Large enough that what a device takes for each frame, whatever its size, does not hide how fast it is. */
+    private static final int SMALL_WIDTH = 320;
+
+    private final Engine engine;
+    private final FrameInput input;
+    private final Frame frame;
+    private final BestTime best;
+    private final CompilerActivity compiler = new CompilerActivity();
+
+    /** Of one input, and with a time of their own. */
+    public SettlingFrames(Engine engine, FrameInput input) {
+        this(engine, input, new BestTime());
+    }
+
+    /** The same with a time that others see. */
+    SettlingFrames(Engine engine, FrameInput input, BestTime best) {
+        this.engine = engine;
+        this.input = input;
+        this.best = best;
+        frame = Frame.ofPixels(input.width(), input.rows());
+    }
+
+    /**
+     * The same view with few pixels: the JVM compiles the same code for it, and sooner, for before that an engine may be
+     * hundreds of times slower.
+     */
+    static FrameInput small(FrameInput input) {
+        int width = Math.min(SMALL_WIDTH, input.width());
+        int height = Math.max(1, (int) ((long) width * input.height() / input.width()));
+        return input.ofSize(width, height);
+    }
+
+    /**
+     * Draws one more.
+     *
+     * @return how long it took
+     */
+    public Duration draw() {
+        engine.render(input, frame);
+        long nanos = frame.times().totalNanos();
+        best.add(nanos, compiler.sinceLastAsked());
+        return Duration.ofNanos(nanos);
+    }
+
+    /** Whether they are likely to get no faster. */
+    public boolean areSettled() {
+        return best.isSettled();
+    }
+}
