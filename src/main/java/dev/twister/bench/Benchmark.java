@@ -81,6 +81,7 @@ public final class Benchmark {
         EngineMeasuring measuring =
                 new EngineMeasuring(plan.warmupFrames(), plan.frames(), plan.maxSeconds(), progress);
         try (Engine engine = opener.apply(id)) {
+            letCompile(engine, plan.sizes().getFirst());
             for (PictureSize size : plan.sizes()) {
                 progress.begins(engine.id(), size, plan.warmupFrames() + plan.frames());
                 Measurement measurement = motion.isPresent()
@@ -91,6 +92,12 @@ public final class Benchmark {
             }
         } catch (EngineException failure) {
             failures.add(new EngineFailure(id, failure.getMessage()));
+        }
+    }
+
+    private void letCompile(Engine engine, PictureSize size) {
+        if (plan.warmupFrames() > 0) {
+            new EngineWarmUp(plan.maxSeconds(), progress).run(engine, size, List.of(inputAt(size)));
         }
     }
 

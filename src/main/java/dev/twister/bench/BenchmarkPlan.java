@@ -9,10 +9,11 @@ import java.util.List;
  * @param sizes in the order of the report
  * @param shadowSamples points on the light's disc
  * @param bounces limit of reflections
- * @param warmupFrames frames drawn before the measured ones, so that compilers are done
+ * @param warmupFrames frames drawn before the measured ones at each size; where there are any, small pictures are drawn before
+ *     an engine's first size until they get no faster, so that compilers are done
  * @param frames measured frames
  * @param maxSeconds for one engine at one size, warm-up included, half of it at most; fewer frames are taken where it
- *     is short, but always one of each
+ *     is short, but always one of each. And as long again, at most, for an engine's small pictures
  */
 public record BenchmarkPlan(
         List<String> engines,

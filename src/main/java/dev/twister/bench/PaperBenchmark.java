@@ -14,8 +14,8 @@ import java.util.function.Function;
 
 /** Repeats the paper's evaluation. */
 public final class PaperBenchmark {
-    /** An engine's first setting would pay for its compiler: this many times the warm-up is drawn before it. */
-    private static final int FIRST_WARM_UPS = 10;
+    /** An engine's first setting would pay for its compiler: before it comes a warm-up of this many settings' time. */
+    private static final int FIRST_WARM_UP_SETTINGS = 3;
 
     private final Function<String, Engine> opener;
     private final PaperPlan plan;
@@ -89,7 +89,7 @@ public final class PaperBenchmark {
         EngineMeasuring measuring =
                 new EngineMeasuring(plan.warmupFrames(), plan.frames(), plan.maxSeconds(), progress);
         try (Engine engine = opener.apply(id)) {
-            letCompile(engine, plan.settings().getFirst());
+            letCompile(engine);
             for (PaperSetting setting : plan.settings()) {
                 progress.begins(engine.id(), setting.size(), plan.framesEach());
                 Measurement measurement = measuring.measure(
@@ -104,12 +104,12 @@ public final class PaperBenchmark {
         }
     }
 
-    private void letCompile(Engine engine, PaperSetting setting) {
-        int frames = FIRST_WARM_UPS * plan.warmupFrames();
-        progress.begins(engine.id() + ", first", setting.size(), frames);
-        Frame frame = Frame.ofPixels(setting.size().width(), setting.size().height());
-        // A loop warms up for half of its time; this one is all warm-up.
-        new FrameLoop(engine, inputAt(setting), frame, progress, 2 * plan.maxSeconds()).warmUp(frames);
+    private void letCompile(Engine engine) {
+        if (plan.warmupFrames() > 0) {
+            List<FrameInput> inputs = plan.shown().stream().map(this::inputAt).toList();
+            new EngineWarmUp(FIRST_WARM_UP_SETTINGS * plan.maxSeconds(), progress)
+                    .run(engine, plan.sizes().getFirst(), inputs);
+        }
     }
 
     private FrameInput inputAt(PaperSetting setting) {

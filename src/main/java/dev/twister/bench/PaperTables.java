@@ -43,7 +43,8 @@ final class PaperTables {
                                 "up to " + plan.frames() + " measured after up to " + plan.warmupFrames()
                                         + " to warm up, for at most "
                                         + PlotLook.number(plan.maxSeconds())
-                                        + " s an engine and setting; one of each in any case"),
+                                        + " s an engine and setting; one of each in any case. Before an engine's"
+                                        + " first setting small pictures until the JVM has compiled it"),
                         fact(
                                 "time of a frame",
                                 "from the call to the pixels in Java's memory, copies included; "

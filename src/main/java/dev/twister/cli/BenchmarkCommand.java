@@ -101,7 +101,9 @@ final class BenchmarkCommand implements Callable<Integer> {
     @Option(
             names = "--warmup",
             paramLabel = "N",
-            description = "Frames before the measured ones; " + WARMUP_FRAMES + " where not said.")
+            description =
+                    "Frames before the measured ones, and small pictures before the first of them until the JVM has"
+                            + " compiled the engine; " + WARMUP_FRAMES + " where not said, and none of either with 0.")
     private Optional<Integer> warmup = Optional.empty();
 
     @Option(names = "--frames", paramLabel = "N", description = "Measured frames; 10 where not said.")
@@ -110,7 +112,9 @@ final class BenchmarkCommand implements Callable<Integer> {
     @Option(
             names = "--max-seconds",
             paramLabel = "S",
-            description = "For each engine at each size, at most half of it warm-up; 30 where not said.")
+            description =
+                    "For each engine at each size, at most half of it warm-up, and at most as long again for an engine's"
+                            + " small pictures; 30 where not said.")
     private Optional<Double> maxSeconds = Optional.empty();
 
     @Option(names = "--json", paramLabel = "FILE", description = "Write the report as JSON, too.")

@@ -24,8 +24,8 @@ final class PaperLine implements BenchmarkProgress, AutoCloseable {
         this.err = err;
         this.left = left;
         long settings = plan.settings().size();
-        line = ProgressLine.start(
-                err, "evaluation", settings + settings * plan.engines().size() * plan.framesEach());
+        long engines = plan.engines().size();
+        line = ProgressLine.start(err, "evaluation", settings + engines * (1 + settings * plan.framesEach()));
     }
 
     /** An engine whose time was up early has drawn fewer frames than foreseen: the bar jumps over the rest. */

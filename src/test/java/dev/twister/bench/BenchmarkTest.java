@@ -116,6 +116,8 @@ class BenchmarkTest {
                         "frame",
                         "reference 9x4 1",
                         "frame",
+                        "sequential, warming up, 5x3 1",
+                        "frame",
                         "sequential 5x3 2",
                         "frame",
                         "frame",

@@ -1,0 +1,34 @@
+package dev.twister.bench;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.Engines;
+import dev.twister.world.FrameInput;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * What an engine draws before the first picture that is measured. Frames of full size are too few for the JVM's compiler on a
+ * slow machine.
+ *
+ * @param maxSeconds for all inputs together, a frame of each in any case
+ */
+record EngineWarmUp(double maxSeconds, BenchmarkProgress progress) {
+    private static final double NANOS_PER_SECOND = TimeUnit.SECONDS.toNanos(1);
+
+    /** Draws small pictures of each input in turn until they get no faster; devices, which compile for each size, draw none. */
+    void run(Engine engine, PictureSize size, List<FrameInput> inputs) {
+        if (!Engines.isDevice(engine.id())) {
+            progress.begins(engine.id() + ", warming up,", size, 1);
+            inputs.forEach(input -> draw(engine, input, maxSeconds / inputs.size()));
+            progress.drewFrame();
+        }
+    }
+
+    private static void draw(Engine engine, FrameInput input, double seconds) {
+        SettlingFrames frames = new SettlingFrames(engine, SettlingFrames.small(input));
+        long start = System.nanoTime();
+        do {
+            frames.draw();
+        } while (!frames.areSettled() && (System.nanoTime() - start) / NANOS_PER_SECOND < seconds);
+    }
+}
