@@ -60,6 +60,11 @@ public record FrameInput(
         return dimensions[Layout.BODIES];
     }
 
+    /** How many bodies there may come to be. */
+    public int room() {
+        return bodySizes.length;
+    }
+
     public int shadowSamples() {
         return (int) rayTracingProperties[Layout.SHADOW_SAMPLES];
     }
@@ -213,9 +218,13 @@ public record FrameInput(
                 hierarchy);
     }
 
-    /** Whether the hierarchy is a single leaf, as it is for few spheres. */
+    /**
+     * Whether the hierarchy is a single leaf, as it is for few spheres, and stays one however many come: what is compiled for few
+     * is not compiled anew in the middle of a pour.
+     */
     public boolean hasFewSpheres() {
-        return hierarchy[Layout.root(bodies()) + Layout.NODE_SPHERES] >= 0;
+        return hierarchy[Layout.root(bodies()) + Layout.NODE_SPHERES] >= 0
+                && room() - Layout.FIRST_SPHERE < SphereHierarchy.FEWEST_SPHERES;
     }
 
     public int samplesPerPixel() {

@@ -89,6 +89,17 @@ class WorldTest {
     }
 
     @Test
+    void fewSpheresAreFewOnlyWhereNoMoreWillCome() {
+        Pour pour = new Pour(100, 1, new Vector3(1, 2, 3), 1, 1, 0.1, 0.1, Palette.DUSK, 8, 1);
+
+        assertThat(world.snapshot().hasFewSpheres()).isTrue();
+        assertThat(World.of(Worlds.scene().withPour(pour), Worlds.SKY)
+                        .snapshot()
+                        .hasFewSpheres())
+                .isFalse();
+    }
+
+    @Test
     void skyIsTheSkyboxItself() {
         FrameInput input = world.snapshot();
         assertThat(input.skybox()).isSameAs(Worlds.SKY.radiance());

@@ -129,7 +129,7 @@ final class DevicePlan implements AutoCloseable {
         return input.width() == fixed.width()
                 && input.rows() == fixed.rows()
                 && frame.isLinear() == linear
-                && input.bodyPositions().length == bodyPositions.length
+                && input.room() == fixed.room()
                 && Shortcuts.of(input) == Shortcuts.of(fixed)
                 && input.skybox() == fixed.skybox()
                 && input.skyboxDimensions() == fixed.skyboxDimensions()
@@ -144,7 +144,7 @@ final class DevicePlan implements AutoCloseable {
     }
 
     private boolean sendsLooks() {
-        return fixed.bodySizes().length <= FEW_BODIES;
+        return fixed.room() <= FEW_BODIES;
     }
 
     /**

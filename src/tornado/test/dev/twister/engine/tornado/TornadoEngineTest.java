@@ -101,6 +101,21 @@ class TornadoEngineTest {
     }
 
     @Test
+    void spheresThatJoinAFewNeedNoCompilation() {
+        World pour = SceneSamples.world(5, 40);
+        pour.setSettings(RenderSettings.DEFAULT.withSize(40, 30));
+        float[] places = pour.snapshot().bodyPositions();
+        try (TornadoEngine engine = Devices.openFirst()) {
+            pour.setBodyPositions(places, 6);
+            Pictures.requireSequentials(engine, pour.snapshot());
+            DevicePlan plan = engine.plan().orElseThrow();
+            pour.setBodyPositions(places, 42);
+            Pictures.requireSequentials(engine, pour.snapshot());
+            assertThat(engine.plan()).containsSame(plan);
+        }
+    }
+
+    @Test
     void linearAndOrdinaryFramesByTurnsNeedNoCompilation() {
         try (TornadoEngine engine = Devices.openFirst()) {
             FrameInput input = input(40, 30);
