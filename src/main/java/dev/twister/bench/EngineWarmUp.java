@@ -2,6 +2,7 @@ package dev.twister.bench;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
+import dev.twister.engine.SettlingFrames;
 import dev.twister.world.FrameInput;
 import java.util.List;
 import java.util.concurrent.TimeUnit;

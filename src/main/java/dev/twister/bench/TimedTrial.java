@@ -1,8 +1,10 @@
 package dev.twister.bench;
 
+import dev.twister.engine.BestTime;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.EngineOffer;
+import dev.twister.engine.SettlingFrames;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SampleWorld;
 import java.time.Duration;

@@ -6,6 +6,7 @@ import dev.twister.scene.Plane;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.SceneGenerator;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
@@ -13,7 +14,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** A world of the default kind that needs no file: five spheres on the plane under a plain sky. */
+/** Worlds that need no file: five spheres on the plane under a plain sky, or a crowd. */
 public final class SampleWorld {
     private static final int SKY_WIDTH = 512;
     private static final int SKY_HEIGHT = 256;
@@ -24,7 +25,7 @@ public final class SampleWorld {
 
     private SampleWorld() {}
 
-    /** The world, with the default shadow samples and bounces, at that size. */
+    /** The five spheres, with the default shadow samples and bounces, at that size. */
     public static World ofSize(int width, int height) {
         RenderSettings settings = RenderSettings.DEFAULT.withSize(width, height);
         Scene scene = new Scene(
@@ -38,6 +39,14 @@ public final class SampleWorld {
                 Scene.DEFAULT_AMBIENT,
                 settings);
         return World.of(scene, new Skybox(SKY_WIDTH, SKY_HEIGHT, gradient()));
+    }
+
+    /** A world of so many spheres on and over a plane, under the same sky, at that size. */
+    public static World crowd(int spheres, int width, int height) {
+        World world = World.of(
+                SceneGenerator.spheres(spheres, 1, Path.of("")), new Skybox(SKY_WIDTH, SKY_HEIGHT, gradient()));
+        world.setSettings(world.settings().withSize(width, height));
+        return world;
     }
 
     private static List<Sphere> spheres() {

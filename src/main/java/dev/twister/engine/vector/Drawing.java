@@ -13,7 +13,7 @@ final class Drawing {
     /** The light, as the one sphere of a block. */
     final SphereColumns light = new SphereColumns();
 
-    /** Whether there are so many bodies that the hierarchy is walked. */
+    /** Whether the hierarchy is walked, as there are many bodies. */
     boolean crowded;
 
     FrameInput input;
@@ -45,13 +45,13 @@ final class Drawing {
     /**
      * Prepares a frame.
      *
-     * @param crowd from how many bodies on the hierarchy is walked
+     * @param walk whether the hierarchy is walked
      */
-    void take(FrameInput newInput, Frame newFrame, int crowd) {
+    void take(FrameInput newInput, Frame newFrame, boolean walk) {
         input = newInput;
         frame = newFrame;
         bodies.take(newInput);
-        crowded = newInput.bodies() >= crowd;
+        crowded = walk;
         if (crowded) {
             hierarchy.take(newInput);
             takeLight();

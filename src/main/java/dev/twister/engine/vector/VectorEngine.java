@@ -19,7 +19,7 @@ final class VectorEngine implements Engine {
     private static final int TILES_A_TURN = 4;
 
     private final int threads;
-    private final int crowd;
+    private final Ways ways;
     private final TileRenderer[] renderers;
     private final Drawing drawing = new Drawing();
     private final AtomicInteger nextTile = new AtomicInteger();
@@ -28,11 +28,11 @@ final class VectorEngine implements Engine {
     /**
      * Starts the threads.
      *
-     * @param crowd from how many bodies on the hierarchy is walked
+     * @param ways which are closed with the engine
      */
-    VectorEngine(int threads, int crowd) {
+    VectorEngine(int threads, Ways ways) {
         this.threads = threads;
-        this.crowd = crowd;
+        this.ways = ways;
         renderers = new TileRenderer[threads];
         Arrays.setAll(renderers, thread -> new TileRenderer());
         crew = new Crew("vector", threads, this::drawTiles);
@@ -57,7 +57,7 @@ final class VectorEngine implements Engine {
     public void render(FrameInput input, Frame frame) {
         FrameFit.check(input, frame);
         long start = System.nanoTime();
-        drawing.take(input, frame, crowd);
+        drawing.take(input, frame, ways.walk(input));
         for (TileRenderer renderer : renderers) {
             renderer.reserve(input.bodies());
         }
@@ -84,6 +84,7 @@ final class VectorEngine implements Engine {
 
     @Override
     public void close() {
+        ways.close();
         crew.close();
     }
 }

@@ -35,11 +35,11 @@ public final class VectorEngines implements EngineProvider {
 
     /** The engine on so many threads. */
     static Engine open(int threads) {
-        return open(threads, VectorEngine.CROWD);
+        return new VectorEngine(threads, new Ways(VectorEngine.CROWD, SmallRehearsal::start));
     }
 
-    /** The same, which walks the hierarchy from that many bodies on. */
+    /** The same, which walks the hierarchy from that many bodies on, rehearsed or not. */
     static Engine open(int threads, int crowd) {
-        return new VectorEngine(threads, crowd);
+        return new VectorEngine(threads, new Ways(crowd, Unrehearsed::new));
     }
 }

@@ -1,8 +1,8 @@
 package dev.twister.gui.drawing;
 
-import dev.twister.bench.SettlingFrames;
 import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
+import dev.twister.engine.SettlingFrames;
 import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 import java.util.concurrent.TimeUnit;

@@ -1,4 +1,4 @@
-package dev.twister.bench;
+package dev.twister.engine;
 
 import java.lang.management.CompilationMXBean;
 import java.lang.management.ManagementFactory;

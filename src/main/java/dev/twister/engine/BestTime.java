@@ -1,10 +1,10 @@
-package dev.twister.bench;
+package dev.twister.engine;
 
 import java.time.Duration;
 import java.util.Optional;
 
 /** The fastest of a series of frames, and whether it is likely to stay that; used by several threads. */
-final class BestTime {
+public final class BestTime {
     /** What a frame must be faster by to count as better: less than a compiler's next step, more than a clock's noise. */
     private static final double BETTER = 0.95;
 
@@ -22,7 +22,7 @@ final class BestTime {
      *
      * @param compiled whether the JVM's compiler was at work meanwhile: the next frames may be faster
      */
-    synchronized void add(long nanos, boolean compiled) {
+    public synchronized void add(long nanos, boolean compiled) {
         if (!compiled && bestNanos.isPresent() && nanos >= BETTER * bestNanos.get()) {
             settlingNanos += nanos;
             settlingFrames++;
@@ -34,18 +34,18 @@ final class BestTime {
     }
 
     /** Whether the last frames, many and over some time, were no better than one before them. */
-    synchronized boolean isSettled() {
+    public synchronized boolean isSettled() {
         return settlingFrames >= SETTLED_FRAMES && settlingNanos >= SETTLED_NANOS;
     }
 
     /** As if no frame had been added. */
-    synchronized void forget() {
+    public synchronized void forget() {
         bestNanos = Optional.empty();
         settlingNanos = 0;
         settlingFrames = 0;
     }
 
-    synchronized Optional<Duration> found() {
+    public synchronized Optional<Duration> found() {
         return bestNanos.map(Duration::ofNanos);
     }
 }

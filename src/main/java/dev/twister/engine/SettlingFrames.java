@@ -1,6 +1,5 @@
-package dev.twister.bench;
+package dev.twister.engine;
 
-import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 import java.time.Duration;
@@ -22,7 +21,7 @@ public final class SettlingFrames {
     }
 
     /** The same with a time that others see. */
-    SettlingFrames(Engine engine, FrameInput input, BestTime best) {
+    public SettlingFrames(Engine engine, FrameInput input, BestTime best) {
         this.engine = engine;
         this.input = input;
         this.best = best;
@@ -33,7 +32,7 @@ public final class SettlingFrames {
      * The same view with few pixels: the JVM compiles the same code for it, and sooner, for before that an engine may be
      * hundreds of times slower.
      */
-    static FrameInput small(FrameInput input) {
+    public static FrameInput small(FrameInput input) {
         int width = Math.min(SMALL_WIDTH, input.width());
         int height = Math.max(1, (int) ((long) width * input.height() / input.width()));
         return input.ofSize(width, height);

@@ -1,0 +1,49 @@
+package dev.twister.engine.vector;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.SettlingFrames;
+import dev.twister.world.SampleWorld;
+import java.util.concurrent.TimeUnit;
+
+/** Draws small pictures of a crowd on one thread of its own until they get no faster. */
+final class SmallRehearsal implements Rehearsal {
+    private static final int SPHERES = 1000;
+    private static final int WIDTH = 320;
+    private static final int HEIGHT = 180;
+
+    /** The JVM's compiler may be at work for others all the time. */
+    private static final long LONGEST_NANOS = TimeUnit.SECONDS.toNanos(5);
+
+    private volatile boolean over;
+
+    private SmallRehearsal() {
+        Thread.ofPlatform().daemon().name("twister-rehearsal").start(this::draw);
+    }
+
+    static Rehearsal start() {
+        return new SmallRehearsal();
+    }
+
+    private void draw() {
+        try (Engine walking = VectorEngines.open(1, 0)) {
+            SettlingFrames frames = new SettlingFrames(
+                    walking, SampleWorld.crowd(SPHERES, WIDTH, HEIGHT).snapshot());
+            long start = System.nanoTime();
+            while (!over && !frames.areSettled() && System.nanoTime() - start < LONGEST_NANOS) {
+                frames.draw();
+            }
+        } finally {
+            over = true;
+        }
+    }
+
+    @Override
+    public boolean isOver() {
+        return over;
+    }
+
+    @Override
+    public void close() {
+        over = true;
+    }
+}
