@@ -13,7 +13,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 /** Draws tiles in SIMD lanes on some threads; once warm, a frame allocates nothing but its times. */
 final class VectorEngine implements Engine {
     /** With fewer bodies, a look at all of them a tile is faster; measured, see {@code benchmarks/NOTES.md}. */
-    static final int CROWD = 400;
+    static final int CROWD = 250;
 
     /** Taking turns waits until a thread's pixels are in memory, so not for each tile. */
     private static final int TILES_A_TURN = 4;
