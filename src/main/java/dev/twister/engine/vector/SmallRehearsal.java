@@ -1,6 +1,7 @@
 package dev.twister.engine.vector;
 
 import dev.twister.engine.Engine;
+import dev.twister.engine.EngineException;
 import dev.twister.engine.SettlingFrames;
 import dev.twister.world.SampleWorld;
 import java.util.concurrent.TimeUnit;
@@ -32,6 +33,8 @@ final class SmallRehearsal implements Rehearsal {
             while (!over && !frames.areSettled() && System.nanoTime() - start < LONGEST_NANOS) {
                 frames.draw();
             }
+        } catch (EngineException _) {
+            // What does not draw tells whoever asks for a frame.
         } finally {
             over = true;
         }
