@@ -2,7 +2,6 @@ package dev.twister.gui;
 
 import dev.twister.gui.drawing.DrawingStatus;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.kernel.Layout;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -13,7 +12,7 @@ final class StatusText {
 
     private StatusText() {}
 
-    /** Scene, engine, size, bodies. */
+    /** Scene, engine, size, bodies that are there. */
     static String facts(DrawnPicture picture) {
         String chosen = picture.request().engine().offer().id();
         String name = picture.request().scene().name();
@@ -23,8 +22,7 @@ final class StatusText {
                                 + picture.device() + ")",
                         picture.frame().width() + " × " + picture.frame().height(),
                         picture.samples() + (picture.samples() == 1 ? " sample a pixel" : " samples a pixel"),
-                        Layout.FIRST_SPHERE
-                                + picture.request().scene().spheres().size() + " bodies")
+                        picture.input().bodies() + " bodies")
                 .collect(Collectors.joining(BETWEEN));
     }
 
@@ -32,6 +30,7 @@ final class StatusText {
     static boolean isSame(DrawnPicture one, DrawnPicture other) {
         return one.request().number() == other.request().number()
                 && one.samples() == other.samples()
+                && one.input().bodies() == other.input().bodies()
                 && one.engine().equals(other.engine())
                 && one.isWhole()
                 && other.isWhole();

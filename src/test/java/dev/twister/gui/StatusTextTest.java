@@ -8,7 +8,9 @@ import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.EngineChoice;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
+import dev.twister.world.FrameInput;
 import dev.twister.world.SampleWorld;
+import dev.twister.world.World;
 import org.junit.jupiter.api.Test;
 
 class StatusTextTest {
@@ -30,11 +32,26 @@ class StatusTextTest {
         assertThat(StatusText.isSame(picture(1, "test", 1, 1), picture)).isFalse();
     }
 
+    @Test
+    void bodiesThatArePouredAreCounted() {
+        World world = SampleWorld.ofSize(2, 2);
+        world.setBodyPositions(world.snapshot().bodyPositions(), 3);
+        DrawnPicture fewer = picture(1, "test", 1, 2, world.snapshot());
+
+        assertThat(StatusText.facts(picture)).endsWith("7 bodies");
+        assertThat(StatusText.facts(fewer)).endsWith("3 bodies");
+        assertThat(StatusText.isSame(picture, fewer)).isFalse();
+    }
+
     private static DrawnPicture picture(long request, String engine, int samples, int side) {
+        return picture(request, engine, samples, side, SampleWorld.ofSize(2, 2).snapshot());
+    }
+
+    private static DrawnPicture picture(long request, String engine, int samples, int side, FrameInput input) {
         return new DrawnPicture(
                 Frame.ofPixels(side, side),
                 new DrawingRequest(request, WindowScenes.tiny(), 2, 2, new EngineChoice(0, JvmEngines.parallel()), 0),
-                SampleWorld.ofSize(2, 2).snapshot(),
+                input,
                 engine,
                 "a test",
                 FrameTimes.NONE,
