@@ -4,6 +4,7 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
 import dev.twister.engine.SettlingFrames;
 import dev.twister.world.FrameInput;
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
@@ -20,16 +21,9 @@ record EngineWarmUp(double maxSeconds, BenchmarkProgress progress) {
     void run(Engine engine, PictureSize size, List<FrameInput> inputs) {
         if (!Engines.isDevice(engine.id())) {
             progress.begins(engine.id() + ", warming up,", size, 1);
-            inputs.forEach(input -> draw(engine, input, maxSeconds / inputs.size()));
+            Duration each = Duration.ofNanos((long) (maxSeconds * NANOS_PER_SECOND / inputs.size()));
+            inputs.forEach(input -> new SettlingFrames(engine, SettlingFrames.small(input)).settle(each, () -> false));
             progress.drewFrame();
         }
-    }
-
-    private static void draw(Engine engine, FrameInput input, double seconds) {
-        SettlingFrames frames = new SettlingFrames(engine, SettlingFrames.small(input));
-        long start = System.nanoTime();
-        do {
-            frames.draw();
-        } while (!frames.areSettled() && (System.nanoTime() - start) / NANOS_PER_SECOND < seconds);
     }
 }

@@ -44,7 +44,7 @@ final class PaperTables {
                                         + " to warm up, for at most "
                                         + PlotLook.number(plan.maxSeconds())
                                         + " s an engine and setting; one of each in any case. Before an engine's"
-                                        + " first setting small pictures until the JVM has compiled it"),
+                                        + " first setting small pictures until they get no faster"),
                         fact(
                                 "time of a frame",
                                 "from the call to the pixels in Java's memory, copies included; "

@@ -101,9 +101,8 @@ final class BenchmarkCommand implements Callable<Integer> {
     @Option(
             names = "--warmup",
             paramLabel = "N",
-            description =
-                    "Frames before the measured ones, and small pictures before the first of them until the JVM has"
-                            + " compiled the engine; " + WARMUP_FRAMES + " where not said, and none of either with 0.")
+            description = "Frames before the measured ones, and small pictures before the first of them until they get"
+                    + " no faster; " + WARMUP_FRAMES + " where not said, and none of either with 0.")
     private Optional<Integer> warmup = Optional.empty();
 
     @Option(names = "--frames", paramLabel = "N", description = "Measured frames; 10 where not said.")

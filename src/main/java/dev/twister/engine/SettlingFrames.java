@@ -3,6 +3,7 @@ package dev.twister.engine;
 import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 import java.time.Duration;
+import java.util.function.BooleanSupplier;
 
 /** The first frames of an engine, which get faster as compilers come to what it runs. */
 public final class SettlingFrames {
@@ -48,6 +49,19 @@ public final class SettlingFrames {
         long nanos = frame.times().totalNanos();
         best.add(nanos, compiler.sinceLastAsked());
         return Duration.ofNanos(nanos);
+    }
+
+    /**
+     * Draws one, and more until they get no faster.
+     *
+     * @param longest for all together
+     * @param unwanted whether to stop sooner
+     */
+    public void settle(Duration longest, BooleanSupplier unwanted) {
+        long start = System.nanoTime();
+        do {
+            draw();
+        } while (!areSettled() && !unwanted.getAsBoolean() && System.nanoTime() - start < longest.toNanos());
     }
 
     /** Whether they are likely to get no faster. */

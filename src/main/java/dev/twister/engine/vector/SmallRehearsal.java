@@ -4,7 +4,7 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.SettlingFrames;
 import dev.twister.world.SampleWorld;
-import java.util.concurrent.TimeUnit;
+import java.time.Duration;
 
 /** Draws small pictures of a crowd on one thread of its own until they get no faster. */
 final class SmallRehearsal implements Rehearsal {
@@ -13,7 +13,7 @@ final class SmallRehearsal implements Rehearsal {
     private static final int HEIGHT = 180;
 
     /** The JVM's compiler may be at work for others all the time. */
-    private static final long LONGEST_NANOS = TimeUnit.SECONDS.toNanos(5);
+    private static final Duration LONGEST = Duration.ofSeconds(5);
 
     private volatile boolean over;
 
@@ -27,12 +27,9 @@ final class SmallRehearsal implements Rehearsal {
 
     private void draw() {
         try (Engine walking = VectorEngines.open(1, 0)) {
-            SettlingFrames frames = new SettlingFrames(
-                    walking, SampleWorld.crowd(SPHERES, WIDTH, HEIGHT).snapshot());
-            long start = System.nanoTime();
-            while (!over && !frames.areSettled() && System.nanoTime() - start < LONGEST_NANOS) {
-                frames.draw();
-            }
+            new SettlingFrames(
+                            walking, SampleWorld.crowd(SPHERES, WIDTH, HEIGHT).snapshot())
+                    .settle(LONGEST, () -> over);
         } catch (EngineException _) {
             // What does not draw tells whoever asks for a frame.
         } finally {

@@ -35,26 +35,16 @@ final class Ways implements AutoCloseable {
 
     /** Whether the next frame is a walk. */
     boolean walk(FrameInput input) {
-        if (!known && input.room() >= crowd) {
-            prepare();
+        if (!known && rehearsal.isEmpty() && input.room() >= crowd && frames++ >= FIRST_FRAMES) {
+            rehearsal = Optional.of(rehearsals.get());
         }
-        int from = rehearsal.isPresent() ? MOST_CROWDS * crowd : crowd;
-        boolean walk = input.bodies() >= from;
+        boolean waits = rehearsal.filter(begun -> !begun.isOver()).isPresent();
+        boolean walk = input.bodies() >= (waits ? MOST_CROWDS * crowd : crowd);
         if (walk && !known) {
             known = true;
             close();
         }
         return walk;
-    }
-
-    private void prepare() {
-        frames++;
-        if (rehearsal.filter(Rehearsal::isOver).isPresent()) {
-            known = true;
-            close();
-        } else if (frames > FIRST_FRAMES && rehearsal.isEmpty()) {
-            rehearsal = Optional.of(rehearsals.get());
-        }
     }
 
     @Override
