@@ -221,13 +221,11 @@ class DrawingLoopTest {
         assertThat(other.original()).isGreaterThan(faster.number());
         assertThat(other.frame().argb()).containsOnly(RED);
 
-        green.id = "became another";
         choose(green.offer());
         request(scene, 0);
-        awaitPicture(picture -> picture.engine().equals(green.id));
-        green.color = BLUE;
-        green.id = "and another";
-        DrawnPicture changed = awaitPicture(picture -> picture.engine().equals(green.id));
+        awaitPicture(drawnBy(green));
+        green.become("blue", BLUE);
+        DrawnPicture changed = awaitPicture(drawnBy(green));
         assertThat(changed.frame().argb()).containsOnly(BLUE);
     }
 
@@ -360,7 +358,7 @@ class DrawingLoopTest {
     }
 
     private static Predicate<DrawnPicture> drawnBy(TestEngine.Kind kind) {
-        return picture -> picture.engine().equals(kind.id);
+        return picture -> picture.engine().equals(kind.id());
     }
 
     private DrawnPicture awaitPicture(Predicate<DrawnPicture> wanted) {

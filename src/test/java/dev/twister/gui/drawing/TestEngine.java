@@ -17,15 +17,19 @@ final class TestEngine implements Engine {
 
     private final Kind kind;
     private final AtomicReference<Thread> user = new AtomicReference<>();
+    private volatile Look look;
 
     private TestEngine(Kind kind) {
         this.kind = kind;
+        look = kind.look;
     }
+
+    /** What it is called and what it draws. */
+    record Look(String id, int color) {}
 
     /** All engines of one name. */
     static final class Kind {
-        volatile String id;
-        volatile int color;
+        private volatile Look look;
         final AtomicInteger alive = new AtomicInteger();
         final AtomicInteger opened = new AtomicInteger();
         final AtomicInteger frames = new AtomicInteger();
@@ -34,8 +38,16 @@ final class TestEngine implements Engine {
         private final Semaphore gate = new Semaphore(ANY_NUMBER);
 
         Kind(String id, int color) {
-            this.id = id;
-            this.color = color;
+            look = new Look(id, color);
+        }
+
+        String id() {
+            return look.id();
+        }
+
+        /** Has every engine of this kind become another one within its next frame, which is drawn by that. */
+        void become(String id, int color) {
+            look = new Look(id, color);
         }
 
         /** From now on frames wait. */
@@ -54,7 +66,7 @@ final class TestEngine implements Engine {
         }
 
         EngineOffer offer() {
-            return EngineOffer.working(id, "a test", "one colour", () -> {
+            return EngineOffer.working(look.id(), "a test", "one colour", () -> {
                 alive.incrementAndGet();
                 opened.incrementAndGet();
                 return new TestEngine(this);
@@ -64,7 +76,7 @@ final class TestEngine implements Engine {
 
     @Override
     public String id() {
-        return kind.id;
+        return look.id();
     }
 
     @Override
@@ -80,10 +92,11 @@ final class TestEngine implements Engine {
         kind.gate.acquireUninterruptibly();
         kind.frames.incrementAndGet();
         user.set(null);
+        look = kind.look;
         if (kind.breaks) {
-            throw new EngineException(kind.id + " broke");
+            throw new EngineException(look.id() + " broke");
         }
-        Arrays.fill(frame.argb(), kind.color);
+        Arrays.fill(frame.argb(), look.color());
         Arrays.fill(frame.radiance(), 1);
         frame.setTimes(FrameTimes.onJvm(1));
     }
