@@ -25,13 +25,10 @@ final class LoneCandidates {
     private static final int Y = 8;
     private static final int CONSTANT = 9;
 
-    /** 1 where the sphere lies wholly between the point and the disc, so that the conic decides; else 0. */
-    private static final int BETWEEN = 10;
+    /** 1 where the sphere lies wholly between the point and the disc and is not too small, so that the conic decides; else 0. */
+    private static final int CONICAL = 10;
 
     private static final int COLUMNS = 11;
-
-    /** Of the candidates wholly between, {@link ShadowFrame}'s. */
-    private static final float WITHIN = 0.9995f;
 
     private final float[][] facts = new float[COLUMNS][8 * Lanes.COUNT];
     private int count;
@@ -173,7 +170,8 @@ final class LoneCandidates {
 
     /** Writes the candidates' conics, and whether they decide. */
     private void findConics() {
-        float nearDisc = distance * WITHIN;
+        float nearDisc = distance * ShadowConics.WITHIN;
+        float radiiWide = slope / ShadowConics.MOST_RADII_WIDE;
         for (int at = 0; at < count; at += Lanes.COUNT) {
             FloatVector a = FloatVector.fromArray(Lanes.FLOATS, facts[A], at);
             FloatVector u = FloatVector.fromArray(Lanes.FLOATS, facts[U], at);
@@ -191,11 +189,12 @@ final class LoneCandidates {
             scaledA.mul(w).mul(-2f).intoArray(facts[Y], at);
             across.sub(radiusSquared).intoArray(facts[CONSTANT], at);
             FloatVector toDisc = a.neg().add(nearDisc);
-            VectorMask<Float> between = a.compare(VectorOperators.GT, 0f)
-                    .and(a.mul(a).mul(WITHIN).compare(VectorOperators.GT, across.mul(scale * scale)))
+            VectorMask<Float> conical = a.compare(VectorOperators.GT, 0f)
+                    .and(a.mul(a).mul(ShadowConics.WITHIN).compare(VectorOperators.GT, across.mul(scale * scale)))
                     .and(toDisc.compare(VectorOperators.GT, 0f))
-                    .and(toDisc.mul(toDisc).compare(VectorOperators.GT, radiusSquared));
-            FloatVector.zero(Lanes.FLOATS).blend(1f, between).intoArray(facts[BETWEEN], at);
+                    .and(toDisc.mul(toDisc).compare(VectorOperators.GT, radiusSquared))
+                    .and(a.mul(a).mul(radiiWide * radiiWide).compare(VectorOperators.LE, radiusSquared));
+            FloatVector.zero(Lanes.FLOATS).blend(1f, conical).intoArray(facts[CONICAL], at);
         }
     }
 
@@ -220,10 +219,10 @@ final class LoneCandidates {
         float[] linearX = facts[X];
         float[] linearY = facts[Y];
         float[] constant = facts[CONSTANT];
-        float[] between = facts[BETWEEN];
+        float[] conical = facts[CONICAL];
         long hit = 0;
         for (int c = 0; c < count && hit != wanted; c++) {
-            if (between[c] != 0f) {
+            if (conical[c] != 0f) {
                 FloatVector inX = x.mul(xx[c]).add(y.mul(xy[c])).add(linearX[c]).mul(x);
                 FloatVector inY = y.mul(yy[c]).add(linearY[c]).mul(y);
                 hit |= wanted

@@ -5,7 +5,8 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Blocked samples where every candidate lies wholly between the points and the disc. A line through (1, x, y) then
+ * Blocked samples where every candidate lies wholly between the points and the disc, and is not small for its distance. A
+ * line through (1, x, y) then
  * decides: it meets the sphere at (a, u, w) where {@code (u y - w x)^2 + (u - a x)^2 + (w - a y)^2 <= r^2 (1 + x^2 + y^2)},
  * a conic in (x, y), so that a sample costs five multiplications a candidate.
  *
@@ -14,6 +15,16 @@ import jdk.incubator.vector.VectorOperators;
  * others.
  */
 final class ShadowConics {
+    /** Of a sphere that counts as wholly between: so much farther within than it need be, as rounding may be wrong. */
+    static final float WITHIN = 0.9995f;
+
+    /**
+     * How many of its own radii the light's cone may reach off its axis where a sphere is. A conic's numbers are squares of the
+     * sphere's place, and small differences of large ones: of a smaller sphere farther off too little would be left of the
+     * squared radius.
+     */
+    static final float MOST_RADII_WIDE = 16f;
+
     /** Where the second candidate's facts begin. */
     private static final int SECOND = ShadowScratch.STRIDE;
 

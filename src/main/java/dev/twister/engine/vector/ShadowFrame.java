@@ -7,8 +7,6 @@ import jdk.incubator.vector.VectorOperators;
 
 /** Candidates as a packet's points see them, in the frame of {@link SoftShadow}. */
 final class ShadowFrame {
-    private static final float WITHIN = 0.9995f;
-
     private ShadowFrame() {}
 
     /** Writes the disc's axes for each lane. */
@@ -53,14 +51,14 @@ final class ShadowFrame {
         }
     }
 
-    /** Writes whether each candidate lies wholly between, as seen from every lane that it may shade. */
+    /** Writes whether conics do for each candidate, as seen from every lane that it may shade. */
     static void judgeAll(Tile tile, int at, BodyColumns bodies, ShadowScratch scratch) {
         BodyList found = scratch.candidates;
-        long across = 0;
+        long rays = 0;
         for (int c = 0; c < found.count; c++) {
-            across |= across(tile.values, at, bodies.radius[found.bodies[c]], scratch, c * ShadowScratch.STRIDE);
+            rays |= needsRays(tile.values, at, bodies.radius[found.bodies[c]], scratch, c * ShadowScratch.STRIDE);
         }
-        scratch.between = across == 0;
+        scratch.conical = rays == 0;
     }
 
     private static void place(Tile tile, int at, BodyColumns bodies, int body, ShadowScratch scratch, int to) {
@@ -98,19 +96,22 @@ final class ShadowFrame {
     }
 
     /**
-     * One bit a lane that the sphere may shade, but not wholly from between the point and the disc. Between, every line
-     * to the disc that meets the sphere does so in front of the point, which is outside, and before the disc: the centre
-     * is in front of every plane through the point across such a line, and the sphere ends before the disc.
+     * One bit a lane that the sphere may shade, but not wholly from between the point and the disc, or that is too small
+     * for its conic. Between, every line to the disc that meets the sphere does so in front of the point, which is
+     * outside, and before the disc: the centre is in front of every plane through the point across such a line, and the
+     * sphere ends before the disc.
      */
-    private static long across(float[] t, int at, float radius, ShadowScratch scratch, int to) {
+    private static long needsRays(float[] t, int at, float radius, ShadowScratch scratch, int to) {
         FloatVector along = Lanes.load(scratch.facts, to + ShadowScratch.ALONG);
         FloatVector u = Lanes.load(scratch.facts, to + ShadowScratch.ACROSS_U);
         FloatVector w = Lanes.load(scratch.facts, to + ShadowScratch.ACROSS_W);
         FloatVector widest = Lanes.fma(u, u, w.mul(w)).sqrt().mul(Lanes.load(scratch.frame, ShadowScratch.SCALE));
         FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
-        return along.mul(WITHIN)
+        return along.mul(ShadowConics.WITHIN)
                 .compare(VectorOperators.LE, widest)
-                .or(along.add(radius).compare(VectorOperators.GE, distance.mul(WITHIN)))
+                .or(along.add(radius).compare(VectorOperators.GE, distance.mul(ShadowConics.WITHIN)))
+                .or(along.mul(Lanes.load(t, at + Tile.DISC_TANGENT))
+                        .compare(VectorOperators.GT, radius * ShadowConics.MOST_RADII_WIDE))
                 .and(Lanes.load(scratch.facts, to + ShadowScratch.RADIUS_SQUARED)
                         .compare(VectorOperators.GE, 0f))
                 .toLong();

@@ -63,8 +63,8 @@ final class ShadowScratch {
     /** The lowest conic at each sample, {@link Lanes#COUNT} floats a sample. */
     float[] conics = {};
 
-    /** Whether each candidate lies wholly between the points that it may shade and the disc. */
-    boolean between;
+    /** Whether conics tell what each candidate blocks, from all points that it may shade. */
+    boolean conical;
 
     /** Forgets the last packet. */
     void startPacket() {

@@ -120,7 +120,7 @@ final class Shadows {
     private static void count(Tile tile, Drawing drawing, int at) {
         float[] disc = drawing.input.shadowDisc();
         int samples = drawing.shadowSamples;
-        if (!tile.shadow.between) {
+        if (!tile.shadow.conical) {
             ShadowRays.countAny(tile.shadow, tile.values, at + Tile.LIGHT_DISTANCE, disc, samples);
         } else if (tile.shadow.candidates.count == 1) {
             ShadowConics.countOne(tile.shadow, disc, samples);

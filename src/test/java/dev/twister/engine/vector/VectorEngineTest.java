@@ -10,10 +10,16 @@ import dev.twister.oracle.Crowds;
 import dev.twister.oracle.LitScene;
 import dev.twister.oracle.PictureDifference;
 import dev.twister.oracle.RandomScenes;
+import dev.twister.scene.Camera;
+import dev.twister.scene.Light;
+import dev.twister.scene.Plane;
 import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
+import dev.twister.scene.Sphere;
 import dev.twister.scene.ToneMap;
+import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
 import dev.twister.world.FrameInput;
@@ -150,6 +156,36 @@ final class VectorEngineTest {
             PictureDifference difference = PictureDifference.between(pixels(vector, input), pixels(plain, input));
             assertThat(difference.isWithinBound()).as(difference.toString()).isTrue();
         }
+    }
+
+    /** Where a sphere is, squared, is ten million times its radius squared: no digit of that is left beside it. */
+    @ParameterizedTest
+    @ValueSource(ints = {128, 256, 512})
+    void drawsTheShadowsOfTinySpheresUnderAWideLight(int bits) {
+        Skybox grey = new Skybox(1, 1, new float[] {0.5f, 0.5f, 0.5f});
+        for (double radius : new double[] {3e-4, 1e-2}) {
+            FrameInput input = World.of(underAWideLight(radius), grey).snapshot();
+            for (int crowd : new int[] {0, Integer.MAX_VALUE}) {
+                try (Engine vector = WidthLoader.openForCrowds(bits, 2, crowd)) {
+                    assertSame(vector, input, PictureDifference.PIXELS_AN_ODD_ONE);
+                }
+            }
+        }
+    }
+
+    /** Seen from straight above: the spots of the light's samples under a sphere far off its axis, each alone. */
+    private static Scene underAWideLight(double radius) {
+        Rgb white = new Rgb(1, 1, 1);
+        return new Scene(
+                "",
+                "",
+                new Camera(new Vector3(5, 40 * radius, 3), 0, 90, 60),
+                new Light(new Vector3(0, 30, 0), 10, white),
+                new Plane(60, 0, white, white, 0),
+                List.of(new Sphere(new Vector3(9.280179716, 15.594533048, -3.854969045), radius, white, 0)),
+                Path.of("none.hdr"),
+                0.05,
+                new RenderSettings(96, 96, 4, 0, 1, 0, ToneMap.CLAMP, false));
     }
 
     @ParameterizedTest
