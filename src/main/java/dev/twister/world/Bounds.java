@@ -131,7 +131,7 @@ final class Bounds {
         return axis == 0 ? lastX : axis == 1 ? lastY : lastZ;
     }
 
-    /** Whether bins between these coordinates tell anything apart. */
+    /** Whether bins or cells between these coordinates tell anything apart. */
     static boolean areApart(float low, float high) {
         return high - low > 1e-6f * Math.max(Math.abs(low), Math.abs(high)) && high - low > 1e-30f;
     }

@@ -84,7 +84,7 @@ final class SphereCells {
                 most = coordinate > most ? coordinate : most;
             }
             low[axis] = least;
-            extent[axis] = most - least;
+            extent[axis] = Bounds.areApart(least, most) ? most - least : 0f;
         });
         double wanted = Math.min(MOST, all / SPHERES_A_CELL);
         double side = Math.max(extent[0], Math.max(extent[1], extent[2])) / wanted;
@@ -94,7 +94,7 @@ final class SphereCells {
         for (int axis = 0; axis < 3; axis++) {
             along[axis] = cellsAlong(extent[axis], side);
             start[axis] = low[axis];
-            scale[axis] = extent[axis] > 0 ? along[axis] * INSIDE / extent[axis] : 0;
+            scale[axis] = extent[axis] > 0f ? along[axis] * INSIDE / extent[axis] : 0;
         }
     }
 

@@ -59,6 +59,22 @@ class SphereHierarchyTest {
     }
 
     @Test
+    void crowdsOfNextToNoWidthAreToldApartAsFarAsTheyCanBe() {
+        float[] positions = new float[3 * 5000];
+        float[] sizes = new float[5000];
+        for (int body = Layout.FIRST_SPHERE; body < sizes.length; body++) {
+            sizes[body] = 0.1f;
+            positions[3 * body] = body % 2 * 1e-40f;
+            positions[3 * body + 1] = body % 7 * 1e-3f;
+            positions[3 * body + 2] = 0.02f * (body % 100);
+        }
+        RandomCrowds crowd = new RandomCrowds(positions, sizes);
+        Walk walk = new Walk(crowd, SphereHierarchy.of(positions, sizes, sizes.length, 1), 1);
+        walk.visit(Layout.root(sizes.length), 0);
+        assertThat(walk.visits).containsOnly(1);
+    }
+
+    @Test
     void fewSpheresAreOneLeaf() {
         assertThat(rootsSpheres(0)).isZero();
         assertThat(rootsSpheres(1)).isEqualTo(1);
