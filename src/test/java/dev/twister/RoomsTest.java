@@ -33,15 +33,16 @@ class RoomsTest {
 
     static Stream<Arguments> rooms() {
         return Stream.of(
-                room("scene"),
+                room("files"),
+                room("scene", "files"),
                 room("sky"),
-                room("image"),
+                room("image", "files"),
                 room("threads"),
                 room("engine", "kernel", "world", "image"),
                 room("engine.tornado", "kernel", "world", "image", "engine"),
                 room("engine.vector", "kernel", "world", "image", "engine", "threads"),
-                room("bench", "engine", "image", "world", "scene", "physics"),
-                room("gui.model", "scene", "sky", "kernel", "world", "physics", "engine", "image", "bench"),
+                room("bench", "files", "engine", "image", "world", "scene", "physics"),
+                room("gui.model", "files", "scene", "sky", "kernel", "world", "physics", "engine", "image", "bench"),
                 room("gui.drawing", "scene", "sky", "world", "physics", "engine", "image", "bench", "gui.model"),
                 room(
                         "gui",

@@ -1,6 +1,6 @@
 package dev.twister.bench;
 
-import dev.twister.image.WholeFile;
+import dev.twister.files.WholeFile;
 import java.io.IOException;
 import java.io.OutputStreamWriter;
 import java.io.Writer;

@@ -1,7 +1,7 @@
 package dev.twister.bench;
 
+import dev.twister.files.WholeFile;
 import dev.twister.image.PngWriter;
-import dev.twister.image.WholeFile;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;

@@ -1,5 +1,6 @@
 package dev.twister.image;
 
+import dev.twister.files.WholeFile;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;

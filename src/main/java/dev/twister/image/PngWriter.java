@@ -1,5 +1,6 @@
 package dev.twister.image;
 
+import dev.twister.files.WholeFile;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.awt.image.DirectColorModel;

@@ -1,5 +1,4 @@
 /**
- * Finished pictures: the frame an engine fills, and the PNG and Radiance HDR files made of it. Leans on no other
- * package of Twister.
+ * Finished pictures: the frame an engine fills, and the PNG and Radiance HDR files made of it. Leans on {@code files} alone.
  */
 package dev.twister.image;

@@ -1,16 +1,12 @@
 package dev.twister.scene;
 
+import dev.twister.files.WholeFile;
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
-import java.util.UUID;
 import java.util.stream.Collectors;
 import java.util.stream.StreamSupport;
 
@@ -36,7 +32,7 @@ public final class SceneWriter {
         String text = SceneText.of(scene, relative(scene.skybox(), folder));
         check(text, name, folder);
         try {
-            replace(file, text.getBytes(StandardCharsets.UTF_8));
+            WholeFile.replace(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
         } catch (NoSuchFileException e) {
             throw failure(name, "there is no folder to write it in");
         } catch (AccessDeniedException e) {
@@ -55,25 +51,6 @@ public final class SceneWriter {
         }
         SourceText source = new SourceText(name + " (not written)", text.toCharArray(), text.length());
         SceneDocument.parse(source, folder, (_, _) -> {});
-    }
-
-    private static void replace(Path file, byte[] bytes) throws IOException {
-        // A link stays a link: what it points to is replaced.
-        Path target = Files.exists(file) ? file.toRealPath() : file.toAbsolutePath();
-        Path temporary = target.resolveSibling("." + UUID.randomUUID() + ".tmp");
-        try {
-            try (FileChannel channel =
-                    FileChannel.open(temporary, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE)) {
-                ByteBuffer buffer = ByteBuffer.wrap(bytes);
-                while (buffer.hasRemaining()) {
-                    channel.write(buffer);
-                }
-                channel.force(true);
-            }
-            Files.move(temporary, target, StandardCopyOption.ATOMIC_MOVE);
-        } finally {
-            Files.deleteIfExists(temporary);
-        }
     }
 
     // Forward slashes, so that a scene made on one system reads on every other.

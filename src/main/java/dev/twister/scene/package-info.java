@@ -1,5 +1,5 @@
 /**
  * What a scene file says: immutable records, the JSON reader and writer, and validation whose messages name the place.
- * Leans on no other package of Twister.
+ * Leans on {@code files} alone.
  */
 package dev.twister.scene;

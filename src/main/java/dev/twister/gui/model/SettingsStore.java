@@ -1,7 +1,7 @@
 package dev.twister.gui.model;
 
 import dev.twister.bench.UserFolder;
-import dev.twister.image.WholeFile;
+import dev.twister.files.WholeFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

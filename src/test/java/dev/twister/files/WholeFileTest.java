@@ -1,4 +1,4 @@
-package dev.twister.image;
+package dev.twister.files;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -79,18 +79,48 @@ class WholeFileTest {
     }
 
     @Test
-    void followsALink() throws IOException {
+    void followsLinks() throws IOException {
         Path file = Files.writeString(folder.resolve("real.txt"), "old");
-        Path link;
-        try {
-            link = Files.createSymbolicLink(folder.resolve("link.txt"), file);
-        } catch (IOException | UnsupportedOperationException noLinksHere) {
-            Assumptions.abort("no symbolic links here");
-            return;
-        }
+        link("link.txt", file);
+        Path link = link("link of a link.txt", Path.of("link.txt"));
         WholeFile.write(link, out -> out.write(ascii("new")));
         assertThat(link).isSymbolicLink();
         assertThat(file).hasContent("new");
+    }
+
+    @Test
+    void makesTheFileThatALinkLeadsTo() throws IOException {
+        Path link = link("link.txt", folder.resolve("not yet.txt"));
+        WholeFile.write(link, out -> out.write(ascii("new")));
+        assertThat(link).isSymbolicLink();
+        assertThat(folder.resolve("not yet.txt")).hasContent("new");
+    }
+
+    @Test
+    void refusesLinksThatLeadToOneAnother() throws IOException {
+        Path one = link("one.txt", Path.of("other.txt"));
+        link("other.txt", Path.of("one.txt"));
+        assertThatThrownBy(() -> WholeFile.write(one, out -> out.write(1)))
+                .isInstanceOf(IOException.class)
+                .hasMessageStartingWith("cannot write " + one)
+                .hasMessageEndingWith("its links lead to one another");
+    }
+
+    private Path link(String name, Path target) throws IOException {
+        try {
+            return Files.createSymbolicLink(folder.resolve(name), target);
+        } catch (IOException | UnsupportedOperationException noLinksHere) {
+            return Assumptions.abort("no symbolic links here");
+        }
+    }
+
+    @Test
+    void tellsWhichDeviceFailed() {
+        Path device = Path.of("/dev/full");
+        Assumptions.assumeTrue(Files.exists(device));
+        assertThatThrownBy(() -> WholeFile.write(device, out -> out.write(1)))
+                .isInstanceOf(IOException.class)
+                .hasMessageStartingWith("cannot write /dev/full: ");
     }
 
     @Test

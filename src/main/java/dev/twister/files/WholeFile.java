@@ -1,0 +1,115 @@
+package dev.twister.files;
+
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.RandomAccessFile;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.UUID;
+
+/** Writes a file whole or not at all: whoever looks at its path sees the old content or the new, never a part. */
+public final class WholeFile {
+    private static final int BUFFER_BYTES = 1 << 16;
+
+    /** As many links as systems follow. */
+    private static final int MOST_LINKS = 40;
+
+    /** What a file is to hold. */
+    @FunctionalInterface
+    public interface Content {
+        /** Writes everything to a buffered stream, which it need not close. */
+        void writeTo(OutputStream out) throws IOException;
+    }
+
+    private WholeFile() {}
+
+    /**
+     * Replaces a file as {@link #replace} does, and tells what failed; a device or a pipe is written to directly.
+     *
+     * @throws IOException naming the target and the cause: no such folder, the target is a folder, no permission, or
+     *     whatever the disk or the content reported
+     */
+    public static void write(Path target, Content content) throws IOException {
+        if (Files.isDirectory(target)) {
+            throw new IOException("cannot write " + target + ": it is a folder");
+        }
+        try {
+            if (Files.exists(target) && !Files.isRegularFile(target)) {
+                // A move would replace the device itself, /dev/null for one.
+                try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(target), BUFFER_BYTES)) {
+                    content.writeTo(out);
+                }
+                return;
+            }
+            Path folder = behindLinks(target).getParent();
+            if (folder == null || !Files.isDirectory(folder)) {
+                throw new IOException("there is no folder " + folder);
+            }
+            replace(target, content);
+        } catch (AccessDeniedException denied) {
+            Path folder = target.toAbsolutePath().getParent();
+            throw new IOException("cannot write " + target + ": no permission in the folder " + folder, denied);
+        } catch (IOException failure) {
+            throw new IOException("cannot write " + target + ": " + failure.getMessage(), failure);
+        }
+    }
+
+    /**
+     * Streams the content into a temporary file in the target's own folder, waits until it is safely on the disk, and
+     * moves it into place, replacing what was there. A failure of any kind leaves the target as it was and no temporary
+     * file behind. A symbolic link stays, and the file it leads to is replaced, or made where it was not there.
+     *
+     * @param target no folder or device
+     * @throws IOException whatever the disk or the content reported
+     */
+    public static void replace(Path target, Content content) throws IOException {
+        Path place = behindLinks(target);
+        // Not Files.createTempFile: its files are readable by their owner only, and the finished file would stay so.
+        Path temporary = place.resolveSibling("." + UUID.randomUUID() + ".tmp");
+        try {
+            try (OutputStream out = new BufferedOutputStream(
+                    Files.newOutputStream(temporary, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),
+                    BUFFER_BYTES)) {
+                content.writeTo(out);
+            }
+            synchronise(temporary);
+            moveIntoPlace(temporary, place);
+        } finally {
+            // Moved away by now unless something failed.
+            Files.deleteIfExists(temporary);
+        }
+    }
+
+    /** Where a file is to be, absolute: links need not lead to one that is there. */
+    private static Path behindLinks(Path target) throws IOException {
+        Path place = target.toAbsolutePath();
+        for (int links = 0; Files.isSymbolicLink(place); links++) {
+            if (links == MOST_LINKS) {
+                throw new FileSystemException(target.toString(), null, "its links lead to one another");
+            }
+            place = place.resolveSibling(Files.readSymbolicLink(place));
+        }
+        return place;
+    }
+
+    /** Else a power cut soon after could leave the new name with nothing under it. */
+    private static void synchronise(Path file) throws IOException {
+        try (RandomAccessFile written = new RandomAccessFile(file.toFile(), "rw")) {
+            written.getFD().sync();
+        }
+    }
+
+    private static void moveIntoPlace(Path temporary, Path place) throws IOException {
+        try {
+            Files.move(temporary, place, StandardCopyOption.ATOMIC_MOVE);
+        } catch (AtomicMoveNotSupportedException notHere) {
+            Files.move(temporary, place, StandardCopyOption.REPLACE_EXISTING);
+        }
+    }
+}
