@@ -33,6 +33,7 @@ final class Successor implements AutoCloseable {
 
     private long framesToBeat;
     private volatile boolean closed;
+    private boolean over;
     private boolean started;
     private long waitedNanos;
     private Optional<Engine> ready = Optional.empty();
@@ -95,7 +96,7 @@ final class Successor implements AutoCloseable {
         long pauseNanos = started ? Math.min(PAUSE_NANOS, patience.toNanos() - waitedNanos) : 0;
         try {
             long leftNanos = pauseNanos;
-            while (ready.isEmpty() && !closed && leftNanos > 0) {
+            while (ready.isEmpty() && !over && !closed && leftNanos > 0) {
                 TimeUnit.NANOSECONDS.timedWait(this, leftNanos);
                 leftNanos = pauseNanos - (System.nanoTime() - start);
             }
@@ -127,7 +128,14 @@ final class Successor implements AutoCloseable {
             }
         } catch (EngineException _) {
             // What draws now goes on; whoever opens the engine by its name is told why.
+        } finally {
+            freeWhoWaits();
         }
+    }
+
+    private synchronized void freeWhoWaits() {
+        over = true;
+        notifyAll();
     }
 
     private void warm(Engine engine, FrameInput small) {

@@ -8,6 +8,7 @@ import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SampleWorld;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
@@ -191,6 +192,22 @@ class AutoEngineTest {
 
         assertThat(asked.get()).isZero();
         assertThat(standIn.closed).isOne();
+    }
+
+    @Test
+    void noFrameWaitsForOneThatIsNotThere() {
+        Successor broken = new Successor(
+                _ -> {
+                    throw new EngineException("the driver is not there");
+                },
+                Duration.ofDays(1));
+        try (Engine auto = new AutoEngine(standIn, broken)) {
+            // Each would wait for a part of a second.
+            for (int i = 0; i < 1000; i++) {
+                auto.render(input, frame);
+            }
+            assertThat(auto.id()).isEqualTo("parallel");
+        }
     }
 
     private Engine auto(Function<BooleanSupplier, Optional<Engine>> successor) {
