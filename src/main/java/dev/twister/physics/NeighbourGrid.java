@@ -25,6 +25,8 @@ final class NeighbourGrid {
 
     private static final double ROUNDED_COORDINATE = 0x1p-23;
 
+    private static final boolean WIDE = canScanWide();
+
     private final BodyStore bodies;
     private final double baseCell;
     private final double[] cells = new double[LEVELS];
@@ -89,7 +91,7 @@ final class NeighbourGrid {
         y = new float[room + WideScan.LANES];
         z = new float[room + WideScan.LANES];
         reach = new float[room + WideScan.LANES];
-        if (room > WideScan.MIN_SLOTS && WideScan.SUITS) {
+        if (room > WideScan.MIN_SLOTS && WIDE) {
             // Loads the classes now: within a step that would be felt.
             WideScan.scan(this, 0, 0, WideScan.LANES, 0, -1, new Contacts());
         }
@@ -188,9 +190,18 @@ final class NeighbourGrid {
         }
     }
 
+    /** A JVM that was started without the Vector API has no such lanes. */
+    private static boolean canScanWide() {
+        try {
+            return WideScan.SUITS;
+        } catch (NoClassDefFoundError _) {
+            return false;
+        }
+    }
+
     // A few slots' wide scans let the compiler get ready: until then each takes 10 to 40 microseconds.
     private int wideSlots() {
-        if (slots < WideScan.MIN_SLOTS || !WideScan.SUITS) {
+        if (slots < WideScan.MIN_SLOTS || !WIDE) {
             return -1;
         }
         if (wideSearches < WideScan.FIRST_SEARCHES) {

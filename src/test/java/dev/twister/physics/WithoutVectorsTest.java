@@ -1,0 +1,50 @@
+package dev.twister.physics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.scene.Physics;
+import dev.twister.scene.Sphere;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** A JVM that was started without the Vector API moves bodies all the same. */
+class WithoutVectorsTest {
+    @Test
+    void manySpheresMove() throws IOException, InterruptedException {
+        Process java = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        MotionMain.class.getName())
+                .redirectErrorStream(true)
+                .start();
+        String output = new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertThat(java.waitFor()).as(output).isZero();
+        assertThat(output).contains("fell");
+    }
+
+    /** Lets more spheres fall than are sought one by one. */
+    static final class MotionMain {
+        private static final int SIDE = 60;
+
+        private MotionMain() {}
+
+        public static void main(String[] arguments) {
+            List<Sphere> spheres = new ArrayList<>();
+            for (int x = 0; x < SIDE; x++) {
+                for (int z = 0; z < SIDE; z++) {
+                    spheres.add(Motion.sphere(x, 2, z, 0.3));
+                }
+            }
+            try (Simulation simulation = Simulation.of(Motion.scene(Physics.DEFAULT, 200, spheres), 1)) {
+                double before = Motion.place(simulation, 1, 1);
+                Motion.run(simulation, 0.1);
+                System.out.println(Motion.place(simulation, 1, 1) < before ? "fell" : "stayed");
+            }
+        }
+    }
+}
