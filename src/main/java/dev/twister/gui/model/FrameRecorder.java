@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.regex.Matcher;
@@ -96,31 +97,51 @@ public final class FrameRecorder implements AutoCloseable {
      */
     public boolean offer(int width, int height, IntBuffer argb) {
         int pixels = Math.multiplyExact(width, height);
-        int[] copy;
+        Optional<int[]> used;
         synchronized (this) {
             long bytes = (long) Integer.BYTES * pixels;
             // However large a frame is, one may wait.
-            awaitThat(() -> isOver() || waitingBytes == 0 || waitingBytes + bytes <= MAX_WAITING_BYTES);
+            if (awaitThat(() -> isOver() || waitingBytes == 0 || waitingBytes + bytes <= MAX_WAITING_BYTES)) {
+                Thread.currentThread().interrupt();
+            }
             if (isOver()) {
                 return false;
             }
             waitingBytes += bytes;
             beingCopied++;
-            copy = Optional.ofNullable(spare.poll())
-                    .filter(buffer -> buffer.length == pixels)
-                    .orElseGet(() -> new int[pixels]);
+            used = Optional.ofNullable(spare.poll()).filter(buffer -> buffer.length == pixels);
         }
-        argb.get(0, copy, 0, pixels);
-        synchronized (this) {
-            beingCopied--;
-            queue.add(new Waiting(width, height, copy));
-            notifyAll();
+        try {
+            int[] copy = used.orElseGet(() -> new int[pixels]);
+            argb.get(0, copy, 0, pixels);
+            return add(new Waiting(width, height, copy));
+        } catch (RuntimeException | Error problem) {
+            copyingFailed(problem);
+            return false;
         }
-        return true;
+    }
+
+    private synchronized boolean add(Waiting frame) {
+        beingCopied--;
+        boolean taken = failure.isEmpty();
+        if (taken) {
+            queue.add(frame);
+        } else {
+            lost++;
+        }
+        notifyAll();
+        return taken;
+    }
+
+    /** Those that were taken before are still written. */
+    private synchronized void copyingFailed(Throwable problem) {
+        beingCopied--;
+        lost++;
+        stop(problem);
     }
 
     public synchronized Progress progress() {
-        return new Progress(written, queue.size() + inWork, lost, failure);
+        return new Progress(written, beingCopied + queue.size() + inWork, lost, failure);
     }
 
     public Path folder() {
@@ -156,21 +177,22 @@ public final class FrameRecorder implements AutoCloseable {
             Waiting taken = frame.get();
             try {
                 writer.write(
-                        folder.resolve("frame-%06d.png".formatted(nextNumber)),
+                        folder.resolve(String.format(Locale.ROOT, "frame-%06d.png", nextNumber)),
                         taken.width(),
                         taken.height(),
                         taken.argb());
                 done(taken);
                 frame = take();
-            } catch (IOException problem) {
-                fail(problem);
+            } catch (IOException | RuntimeException | Error problem) {
+                writingFailed(problem);
                 frame = Optional.empty();
             }
         }
     }
 
     private synchronized Optional<Waiting> take() {
-        awaitThat(() -> !queue.isEmpty() || (closing && beingCopied == 0));
+        // Nobody interrupts a thread that is known here alone.
+        awaitThat(() -> !queue.isEmpty() || (isOver() && beingCopied == 0));
         Optional<Waiting> next = Optional.ofNullable(queue.poll());
         inWork = next.isPresent() ? 1 : 0;
         return next;
@@ -191,23 +213,38 @@ public final class FrameRecorder implements AutoCloseable {
         return closing || failure.isPresent();
     }
 
-    /** An interruption ends it: neither the drawing thread nor the writing one is interrupted otherwise. */
-    private synchronized void awaitThat(BooleanSupplier condition) {
+    /** An interruption ends the recording; whether there was one. */
+    private synchronized boolean awaitThat(BooleanSupplier condition) {
+        boolean interrupted = false;
         while (!condition.getAsBoolean()) {
             try {
                 wait();
             } catch (InterruptedException _) {
+                interrupted = true;
                 closing = true;
             }
         }
+        return interrupted;
     }
 
-    private synchronized void fail(IOException problem) {
+    private synchronized void writingFailed(Throwable problem) {
         lost += queue.size() + inWork;
         queue.clear();
         inWork = 0;
-        failure = Optional.of("Recording has stopped: " + problem.getMessage());
+        stop(problem);
+    }
+
+    private synchronized void stop(Throwable problem) {
+        failure = Optional.of("Recording has stopped: " + explain(problem));
         notifyAll();
+    }
+
+    private static String explain(Throwable problem) {
+        return switch (problem) {
+            case IOException told -> told.getMessage();
+            case OutOfMemoryError _ -> "there is not enough memory for its frames";
+            default -> problem.toString();
+        };
     }
 
     private static long firstFreeNumber(Path folder) throws IOException {

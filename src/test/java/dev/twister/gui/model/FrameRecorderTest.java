@@ -8,6 +8,7 @@ import java.nio.IntBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import javax.imageio.ImageIO;
@@ -125,6 +126,66 @@ class FrameRecorderTest {
         assertThat(recorder.progress().failure()).contains("Recording has stopped: no space left");
         assertThat(recorder.progress().lost()).isEqualTo(1);
         assertThat(recorder.offer(WIDTH, HEIGHT, frame(1))).isFalse();
+    }
+
+    @Test
+    void anyOtherFailureEndsItToo() throws IOException {
+        FrameRecorder recorder = FrameRecorder.start(folder, (_, _, _, _) -> {
+            throw new OutOfMemoryError("of the test");
+        });
+        recorder.offer(WIDTH, HEIGHT, frame(1));
+        recorder.close();
+        assertThat(recorder.progress())
+                .isEqualTo(new FrameRecorder.Progress(
+                        0, 0, 1, Optional.of("Recording has stopped: there is not enough memory for its frames")));
+    }
+
+    @Test
+    void aFrameThatWasStillBeingCopiedIsCountedAsLost() throws Exception {
+        CountDownLatch writing = new CountDownLatch(1);
+        CountDownLatch mayFail = new CountDownLatch(1);
+        FrameRecorder recorder = FrameRecorder.start(folder, (_, _, _, _) -> {
+            writing.countDown();
+            await(mayFail);
+            throw new IOException("no space left");
+        });
+        recorder.offer(WIDTH, HEIGHT, frame(1));
+        writing.await();
+        Thread source = offering(recorder, 4096, 1);
+        while (recorder.progress().waiting() < 2) {
+            Thread.sleep(1);
+        }
+        mayFail.countDown();
+        source.join();
+        recorder.close();
+        assertThat(recorder.progress())
+                .isEqualTo(new FrameRecorder.Progress(0, 0, 2, Optional.of("Recording has stopped: no space left")));
+    }
+
+    @Test
+    void aFrameThatCannotBeCopiedEndsItAndThoseBeforeAreWritten() throws IOException {
+        FrameRecorder recorder = FrameRecorder.start(folder);
+        recorder.offer(WIDTH, HEIGHT, frame(1));
+        assertThat(recorder.offer(WIDTH, 2 * HEIGHT, frame(2))).isFalse();
+        recorder.close();
+        assertThat(recorder.progress().written()).isEqualTo(1);
+        assertThat(recorder.progress().lost()).isEqualTo(1);
+        assertThat(recorder.progress().failure()).isPresent();
+        assertThat(folder.resolve("frame-000001.png")).exists();
+    }
+
+    @Test
+    void anOlderRecordingIsContinuedWhateverTheLanguagesDigits() throws IOException {
+        Locale usual = Locale.getDefault(Locale.Category.FORMAT);
+        Locale.setDefault(Locale.Category.FORMAT, Locale.forLanguageTag("ar-EG-u-nu-arab"));
+        try {
+            FrameRecorder recorder = FrameRecorder.start(folder);
+            recorder.offer(WIDTH, HEIGHT, frame(1));
+            recorder.close();
+        } finally {
+            Locale.setDefault(Locale.Category.FORMAT, usual);
+        }
+        assertThat(folder.resolve("frame-000001.png")).exists();
     }
 
     @Test
