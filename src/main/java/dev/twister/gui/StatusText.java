@@ -41,7 +41,7 @@ final class StatusText {
         return Stream.of(
                         status.opening().map(id -> "making engine " + id + " ready…"),
                         status.engineFailure(),
-                        status.skyFailure())
+                        status.sceneFailure())
                 .flatMap(Optional::stream)
                 .collect(Collectors.joining(BETWEEN));
     }

@@ -364,6 +364,13 @@ public final class Studio implements AutoCloseable {
         }
     }
 
+    /** Makes a panorama that was read the sky; one that the scene has already is drawn as its file has it now. */
+    void useSky(Path panorama) {
+        edit("sky", now -> now.withSkybox(panorama));
+        endGesture();
+        request();
+    }
+
     /**
      * Reads a panorama, so that the scene can have it; any thread may do so.
      *

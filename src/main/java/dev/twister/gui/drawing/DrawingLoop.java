@@ -127,9 +127,9 @@ public final class DrawingLoop implements AutoCloseable {
             Optional<DrawingRequest> next = await(more);
             while (next.isPresent()) {
                 answerQuestions();
-                work.prepare(next.get());
+                boolean drawable = work.prepare(next.get());
                 status = work.status();
-                more = work.step(next.get());
+                more = drawable && work.step(next.get());
                 status = work.status();
                 next = await(more);
             }
@@ -141,8 +141,17 @@ public final class DrawingLoop implements AutoCloseable {
     private void answerQuestions() {
         Optional<RadianceQuestion> question = nextQuestion();
         while (question.isPresent()) {
-            question.get().answer().complete(work.radiance(question.get().picture()));
+            answer(question.get());
             question = nextQuestion();
+        }
+    }
+
+    /** Whoever asks waits, so that an answer there must be. */
+    private void answer(RadianceQuestion question) {
+        try {
+            question.answer().complete(work.radiance(question.picture()));
+        } catch (RuntimeException | Error problem) {
+            question.answer().completeExceptionally(problem);
         }
     }
 

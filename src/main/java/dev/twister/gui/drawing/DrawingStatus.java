@@ -7,8 +7,8 @@ import java.util.Optional;
  *
  * @param opening the id of the engine that is being opened
  * @param engineFailure why the chosen engine does not draw
- * @param skyFailure why the scene's sky is not seen
+ * @param sceneFailure why the scene is not seen, or its sky is not
  */
-public record DrawingStatus(Optional<String> opening, Optional<String> engineFailure, Optional<String> skyFailure) {
+public record DrawingStatus(Optional<String> opening, Optional<String> engineFailure, Optional<String> sceneFailure) {
     public static final DrawingStatus QUIET = new DrawingStatus(Optional.empty(), Optional.empty(), Optional.empty());
 }

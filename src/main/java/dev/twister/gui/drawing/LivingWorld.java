@@ -23,6 +23,7 @@ final class LivingWorld implements AutoCloseable {
     private Optional<FrameInput> last = Optional.empty();
     private Skybox sky = new Skybox(1, 1, new float[] {GREY, GREY, GREY});
     private Optional<Path> skyFile = Optional.empty();
+    private long skyEdition;
     private Optional<String> complaint = Optional.empty();
 
     LivingWorld(SkyShelf skies) {
@@ -35,11 +36,12 @@ final class LivingWorld implements AutoCloseable {
      * @param nanos now, by {@link System#nanoTime}
      */
     FrameInput snapshot(Scene wanted, Motion wantedMotion, int width, int height, long nanos) {
-        chooseSky(wanted.skybox());
+        boolean sameSky = !chooseSky(wanted.skybox());
         // A world whose bodies have moved is not one in which they stand.
         boolean sameKind = motion.isOn() == wantedMotion.isOn();
         motion = wantedMotion;
-        World now = world.filter(_ -> sameKind
+        World now = world.filter(_ -> sameSky
+                        && sameKind
                         && scene.filter(old -> hasSameBodies(old, wanted)).isPresent())
                 .orElseGet(() -> World.of(wanted, sky));
         now.setCamera(wanted.camera());
@@ -73,17 +75,23 @@ final class LivingWorld implements AutoCloseable {
                 && one.ambient() == other.ambient();
     }
 
-    /** The sky of that file; where it cannot be read, the one before it stays. */
-    private void chooseSky(Path file) {
-        if (skyFile.filter(file::equals).isPresent()) {
-            return;
+    /** Takes the sky of that file; where it cannot be read, the one before it stays. Whether it is another one now. */
+    private boolean chooseSky(Path file) {
+        long edition = skies.edition(file);
+        if (edition == skyEdition && skyFile.filter(file::equals).isPresent()) {
+            return false;
         }
         skyFile = Optional.of(file);
+        skyEdition = edition;
         try {
             sky = skies.find(file);
             complaint = Optional.empty();
+            return true;
         } catch (SkyException problem) {
             complaint = Optional.of(problem.getMessage());
+        } catch (OutOfMemoryError _) {
+            complaint = Optional.of(file + ": there is not enough memory for this sky");
         }
+        return false;
     }
 }

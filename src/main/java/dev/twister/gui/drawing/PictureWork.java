@@ -31,6 +31,7 @@ final class PictureWork implements AutoCloseable {
     private final LivingWorld world;
     private final EngineSeat seat;
     private FrameInput input;
+    private Optional<String> sceneFailure = Optional.empty();
     private long request = Long.MIN_VALUE;
     private boolean drawn;
     private int coarseness = COARSEST;
@@ -49,10 +50,18 @@ final class PictureWork implements AutoCloseable {
         seat = new EngineSeat(substitute, whenReady);
     }
 
-    /** Looks at a request: the world is as it says, and its engine is being opened. */
-    void prepare(DrawingRequest wanted) {
-        input = world.snapshot(wanted.scene(), wanted.motion(), wanted.width(), wanted.height(), clock.getAsLong());
-        seat.choose(wanted.engine(), new WarmUp(input, coarse(COARSEST)));
+    /** Looks at a request: the world is as it says, and its engine is being opened. Whether there is something to draw. */
+    boolean prepare(DrawingRequest wanted) {
+        try {
+            input = world.snapshot(wanted.scene(), wanted.motion(), wanted.width(), wanted.height(), clock.getAsLong());
+            seat.choose(wanted.engine(), new WarmUp(input, coarse(COARSEST)));
+            sceneFailure = Optional.empty();
+        } catch (OutOfMemoryError _) {
+            sceneFailure = Optional.of("there is not enough memory for this scene");
+        } catch (RuntimeException | Error problem) {
+            sceneFailure = Optional.of("this scene cannot be drawn: " + problem);
+        }
+        return sceneFailure.isEmpty();
     }
 
     /** Takes one step for the request that was prepared; whether there is another to take. */
@@ -91,7 +100,7 @@ final class PictureWork implements AutoCloseable {
     }
 
     DrawingStatus status() {
-        return new DrawingStatus(seat.opening(), seat.failure(), world.complaint());
+        return new DrawingStatus(seat.opening(), seat.failure(), sceneFailure.or(world::complaint));
     }
 
     @Override

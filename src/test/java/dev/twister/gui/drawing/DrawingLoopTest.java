@@ -4,9 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.WindowScenes;
+import dev.twister.image.HdrWriter;
 import dev.twister.scene.Scene;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -18,6 +21,7 @@ import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 class DrawingLoopTest {
     private static final int RED = 0xFFFF0000;
@@ -27,11 +31,15 @@ class DrawingLoopTest {
     private static final int HEIGHT = 18;
     private static final Duration LIMIT = Duration.ofSeconds(60);
 
+    @TempDir
+    private Path folder;
+
     private final TestEngine.Kind substitute = new TestEngine.Kind("substitute", BLUE);
     private final TestEngine.Kind green = new TestEngine.Kind("green", GREEN);
     private final TestEngine.Kind red = new TestEngine.Kind("red", RED);
     private volatile long nanos;
-    private final DrawingLoop loop = new DrawingLoop(new SkyShelf(), substitute.offer(), () -> nanos);
+    private final SkyShelf skies = new SkyShelf();
+    private final DrawingLoop loop = new DrawingLoop(skies, substitute.offer(), () -> nanos);
     private final Scene scene = WindowScenes.tiny();
     private long requests;
     private long choices;
@@ -331,11 +339,52 @@ class DrawingLoopTest {
         long asked = requests;
 
         awaitPicture(picture -> picture.request().number() == asked);
-        await(() -> loop.status().skyFailure().isPresent());
+        await(() -> loop.status().sceneFailure().isPresent());
 
-        assertThat(loop.status().skyFailure().orElseThrow()).contains("no-such-sky.hdr");
+        assertThat(loop.status().sceneFailure().orElseThrow()).contains("no-such-sky.hdr");
         request(scene, 0);
-        await(() -> loop.status().skyFailure().isEmpty());
+        await(() -> loop.status().sceneFailure().isEmpty());
+    }
+
+    @Test
+    void aSkyIsSeenAsItsFileWasReadLast() throws IOException {
+        Path file = folder.resolve("sky.hdr");
+        Scene underIt = scene.withSkybox(file);
+        request(underIt, 0);
+        awaitAnswer();
+        await(() -> loop.status().sceneFailure().isPresent());
+
+        writeSky(file, 1f);
+        skies.refresh(file);
+        request(underIt, 0);
+        assertThat(awaitAnswer().input().skybox()).containsOnly(1f);
+        await(() -> loop.status().sceneFailure().isEmpty());
+
+        writeSky(file, 2f);
+        request(underIt, 0);
+        assertThat(awaitAnswer().input().skybox()).containsOnly(1f);
+        skies.refresh(file);
+        request(underIt, 0);
+        assertThat(awaitAnswer().input().skybox()).containsOnly(2f);
+    }
+
+    private static void writeSky(Path file, float radiance) throws IOException {
+        float[] texels = new float[3 * 2];
+        Arrays.fill(texels, radiance);
+        HdrWriter.write(file, 2, 1, texels);
+    }
+
+    @Test
+    void whatCannotBeDrawnIsSaidAndTheNextIsDrawn() {
+        request(scene, 0);
+        awaitPicture(drawnBy(green));
+        requests++;
+        loop.request(new DrawingRequest(requests, scene, 0, HEIGHT, chosen, 0, Motion.NONE));
+        await(() -> loop.status().sceneFailure().isPresent());
+
+        request(scene, 0);
+        awaitAnswer();
+        assertThat(loop.status().sceneFailure()).isEmpty();
     }
 
     private void choose(EngineOffer offer) {
