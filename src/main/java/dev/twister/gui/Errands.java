@@ -3,35 +3,63 @@ package dev.twister.gui;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import javafx.application.Platform;
 
-/** Reads and writes files on a thread of its own, one after the other, and tells JavaFX's thread how it went. */
+/**
+ * Reads and writes files on a thread of its own, one after the other, and tells JavaFX's thread how it went. Used by that
+ * thread alone.
+ */
 final class Errands implements AutoCloseable {
     private final ExecutorService thread = Executors.newSingleThreadExecutor(
             Thread.ofPlatform().daemon().name("errands").factory());
+    private final AtomicInteger toKeep = new AtomicInteger();
+    private volatile boolean closed;
 
     /**
-     * Does that.
+     * Does that, but not where the window is closed before it is begun.
      *
      * @param done gets the result, on JavaFX's thread
      * @param failed gets whatever was thrown, on JavaFX's thread
      */
     <T> void run(Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
         thread.execute(() -> {
-            try {
-                T result = errand.call();
-                Platform.runLater(() -> done.accept(result));
-            } catch (Exception | Error problem) {
-                // A file too large for the memory, for one, is that file's failure and not the window's.
-                Platform.runLater(() -> failed.accept(problem));
+            if (!closed) {
+                doNow(errand, done, failed);
             }
         });
     }
 
-    /** Begins no further errand; one that is at work is finished. */
+    /** Does what a person wants to keep: the window is not closed before. */
+    <T> void keep(Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
+        toKeep.incrementAndGet();
+        thread.execute(() -> {
+            try {
+                doNow(errand, done, failed);
+            } finally {
+                toKeep.decrementAndGet();
+            }
+        });
+    }
+
+    private static <T> void doNow(Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
+        try {
+            T result = errand.call();
+            Platform.runLater(() -> done.accept(result));
+        } catch (Exception | Error problem) {
+            // A file too large for the memory, for one, is that file's failure and not the window's.
+            Platform.runLater(() -> failed.accept(problem));
+        }
+    }
+
+    /** Waits for what is to be kept; begins no other errand. */
     @Override
     public void close() {
+        closed = true;
         thread.shutdown();
+        if (toKeep.get() > 0) {
+            thread.close();
+        }
     }
 }

@@ -72,10 +72,7 @@ final class FileActions {
                     studio.readSky(file);
                     return file;
                 },
-                read -> {
-                    studio.edit("sky", scene -> scene.withSkybox(read));
-                    studio.endGesture();
-                },
+                studio::useSky,
                 problem -> complain("This sky cannot be used", problem));
     }
 
@@ -135,7 +132,7 @@ final class FileActions {
     private void saveTo(Path file, Runnable then) {
         SceneHistory.Version version = studio.toSave();
         saving++;
-        errands.run(
+        errands.keep(
                 () -> {
                     SceneWriter.write(version.scene(), file);
                     return file;

@@ -50,15 +50,22 @@ final class HelpWindows {
      * @param rows the panel's
      */
     void showControls(List<PanelRow> rows) {
-        Stage stage = controls.orElseGet(() -> window("Controls", scrolling(controlsPage(rows))));
+        Stage stage = controls.orElseGet(() -> window("Controls"));
+        // Which rows there are depends on what is selected.
+        show(stage, scrolling(controlsPage(rows)));
         controls = Optional.of(stage);
-        stage.show();
-        stage.toFront();
     }
 
     void showAbout() {
-        Stage stage = about.orElseGet(() -> window("About Twister", aboutPage()));
+        Stage stage = about.orElseGet(() -> window("About Twister"));
+        show(stage, aboutPage());
         about = Optional.of(stage);
+    }
+
+    private static void show(Stage stage, Region page) {
+        Rectangle2D screen = Screen.getPrimary().getVisualBounds();
+        page.setMaxSize(MOST_OF_THE_SCREEN * screen.getWidth(), MOST_OF_THE_SCREEN * screen.getHeight());
+        stage.getScene().setRoot(page);
         stage.show();
         stage.toFront();
     }
@@ -68,10 +75,8 @@ final class HelpWindows {
         about.ifPresent(Stage::close);
     }
 
-    private Stage window(String title, Region page) {
-        Rectangle2D screen = Screen.getPrimary().getVisualBounds();
-        page.setMaxSize(MOST_OF_THE_SCREEN * screen.getWidth(), MOST_OF_THE_SCREEN * screen.getHeight());
-        Scene scene = new Scene(page);
+    private Stage window(String title) {
+        Scene scene = new Scene(new Region());
         scene.getStylesheets().setAll(owner.getScene().getStylesheets());
         Stage stage = new Stage();
         stage.initOwner(owner);

@@ -58,7 +58,7 @@ final class PictureActions implements AutoCloseable {
                 .ifPresent(file -> {
                     lastFolder = Optional.ofNullable(file.toAbsolutePath().getParent())
                             .orElse(lastFolder);
-                    errands.run(
+                    errands.keep(
                             () -> {
                                 write(file, frame.width(), frame.height(), argb, input, gathered);
                                 return file;

@@ -6,6 +6,7 @@ import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.model.SettingsStore;
 import dev.twister.gui.model.WindowSettings;
+import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -110,6 +111,21 @@ class SettingsTest {
             assertThat(texts("about-page")).anyMatch(text -> text.contains("Apache License 2.0"));
             driver.type(KeyCode.ESCAPE);
             assertThat(helpWindows()).isEmpty();
+        }
+    }
+
+    @Test
+    void helpTellsOfTheSelectedSpheresKeysWhileOneIsSelected() {
+        try (WindowDriver driver = WindowDriver.open()) {
+            driver.type(KeyCode.F1);
+            assertThat(texts("controls-page")).doesNotContain("Sphere radius");
+            driver.type(KeyCode.ESCAPE);
+
+            driver.run(() -> driver.studio.select(Layout.FIRST_SPHERE));
+            driver.run(() -> driver.stage.requestFocus());
+            driver.type(KeyCode.F1);
+
+            assertThat(texts("controls-page")).contains("Sphere radius");
         }
     }
 
