@@ -3,8 +3,10 @@ package dev.twister.gui;
 import dev.twister.gui.model.NumberSetting;
 import dev.twister.scene.Scene;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import javafx.css.PseudoClass;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
@@ -18,8 +20,14 @@ import javafx.scene.input.MouseEvent;
 final class NumberRow extends PanelRow {
     private static final PseudoClass WRONG = PseudoClass.getPseudoClass("wrong");
     private static final int PAGE = 10;
+
     /** The widest letter's width each: digits are narrower. */
     private static final int FIELD_COLUMNS = 4;
+
+    private static final int MOST_FIELD_COLUMNS = 10;
+
+    /** Of the widest letter's, a little more than it is. */
+    private static final float DIGITS_WIDTH = 0.7f;
 
     private final NumberSetting setting;
     private final SceneEdit edit;
@@ -40,7 +48,6 @@ final class NumberRow extends PanelRow {
         this.setting = setting;
         this.edit = edit;
         this.complain = complain;
-        field.setPrefColumnCount(FIELD_COLUMNS);
         // The slider gives way first: a number that is cut off is a wrong one.
         field.setMinWidth(USE_PREF_SIZE);
         slider.valueProperty().subscribe((_, place) -> {
@@ -49,7 +56,7 @@ final class NumberRow extends PanelRow {
             }
         });
         slider.addEventFilter(KeyEvent.KEY_PRESSED, this::slideByKey);
-        slider.addEventHandler(KeyEvent.KEY_RELEASED, _ -> edit.endGesture());
+        slider.addEventFilter(KeyEvent.KEY_RELEASED, this::endSlideByKey);
         slider.addEventHandler(MouseEvent.MOUSE_RELEASED, _ -> edit.endGesture());
         field.setOnAction(_ -> takeTyped());
         field.focusedProperty().subscribe((_, focused) -> {
@@ -60,8 +67,14 @@ final class NumberRow extends PanelRow {
         field.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
             if (event.getCode() == KeyCode.ESCAPE) {
                 showNumber(shown);
+            } else if (!isTyped()) {
+                leaveToTheWindow(event);
             }
         });
+        // In the widest letter's widths: what is longer is cut off, which makes another number of it.
+        field.textProperty()
+                .subscribe(text -> field.setPrefColumnCount(
+                        Math.clamp(Math.round(text.length() * DIGITS_WIDTH), FIELD_COLUMNS, MOST_FIELD_COLUMNS)));
         Label unit = new Label(setting.unit());
         unit.getStyleClass().add("unit");
         addControls(slider, field, unit);
@@ -82,7 +95,12 @@ final class NumberRow extends PanelRow {
 
     /** Whether a person is at it: what they type, or hold, is not to be changed under their hands. */
     boolean isInHand() {
-        return slider.isPressed() || (field.isFocused() && !field.getText().equals(setting.text(shown)));
+        return slider.isPressed() || (field.isFocused() && isTyped());
+    }
+
+    /** Whether the field has a text of which nothing has been made yet. */
+    private boolean isTyped() {
+        return !field.getText().equals(setting.text(shown));
     }
 
     @Override
@@ -115,9 +133,30 @@ final class NumberRow extends PanelRow {
         }
     }
 
+    private void endSlideByKey(KeyEvent event) {
+        edit.endGesture();
+        if (event.getCode() == KeyCode.HOME || event.getCode() == KeyCode.END) {
+            // JavaFX slides to the end when these are let go, though they were the window's when they were pressed.
+            event.consume();
+        }
+    }
+
+    /** A field takes back what was typed in it, and keeps the keys for it even where nothing was. */
+    private void leaveToTheWindow(KeyEvent event) {
+        Stream.of(Command.UNDO, Command.REDO, Command.REDO_ALSO)
+                .map(Command::keys)
+                .filter(keys -> keys.match(event))
+                .map(keys -> getScene().getAccelerators().get(keys))
+                .filter(Objects::nonNull)
+                .forEach(command -> {
+                    command.run();
+                    event.consume();
+                });
+    }
+
     private void takeTyped() {
         String typed = field.getText();
-        if (typed.equals(setting.text(shown))) {
+        if (!isTyped()) {
             return;
         }
         Optional<Double> number = setting.parse(typed);
