@@ -14,6 +14,11 @@ public final class FrameHistory {
     private static final double NANOS_PER_MILLI = 1e6;
     private static final double RATE_SECONDS = 1;
 
+    /** Where no picture has come for that long, and for several times what one takes, nothing is being drawn. */
+    private static final double REST_SECONDS = 2;
+
+    private static final int PICTURES_MISSED = 3;
+
     private final Deque<Entry> entries = new ArrayDeque<>();
 
     /**
@@ -41,13 +46,20 @@ public final class FrameHistory {
         }
     }
 
-    /** Oldest first; at least the last two, however old. */
-    public List<Entry> entries() {
-        return List.copyOf(entries);
+    /** Those of the last ten seconds at a time by {@link System#nanoTime}, oldest first. */
+    public List<Entry> entries(long nanos) {
+        return entries.stream()
+                .filter(entry -> (nanos - entry.nanos()) / NANOS_PER_SECOND <= SECONDS)
+                .toList();
     }
 
-    /** Pictures drawn in a second, over the last second or the last two pictures; 0 before there are two. */
-    public double framesPerSecond() {
+    /**
+     * Pictures drawn in a second, over the last second or the last two pictures; 0 before there are two, and where none is
+     * being drawn any more.
+     *
+     * @param nanos now, by {@link System#nanoTime}
+     */
+    public double framesPerSecond(long nanos) {
         if (entries.size() < 2) {
             return 0;
         }
@@ -62,7 +74,9 @@ public final class FrameHistory {
             counted++;
         }
         double seconds = seconds(first, last);
-        return seconds > 0 ? (last.number() - first.number()) / seconds : 0;
+        double ago = (nanos - last.nanos()) / NANOS_PER_SECOND;
+        boolean rests = ago > REST_SECONDS && ago > PICTURES_MISSED * seconds / (counted - 1);
+        return seconds > 0 && !rests ? (last.number() - first.number()) / seconds : 0;
     }
 
     /** Each time's mean over the last second, as an entry of the last picture's number. */

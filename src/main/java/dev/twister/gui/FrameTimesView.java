@@ -65,7 +65,8 @@ final class FrameTimesView extends VBox {
             double em = numbers.getFont().getSize();
             double wide = room.get() - getInsets().getLeft() - getInsets().getRight();
             boolean narrow = wide < LEAST_WIDTH_EM * em;
-            numbers.setText(String.join(SEPARATOR, narrow ? parts(history).subList(0, 1) : parts(history)));
+            numbers.setText(
+                    String.join(SEPARATOR, narrow ? parts(history, nanos).subList(0, 1) : parts(history, nanos)));
             numbers.setMaxWidth(wide);
             graph.setVisible(!narrow);
             graph.setManaged(!narrow);
@@ -78,10 +79,10 @@ final class FrameTimesView extends VBox {
     }
 
     /** Frames a second, then what they took; a line breaks between the parts only. */
-    static List<String> parts(FrameHistory history) {
+    static List<String> parts(FrameHistory history, long nanos) {
         FrameHistory.Entry mean = history.mean();
         return Stream.of(
-                        String.format(Locale.ROOT, "%.1f FPS", history.framesPerSecond()),
+                        String.format(Locale.ROOT, "%.1f FPS", history.framesPerSecond(nanos)),
                         String.format(Locale.ROOT, "render %.1f ms", mean.renderMillis()),
                         String.format(Locale.ROOT, "transfer %.1f ms", mean.transferMillis()),
                         String.format(Locale.ROOT, "display %.2f ms", mean.displayMillis()))
@@ -90,7 +91,7 @@ final class FrameTimesView extends VBox {
     }
 
     private void draw(long nanos, double em) {
-        List<FrameHistory.Entry> entries = history.entries();
+        List<FrameHistory.Entry> entries = history.entries(nanos);
         double top = GraphScale.above(entries.stream()
                 .mapToDouble(entry -> entry.renderMillis() + entry.transferMillis())
                 .max()
@@ -122,7 +123,7 @@ final class FrameTimesView extends VBox {
         for (int i = 0; i < x.length; i++) {
             FrameHistory.Entry entry = entries.get(i);
             double age = (nanos - entry.nanos()) / NANOS_PER_SECOND;
-            x[i] = left + width * Math.max(0, 1 - age / FrameHistory.SECONDS);
+            x[i] = left + width * (1 - age / FrameHistory.SECONDS);
             y[i] = lower + (entry.renderMillis() + entry.transferMillis()) / top * (upper - lower);
         }
         pen.strokePolyline(x, y, x.length);

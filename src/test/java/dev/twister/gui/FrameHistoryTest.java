@@ -23,17 +23,31 @@ class FrameHistoryTest {
             history.add(picture(3L * i, i * 1000L * MILLI / 60), 0.1);
         }
 
-        assertThat(history.framesPerSecond()).isCloseTo(180, within(0.5));
+        assertThat(history.framesPerSecond(1000 * MILLI)).isCloseTo(180, within(0.5));
     }
 
     @Test
     void aSlowEngineHasARateToo() {
         history.add(picture(1, 0), 0.1);
-        assertThat(history.framesPerSecond()).isZero();
+        assertThat(history.framesPerSecond(0)).isZero();
         history.add(picture(2, 4000 * MILLI), 0.1);
         history.add(picture(3, 8000 * MILLI), 0.1);
 
-        assertThat(history.framesPerSecond()).isCloseTo(0.25, within(1e-9));
+        assertThat(history.framesPerSecond(8000 * MILLI)).isCloseTo(0.25, within(1e-9));
+        assertThat(history.framesPerSecond(19_000 * MILLI)).isCloseTo(0.25, within(1e-9));
+        assertThat(history.framesPerSecond(21_000 * MILLI)).isZero();
+    }
+
+    @Test
+    void atRestThereIsNoRate() {
+        for (int i = 0; i <= 60; i++) {
+            history.add(picture(i, i * 1000L * MILLI / 60), 0.1);
+        }
+
+        assertThat(history.framesPerSecond(2900 * MILLI)).isPositive();
+        assertThat(history.framesPerSecond(3100 * MILLI)).isZero();
+        assertThat(history.entries(10_500 * MILLI)).hasSize(31);
+        assertThat(history.entries(12_000 * MILLI)).isEmpty();
     }
 
     @Test
@@ -42,7 +56,7 @@ class FrameHistoryTest {
             history.add(picture(i, i * 1000L * MILLI), 0.1);
         }
 
-        assertThat(history.entries()).hasSize(11);
+        assertThat(history.entries(99_000 * MILLI)).hasSize(11);
     }
 
     @Test
@@ -51,7 +65,7 @@ class FrameHistoryTest {
 
         assertThat(history.mean().renderMillis()).isCloseTo(7, within(1e-9));
         assertThat(history.mean().transferMillis()).isCloseTo(3, within(1e-9));
-        assertThat(FrameTimesView.parts(history))
+        assertThat(FrameTimesView.parts(history, 0))
                 .containsExactly(
                         "0.0\u00a0FPS",
                         "render\u00a07.0\u00a0ms",
