@@ -1,5 +1,6 @@
 package dev.twister.gui;
 
+import dev.twister.gui.model.ChosenFile;
 import dev.twister.gui.model.PictureFile;
 import java.io.File;
 import java.nio.file.Files;
@@ -13,7 +14,7 @@ import javafx.stage.Window;
 
 /** Asks by the system's own dialogs. */
 final class SystemFileChoice implements FileChoice {
-    private static final String SCENE = "*.json";
+    private static final String SCENE = "*" + ChosenFile.SCENE;
     private static final List<String> PANORAMAS = List.of("*.hdr", "*.pic", "*.png", "*.jpg", "*.jpeg");
 
     private final Window owner;
@@ -38,7 +39,7 @@ final class SystemFileChoice implements FileChoice {
         FileChooser chooser = chooser("Save the scene", parent(suggested));
         chooser.setInitialFileName(String.valueOf(suggested.getFileName()));
         chooser.getExtensionFilters().add(new ExtensionFilter("Scenes", SCENE));
-        return path(chooser.showSaveDialog(owner));
+        return path(chooser.showSaveDialog(owner)).map(ChosenFile::forScene);
     }
 
     @Override
@@ -61,7 +62,7 @@ final class SystemFileChoice implements FileChoice {
         boolean hdr = Optional.ofNullable(chooser.getSelectedExtensionFilter())
                 .filter(filter -> filter.getExtensions().contains("*" + PictureFile.HDR))
                 .isPresent();
-        return chosen.map(file -> hdr ? PictureFile.asHdr(file) : PictureFile.withEnding(file));
+        return chosen.map(file -> ChosenFile.forPicture(file, hdr));
     }
 
     @Override

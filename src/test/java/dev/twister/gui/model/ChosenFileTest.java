@@ -1,0 +1,34 @@
+package dev.twister.gui.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ChosenFileTest {
+    @TempDir
+    private Path folder;
+
+    @Test
+    void anEndingIsAddedWhereThereIsNone() {
+        assertThat(ChosenFile.forScene(folder.resolve("saved"))).isEqualTo(folder.resolve("saved.json"));
+        assertThat(ChosenFile.forScene(folder.resolve("saved.txt"))).isEqualTo(folder.resolve("saved.txt"));
+        assertThat(ChosenFile.forPicture(folder.resolve("shot"), false)).isEqualTo(folder.resolve("shot.png"));
+        assertThat(ChosenFile.forPicture(folder.resolve("shot.png"), true)).isEqualTo(folder.resolve("shot.hdr"));
+    }
+
+    @Test
+    void aFileThatNobodyWasAskedAboutIsNotReplaced() throws IOException {
+        Files.createFile(folder.resolve("saved.json"));
+        Files.createFile(folder.resolve("saved-2.json"));
+        Files.createFile(folder.resolve("shot.hdr"));
+
+        assertThat(ChosenFile.forScene(folder.resolve("saved"))).isEqualTo(folder.resolve("saved-3.json"));
+        assertThat(ChosenFile.forScene(folder.resolve("saved.json"))).isEqualTo(folder.resolve("saved.json"));
+        assertThat(ChosenFile.forPicture(folder.resolve("shot.png"), true)).isEqualTo(folder.resolve("shot-2.hdr"));
+        assertThat(ChosenFile.forPicture(folder.resolve("shot.hdr"), true)).isEqualTo(folder.resolve("shot.hdr"));
+    }
+}
