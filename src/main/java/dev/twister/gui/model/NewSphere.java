@@ -13,6 +13,7 @@ import dev.twister.world.FrameInput;
 public final class NewSphere {
     private static final double RADIUS = 1.5;
     private static final double REFLECTIVITY = 32;
+    private static final int MOST_PILED = 1000;
 
     /** Where the middle of the picture shows the sky. */
     private static final double DISTANCE = 15;
@@ -22,7 +23,7 @@ public final class NewSphere {
 
     private NewSphere() {}
 
-    /** The sphere, which touches what lies behind it and never sinks into the plane. */
+    /** The sphere, which touches what lies behind it, never sinks into the plane, and is in no other's place. */
     public static Sphere inFrontOf(FrameInput input, Scene scene) {
         double centerX = input.width() / 2.0;
         double centerY = input.height() / 2.0;
@@ -35,7 +36,28 @@ public final class NewSphere {
                 SceneLimits.POSITION.clamp(ray.originX() + distance * ray.directionX()),
                 SceneLimits.POSITION.clamp(above ? Math.max(y, ground + RADIUS) : Math.min(y, ground - RADIUS)),
                 SceneLimits.POSITION.clamp(ray.originZ() + distance * ray.directionZ()));
-        return new Sphere(center, RADIUS, color(scene.spheres().size()), REFLECTIVITY);
+        return new Sphere(
+                besideOthers(center, scene, above ? 2 * RADIUS : -2 * RADIUS),
+                RADIUS,
+                color(scene.spheres().size()),
+                REFLECTIVITY);
+    }
+
+    /** The picture may not show yet what was inserted a moment ago: spheres pile up there rather than being one. */
+    private static Vector3 besideOthers(Vector3 wanted, Scene scene, double step) {
+        Vector3 free = wanted;
+        for (int tries = 0; tries < MOST_PILED && isTaken(free, scene); tries++) {
+            free = new Vector3(free.x(), SceneLimits.POSITION.clamp(free.y() + step), free.z());
+        }
+        return free;
+    }
+
+    private static boolean isTaken(Vector3 center, Scene scene) {
+        return scene.spheres().stream()
+                .map(Sphere::position)
+                .anyMatch(other -> Math.abs(other.x() - center.x()) < RADIUS
+                        && Math.abs(other.y() - center.y()) < RADIUS
+                        && Math.abs(other.z() - center.z()) < RADIUS);
     }
 
     private static double distance(FrameInput input, PointerRay ray, int body) {

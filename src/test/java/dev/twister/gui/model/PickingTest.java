@@ -116,6 +116,15 @@ class PickingTest {
     }
 
     @Test
+    void newSpheresPileUpWhereThePictureDoesNotShowThemYet() {
+        Scene edited = scene;
+        for (int number = 0; number < 5; number++) {
+            edited = BodyEdits.inserted(edited, NewSphere.inFrontOf(input, edited));
+        }
+        assertThat(edited.spheres().stream().map(Sphere::position)).doesNotHaveDuplicates();
+    }
+
+    @Test
     void aNewSphereStandsOnThePlane() {
         Scene down = scene.withSpheres(List.of()).withCamera(new Camera(new Vector3(0, 2, -10), 0, 20, 60));
         Sphere inserted = NewSphere.inFrontOf(Scenes.input(down), down);
