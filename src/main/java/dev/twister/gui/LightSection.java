@@ -30,7 +30,8 @@ final class LightSection {
                 SceneEdit.ofScene(studio),
                 scene -> Radiance.of(scene.light().color()).hue(),
                 LightSection::withHue);
-        studio.sceneProperty().subscribe(this::refresh);
+        studio.sceneProperty().subscribe(_ -> refresh());
+        studio.originalProperty().subscribe(_ -> refresh());
     }
 
     List<PanelRow> rows() {
@@ -47,8 +48,8 @@ final class LightSection {
         return new NumberRow(setting, key, SceneEdit.ofScene(studio), studio::notice);
     }
 
-    private void refresh(Scene scene) {
-        numbers.forEach(row -> row.show(scene, studio.original()));
-        color.show(scene, studio.original());
+    private void refresh() {
+        numbers.forEach(row -> row.show(studio.scene(), studio.original()));
+        color.show(studio.scene(), studio.original());
     }
 }

@@ -25,6 +25,7 @@ final class PhysicsSection {
         buttons.getStyleClass().add("buttons");
         studio.motionProperty().subscribe(this::show);
         studio.sceneProperty().subscribe(scene -> gravity.show(scene, studio.original()));
+        studio.originalProperty().subscribe(original -> gravity.show(studio.scene(), original));
     }
 
     List<PanelRow> rows() {

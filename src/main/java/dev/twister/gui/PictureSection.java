@@ -45,7 +45,8 @@ final class PictureSection {
                 "Whether a picture in which nothing moves gathers samples; otherwise it is drawn again and again.",
                 "Alt+N",
                 studio.refiningProperty()::set);
-        studio.sceneProperty().subscribe(this::refresh);
+        studio.sceneProperty().subscribe(_ -> refresh());
+        studio.originalProperty().subscribe(_ -> refresh());
         studio.refiningProperty().subscribe(on -> refining.show(on, true));
     }
 
@@ -58,7 +59,8 @@ final class PictureSection {
         return new NumberRow(setting, key, edit, studio::notice);
     }
 
-    private void refresh(Scene scene) {
+    private void refresh() {
+        Scene scene = studio.scene();
         Scene usual = studio.original();
         numbers.forEach(row -> row.show(scene, usual));
         toneMap.show(

@@ -27,6 +27,7 @@ final class SkySection {
         other.setOnAction(_ -> files.chooseSky());
         sky.addControl(other);
         studio.sceneProperty().subscribe(_ -> refresh());
+        studio.originalProperty().subscribe(_ -> refresh());
     }
 
     /** Offers these panoramas too. */

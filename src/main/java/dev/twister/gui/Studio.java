@@ -69,7 +69,7 @@ public final class Studio implements AutoCloseable {
     private long starts;
     private final ReadOnlyStringWrapper notice = new ReadOnlyStringWrapper("");
     private SceneHistory document;
-    private Scene original;
+    private final ReadOnlyObjectWrapper<Scene> original;
     private Walk walk = Walk.STILL;
     private Turn turn = Turn.STILL;
     private double displayMillis;
@@ -85,7 +85,7 @@ public final class Studio implements AutoCloseable {
         engine = new ReadOnlyObjectWrapper<>(new EngineChoice(0, options.engine()));
         file = new ReadOnlyObjectWrapper<>(Optional.of(options.file()));
         document = new SceneHistory(options.scene());
-        original = options.scene();
+        original = new ReadOnlyObjectWrapper<>(options.scene());
         refining.subscribe(_ -> request());
     }
 
@@ -168,8 +168,12 @@ public final class Studio implements AutoCloseable {
     }
 
     /** The scene as its file had it, to which a reset leads. */
+    public ReadOnlyObjectProperty<Scene> originalProperty() {
+        return original.getReadOnlyProperty();
+    }
+
     public Scene original() {
-        return original;
+        return original.get();
     }
 
     /** What can be undone, made again, and whether there is something to save. */
@@ -288,7 +292,7 @@ public final class Studio implements AutoCloseable {
 
     /** Back to where the scene's file has the camera. */
     public void goHome() {
-        moveCamera(_ -> original.camera());
+        moveCamera(_ -> original().camera());
     }
 
     /** Keeps the camera as it is now under that number. */
@@ -332,7 +336,7 @@ public final class Studio implements AutoCloseable {
     /** Shows another scene, and forgets the old one with its edits. */
     public void show(OpenedScene opened) {
         document = new SceneHistory(opened.scene());
-        original = opened.scene();
+        original.set(opened.scene());
         file.set(Optional.of(opened.file()));
         selection.set(Layout.NOTHING);
         motion.set(Motion.NONE);
