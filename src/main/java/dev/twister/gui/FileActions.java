@@ -39,7 +39,7 @@ final class FileActions {
                 () -> DroppedFile.kind(file),
                 kind -> {
                     switch (kind) {
-                        case SCENE -> afterSaving(() -> openScene(file));
+                        case SCENE -> openScene(file);
                         case SKYBOX -> useSky(file);
                         case NEITHER -> {
                             forgetWhereGone(file);
@@ -105,10 +105,11 @@ final class FileActions {
     private void openScene(Path file) {
         errands.run(
                 () -> studio.read(file),
-                opened -> {
+                // What cannot be opened is no reason to ask what is to become of the old scene.
+                opened -> afterSaving(() -> {
                     studio.show(opened);
                     remember(file);
-                },
+                }),
                 problem -> {
                     forgetWhereGone(file);
                     complain("This scene cannot be opened", problem);
