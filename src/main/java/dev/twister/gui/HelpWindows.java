@@ -66,6 +66,8 @@ final class HelpWindows {
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
         page.setMaxSize(MOST_OF_THE_SCREEN * screen.getWidth(), MOST_OF_THE_SCREEN * screen.getHeight());
         stage.getScene().setRoot(page);
+        // With the focus it scrolls by the keyboard.
+        page.requestFocus();
         stage.show();
         stage.toFront();
     }
