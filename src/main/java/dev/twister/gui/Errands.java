@@ -9,7 +9,7 @@ import javafx.application.Platform;
 
 /**
  * Reads and writes files on a thread of its own, one after the other, and tells JavaFX's thread how it went. Used by that
- * thread alone.
+ * thread, but for its end.
  */
 final class Errands implements AutoCloseable {
     private final ExecutorService thread = Executors.newSingleThreadExecutor(
@@ -53,11 +53,16 @@ final class Errands implements AutoCloseable {
         }
     }
 
-    /** Waits for what is to be kept; begins no other errand. */
-    @Override
-    public void close() {
+    /** From now on only what is to be kept is begun. Returns at once. */
+    void finish() {
         closed = true;
         thread.shutdown();
+    }
+
+    /** Waits for what is to be kept; called by any thread. */
+    @Override
+    public void close() {
+        finish();
         if (toKeep.get() > 0) {
             thread.close();
         }

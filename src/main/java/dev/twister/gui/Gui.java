@@ -7,7 +7,6 @@ import dev.twister.scene.Scene;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
 import java.util.logging.Logger;
 import javafx.application.Platform;
 import javafx.stage.Stage;
@@ -36,17 +35,18 @@ public final class Gui {
         Logger logger = Logger.getLogger("javafx");
         logger.setFilter(record -> !String.valueOf(record.getMessage()).startsWith(CLASS_PATH_NOTICE));
         double textScale = TextScale.ofSystem();
-        CompletableFuture<Optional<Throwable>> end = new CompletableFuture<>();
+        CompletableFuture<Runnable> end = new CompletableFuture<>();
         try {
             Platform.startup(() -> open(scene, file, asked, engine, skyboxes, textScale, end));
         } catch (RuntimeException | LinkageError problem) {
             throw new NoDisplayException(Display.explain(problem), problem);
         }
-        Optional<Throwable> failure = end.join();
-        Platform.exit();
-        failure.ifPresent(problem -> {
-            throw new CompletionException(problem);
-        });
+        try {
+            // Whoever closed the window need not see it while the last files are written.
+            end.join().run();
+        } finally {
+            Platform.exit();
+        }
     }
 
     private static void open(
@@ -56,7 +56,7 @@ public final class Gui {
             Optional<String> engine,
             Path skyboxes,
             double textScale,
-            CompletableFuture<Optional<Throwable>> end) {
+            CompletableFuture<Runnable> end) {
         try {
             Stage stage = new Stage();
             SettingsStore store = SettingsStore.ofThisUser();
@@ -77,11 +77,11 @@ public final class Gui {
                             textScale));
             stage.setOnHidden(_ -> {
                 window.close();
-                end.complete(Optional.empty());
+                end.complete(window::awaitFiles);
             });
             window.show();
         } catch (RuntimeException | LinkageError problem) {
-            end.complete(Optional.of(problem));
+            end.completeExceptionally(problem);
         }
     }
 }

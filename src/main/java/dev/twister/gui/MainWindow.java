@@ -99,6 +99,7 @@ final class MainWindow implements AutoCloseable {
         listener = newListener;
     }
 
+    /** Ends all that is the window's but {@linkplain #awaitFiles what is still being written}. */
     @Override
     public void close() {
         timer.stop();
@@ -106,5 +107,10 @@ final class MainWindow implements AutoCloseable {
         status.close();
         workbench.close();
         studio.close();
+    }
+
+    /** See {@link Workbench#awaitFiles}. */
+    void awaitFiles() {
+        workbench.awaitFiles();
     }
 }

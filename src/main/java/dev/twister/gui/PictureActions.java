@@ -12,6 +12,8 @@ import dev.twister.world.FrameInput;
 import java.io.IOException;
 import java.nio.IntBuffer;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import javafx.beans.property.ReadOnlyObjectProperty;
@@ -26,8 +28,8 @@ final class PictureActions implements AutoCloseable {
     private final ReadOnlyObjectWrapper<Optional<FrameRecorder>> recorder =
             new ReadOnlyObjectWrapper<>(Optional.empty());
 
-    /** The recordings that are over, but not yet all on the disk. */
-    private Optional<FrameRecorder> finishing = Optional.empty();
+    /** The recordings that are over, but not all on the disk yet. */
+    private final List<FrameRecorder> finishing = new ArrayList<>();
 
     private Path lastFolder = Path.of("").toAbsolutePath();
 
@@ -86,21 +88,28 @@ final class PictureActions implements AutoCloseable {
                 endRecording();
             }
         });
-        finishing
-                .map(FrameRecorder::progress)
-                .filter(progress -> progress.waiting() == 0)
-                .ifPresent(progress -> {
-                    studio.notice(describe("Recorded", progress));
-                    finishing = Optional.empty();
-                    progress.failure().ifPresent(why -> dialogs.complain("The recording has ended", why));
-                });
+        List<FrameRecorder> finished = finishing.stream()
+                .filter(ended -> ended.progress().waiting() == 0)
+                .toList();
+        finishing.removeAll(finished);
+        finished.forEach(ended -> {
+            FrameRecorder.Progress progress = ended.progress();
+            studio.notice(describe("Recorded", progress));
+            progress.failure().ifPresent(why -> dialogs.complain("The recording has ended", why));
+        });
     }
 
-    /** Ends a recording, and waits until its last frames are on the disk. */
+    /** Ends a recording. Returns at once. */
+    void finish() {
+        if (recorder.get().isPresent()) {
+            endRecording();
+        }
+    }
+
+    /** Waits until an ended recording's last frames are on the disk; called after {@link #finish}, by any thread. */
     @Override
     public void close() {
-        recorder.get().ifPresent(FrameRecorder::close);
-        finishing.ifPresent(FrameRecorder::close);
+        finishing.forEach(FrameRecorder::close);
     }
 
     private void startRecording(Path folder) {
@@ -118,11 +127,10 @@ final class PictureActions implements AutoCloseable {
 
     private void endRecording() {
         studio.unwatch();
-        // A recording that ends while an older one is still being written waits for it: there is one line to tell of
-        // them.
-        finishing.ifPresent(FrameRecorder::close);
-        finishing = recorder.get();
-        finishing.ifPresent(FrameRecorder::finish);
+        recorder.get().ifPresent(ended -> {
+            ended.finish();
+            finishing.add(ended);
+        });
         recorder.set(Optional.empty());
     }
 

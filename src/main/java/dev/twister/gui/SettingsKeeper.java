@@ -3,16 +3,24 @@ package dev.twister.gui;
 import dev.twister.gui.model.SettingsStore;
 import dev.twister.gui.model.WindowSettings;
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 
-/** The settings that last, as they are now; written when the window closes, and whenever a scene was opened or saved. */
+/**
+ * The settings that last, as they are now; written when the window closes, and whenever a scene was opened or saved. Another
+ * window of this user may have written its own meanwhile: what was changed here is changed in those.
+ */
 final class SettingsKeeper {
     private final SettingsStore store;
     private final Consumer<String> complain;
     private final ReadOnlyObjectWrapper<WindowSettings> settings;
+
+    /** Since they were written last. */
+    private final List<UnaryOperator<WindowSettings>> changes = new ArrayList<>();
 
     /**
      * Keeps what was found.
@@ -36,12 +44,20 @@ final class SettingsKeeper {
 
     void change(UnaryOperator<WindowSettings> change) {
         settings.set(change.apply(settings.get()));
+        changes.add(change);
     }
 
     /** A few hundred bytes, written whole. */
     void write() {
         try {
-            store.write(settings.get());
+            SettingsStore.Found found = store.read();
+            found.message().ifPresent(complain);
+            WindowSettings kept = found.settings();
+            for (UnaryOperator<WindowSettings> change : changes) {
+                kept = change.apply(kept);
+            }
+            store.write(kept);
+            changes.clear();
         } catch (IOException problem) {
             complain.accept("The window's settings are not kept: " + problem.getMessage());
         }

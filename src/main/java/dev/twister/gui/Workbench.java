@@ -5,7 +5,9 @@ import dev.twister.gui.model.NewSphere;
 import dev.twister.gui.model.ThrownSpheres;
 import dev.twister.gui.model.WindowSettings;
 import dev.twister.kernel.Layout;
+import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
+import javafx.collections.MapChangeListener;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.BorderPane;
@@ -82,17 +84,25 @@ final class Workbench implements AutoCloseable {
         panel.pulse(nanos);
     }
 
-    /** Keeps the settings, and waits for a recording's last frames. */
+    /** Keeps the settings, and begins nothing more; {@link #awaitFiles} waits for what is still being written. */
     @Override
     public void close() {
-        settings.change(kept -> stage.isMaximized() || stage.isFullScreen()
-                ? kept.withWindow(kept.width(), kept.height(), true)
-                : kept.withWindow((int) stage.getWidth(), (int) stage.getHeight(), false));
+        boolean filling = stage.isMaximized() || stage.isFullScreen();
+        int width = (int) stage.getWidth();
+        int height = (int) stage.getHeight();
+        settings.change(kept ->
+                filling ? kept.withWindow(kept.width(), kept.height(), true) : kept.withWindow(width, height, false));
         settings.write();
         help.close();
+        pictures.finish();
+        errands.finish();
+        menu.dismantle();
+    }
+
+    /** Waits for a recording's last frames, and for what else a person wants to keep; called after {@link #close}, by any thread. */
+    void awaitFiles() {
         pictures.close();
         errands.close();
-        menu.dismantle();
     }
 
     Panel panel() {
@@ -140,13 +150,22 @@ final class Workbench implements AutoCloseable {
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
         stage.setWidth(Math.min(settings.settings().width(), screen.getWidth()));
         stage.setHeight(Math.min(settings.settings().height(), screen.getHeight()));
+        if (Double.isNaN(stage.getY())) {
+            // Where a window is as high as the screen, JavaFX would have its upper border above it.
+            stage.setX(screen.getMinX() + (screen.getWidth() - stage.getWidth()) / 2);
+            stage.setY(screen.getMinY() + (screen.getHeight() - stage.getHeight()) / 2);
+        }
         stage.setMaximized(settings.settings().maximized());
         showPanel(settings.settings().panelShown());
         showFrameTimes(settings.settings().frameTimesShown());
         studio.views().putAll(settings.settings().views());
-        studio.views()
-                .subscribe(() ->
-                        studio.views().forEach((key, camera) -> settings.change(kept -> kept.withView(key, camera))));
+        studio.views().addListener((MapChangeListener.Change<? extends Integer, ? extends Camera> change) -> {
+            if (change.wasAdded()) {
+                int number = change.getKey();
+                Camera camera = change.getValueAdded();
+                settings.change(kept -> kept.withView(number, camera));
+            }
+        });
     }
 
     private void showPanel(boolean shown) {

@@ -16,6 +16,7 @@ import java.util.Objects;
 import java.util.Optional;
 import javafx.scene.Node;
 import javafx.scene.control.Labeled;
+import javafx.scene.control.ScrollPane;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Stage;
 import javafx.stage.Window;
@@ -75,6 +76,23 @@ class SettingsTest {
     }
 
     @Test
+    void twoWindowsKeepWhatEachOfThemChanged() {
+        SettingsStore store = new SettingsStore(Optional.of(folder));
+        try (WindowDriver later = WindowDriver.open(store)) {
+            try (WindowDriver sooner = WindowDriver.open(store)) {
+                sooner.run(() -> {
+                    sooner.studio.keepView(5);
+                    sooner.window.workbench().files().remember(Path.of("another.json"));
+                });
+            }
+            later.run(() -> later.studio.keepView(6));
+        }
+        WindowSettings kept = store.read().settings();
+        assertThat(kept.views()).containsOnlyKeys(5, 6);
+        assertThat(kept.recentScenes()).hasSize(2);
+    }
+
+    @Test
     void aSceneThatWasAskedForIsARecentOne() {
         SettingsStore store = new SettingsStore(Optional.of(folder));
         try (WindowDriver driver = WindowDriver.open(store)) {
@@ -111,6 +129,18 @@ class SettingsTest {
             assertThat(texts("about-page")).anyMatch(text -> text.contains("Apache License 2.0"));
             driver.type(KeyCode.ESCAPE);
             assertThat(helpWindows()).isEmpty();
+        }
+    }
+
+    @Test
+    void helpScrollsByTheKeyboard() {
+        try (WindowDriver driver = WindowDriver.open()) {
+            driver.type(KeyCode.F1);
+            ScrollPane page = (ScrollPane) helpWindows().getFirst().getScene().getRoot();
+            driver.run(() -> page.getScene().getWindow().setHeight(200));
+            driver.pulse();
+            driver.type(KeyCode.PAGE_DOWN);
+            driver.await(() -> page.getVvalue() > 0);
         }
     }
 

@@ -295,5 +295,6 @@ final class WindowDriver implements AutoCloseable {
             stage.hide();
             window.close();
         });
+        window.awaitFiles();
     }
 }
