@@ -1,6 +1,7 @@
 package dev.twister.cli;
 
 import dev.twister.physics.Simulation;
+import java.io.PrintWriter;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
@@ -46,8 +47,14 @@ final class MotionOptions {
         return Ranges.check("--start", start.orElse(0.0), 0, MAX_START_SECONDS);
     }
 
-    /** Lets the time before the first frame pass. */
-    void begin(Simulation simulation) {
-        simulation.advance(startSeconds());
+    /** Lets the time before the first frame pass; for many bodies that takes minutes. */
+    void begin(Simulation simulation, PrintWriter err) {
+        long steps = Math.round(startSeconds() / Simulation.STEP_SECONDS);
+        if (steps == 0) {
+            return;
+        }
+        try (ProgressLine progress = ProgressLine.start(err, "moving to --start", steps)) {
+            simulation.advance(startSeconds(), progress::step);
+        }
     }
 }

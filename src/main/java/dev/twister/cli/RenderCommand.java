@@ -120,8 +120,10 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void drawMoving(Scene scene, World world, boolean linear) throws IOException {
+        // A typing error in the name should not come out after minutes of motion.
+        Engines.offer(engineId).check();
         try (Simulation simulation = Simulation.of(scene)) {
-            motion.begin(simulation);
+            motion.begin(simulation, spec.commandLine().getErr());
             simulation.place(world);
             if (frames.isEmpty()) {
                 draw(world, linear);

@@ -22,11 +22,26 @@ public record EngineOffer(
     /** An engine that does not, and why. */
     public static EngineOffer impossible(String id, String device, String description, String obstacle) {
         return new EngineOffer(id, device, description, Optional.of(obstacle), () -> {
-            throw new EngineException("engine " + id + " does not work here: " + obstacle);
+            throw doesNotWork(id, obstacle);
         });
+    }
+
+    private static EngineException doesNotWork(String id, String obstacle) {
+        return new EngineException("engine " + id + " does not work here: " + obstacle);
     }
 
     public boolean works() {
         return obstacle.isEmpty();
+    }
+
+    /**
+     * Says what keeps the engine from running, without opening it.
+     *
+     * @throws EngineException where there is an obstacle
+     */
+    public void check() {
+        obstacle.ifPresent(reason -> {
+            throw doesNotWork(id, reason);
+        });
     }
 }

@@ -56,10 +56,16 @@ public final class Engines {
      * @throws EngineException where it cannot be opened
      */
     public static Engine open(String id) {
-        return find(offersAtOnce(), id)
-                .orElseGet(() -> findEverywhere(id))
-                .opener()
-                .get();
+        return offer(id).opener().get();
+    }
+
+    /**
+     * The engine of that name, working or not; {@code tornado} alone is TornadoVM's first device.
+     *
+     * @throws UnknownEngineException where no engine has that name
+     */
+    public static EngineOffer offer(String id) {
+        return find(offersAtOnce(), id).orElseGet(() -> findEverywhere(id));
     }
 
     private static EngineOffer findEverywhere(String id) {

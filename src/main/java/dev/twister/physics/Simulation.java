@@ -173,10 +173,20 @@ public final class Simulation implements AutoCloseable {
 
     /** Lets time pass, 0 seconds or more: takes as many steps as fit, and keeps the rest for the next call. */
     public void advance(double seconds) {
+        advance(seconds, () -> {});
+    }
+
+    /**
+     * The same where that may take minutes.
+     *
+     * @param stepped hears of each step when it is done: about {@code seconds / STEP_SECONDS} times
+     */
+    public void advance(double seconds, Runnable stepped) {
         ahead += seconds;
         while (ahead >= STEP_SECONDS - ROUNDING) {
             step();
             ahead = Math.max(0, ahead - STEP_SECONDS);
+            stepped.run();
         }
     }
 

@@ -34,6 +34,7 @@ class BadInputTest {
                 "render benchmark -o FOLDER/a.png --size 0x5 | 1x1 to 16384x16384",
                 "render benchmark -o FOLDER/a.png --size big | 'big' is not a size",
                 "render benchmark -o FOLDER/a.png --engine warp | warp",
+                "render pour-1000 -o FOLDER/a.png --physics --start 86400 --engine warp | no engine is called 'warp'",
                 "render benchmark -o FOLDER/a.png --shadow-samples 0 | --shadow-samples is 0, but must be from 1 to 1024",
                 "render benchmark -o FOLDER/a.png --shadow-samples 1025 | from 1 to 1024",
                 "render benchmark -o FOLDER/a.png --shadow-samples 1e3 | --shadow-samples",

@@ -19,7 +19,7 @@ class EnginesTest {
 
     @Test
     void unknownNameIsToldTheKnownOnes() {
-        assertThatThrownBy(() -> Engines.open("warp"))
+        assertThatThrownBy(() -> Engines.offer("warp"))
                 .isInstanceOf(UnknownEngineException.class)
                 .hasMessageStartingWith("no engine is called 'warp'; there are sequential, parallel, plain");
     }
@@ -39,6 +39,9 @@ class EnginesTest {
         EngineOffer offer = EngineOffer.impossible("warp", "a warp core", "folds space", "no dilithium");
         assertThat(offer.works()).isFalse();
         assertThatThrownBy(() -> offer.opener().get())
+                .isInstanceOf(EngineException.class)
+                .hasMessage("engine warp does not work here: no dilithium");
+        assertThatThrownBy(offer::check)
                 .isInstanceOf(EngineException.class)
                 .hasMessage("engine warp does not work here: no dilithium");
     }

@@ -13,6 +13,7 @@ import dev.twister.world.FrameInput;
 import dev.twister.world.World;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 
 class SimulationTest {
@@ -89,6 +90,15 @@ class SimulationTest {
             Motion.run(simulation, 2.1);
             assertThat(simulation.bodies()).isEqualTo(3 + 3000);
         }
+    }
+
+    @Test
+    void tellsOfEachStep() {
+        AtomicInteger steps = new AtomicInteger();
+        try (Simulation simulation = Simulation.of(Motion.scene(Physics.DEFAULT))) {
+            simulation.advance(0.5, steps::incrementAndGet);
+        }
+        assertThat(steps).hasValue(60);
     }
 
     @Test
