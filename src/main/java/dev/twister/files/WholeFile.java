@@ -11,7 +11,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
-import java.util.UUID;
 
 /** Writes a file whole or not at all: whoever looks at its path sees the old content or the new, never a part. */
 public final class WholeFile {
@@ -62,27 +61,23 @@ public final class WholeFile {
 
     /**
      * Streams the content into a temporary file in the target's own folder, waits until it is safely on the disk, and
-     * moves it into place, replacing what was there. A failure of any kind leaves the target as it was and no temporary
-     * file behind. A symbolic link stays, and the file it leads to is replaced, or made where it was not there.
+     * moves it into place, replacing what was there. A failure of any kind, and the end of the process, leaves the target as
+     * it was and no temporary file behind. A symbolic link stays, and the file it leads to is replaced, or made where it was not there.
      *
      * @param target no folder or device
      * @throws IOException whatever the disk or the content reported
      */
     public static void replace(Path target, Content content) throws IOException {
         Path place = behindLinks(target);
-        // Not Files.createTempFile: its files are readable by their owner only, and the finished file would stay so.
-        Path temporary = place.resolveSibling("." + UUID.randomUUID() + ".tmp");
-        try {
+        // Moved away when it is closed, unless something failed.
+        try (TemporaryFile temporary = TemporaryFile.beside(place)) {
             try (OutputStream out = new BufferedOutputStream(
-                    Files.newOutputStream(temporary, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),
+                    Files.newOutputStream(temporary.path(), StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),
                     BUFFER_BYTES)) {
                 content.writeTo(out);
             }
-            synchronise(temporary);
-            moveIntoPlace(temporary, place);
-        } finally {
-            // Moved away by now unless something failed.
-            Files.deleteIfExists(temporary);
+            synchronise(temporary.path());
+            moveIntoPlace(temporary.path(), place);
         }
     }
 

@@ -3,12 +3,15 @@ package dev.twister.files;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
+import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
@@ -47,6 +50,52 @@ class WholeFileTest {
                 }))
                 .isInstanceOf(IllegalStateException.class);
         assertThat(names()).isEmpty();
+    }
+
+    @Test
+    void theEndOfTheProcessLeavesNothingButWhatIsWrittenBecauseOfIt() throws IOException, InterruptedException {
+        Process java = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        SlowMain.class.getName(),
+                        folder.toString())
+                .redirectError(ProcessBuilder.Redirect.INHERIT)
+                .start();
+        Assumptions.assumeTrue(java.supportsNormalTermination(), "this system ends processes without a word to them");
+        try (BufferedReader output = java.inputReader(StandardCharsets.UTF_8)) {
+            assertThat(output.readLine()).isEqualTo("writing");
+            assertThat(names()).hasSize(1).allMatch(name -> name.endsWith(".tmp"));
+        } finally {
+            java.destroy();
+        }
+        java.waitFor();
+        assertThat(names()).containsExactly("unfinished.json");
+    }
+
+    /** Never comes to the end of a file, and writes another one where it is ended. */
+    static final class SlowMain {
+        private SlowMain() {}
+
+        public static void main(String[] arguments) throws IOException {
+            Path folder = Path.of(arguments[0]);
+            Runtime.getRuntime().addShutdownHook(new Thread(() -> writeUnfinished(folder)));
+            WholeFile.write(folder.resolve("picture.png"), out -> {
+                out.write(1);
+                System.out.println("writing");
+                while (true) {
+                    LockSupport.park();
+                }
+            });
+        }
+
+        private static void writeUnfinished(Path folder) {
+            try {
+                WholeFile.write(folder.resolve("unfinished.json"), out -> out.write(1));
+            } catch (IOException problem) {
+                throw new UncheckedIOException(problem);
+            }
+        }
     }
 
     @Test
