@@ -31,8 +31,8 @@ final class OrdinaryImageReader {
         }
     }
 
-    private static BufferedImage decode(
-            ImageReader reader, ImageInputStream stream, OrdinaryImageFormat format, int fileBytes) throws IOException {
+    static BufferedImage decode(ImageReader reader, ImageInputStream stream, OrdinaryImageFormat format, int fileBytes)
+            throws IOException {
         List<String> warnings = new ArrayList<>();
         BufferedImage image;
         try {
@@ -53,6 +53,7 @@ final class OrdinaryImageReader {
             // ImageIO's decoders answer some damaged files so.
             throw new IOException("a damaged " + format + " (" + damaged + ")", damaged);
         } catch (IOException unreadable) {
+            rethrowOutOfMemory(unreadable);
             throw new IOException(
                     "cannot be decoded as " + format + " (" + RadianceHeader.quotable("" + unreadable.getMessage())
                             + "); RGB and greyscale are read, CMYK is not",
@@ -63,6 +64,15 @@ final class OrdinaryImageReader {
             throw new IOException("the " + format + " ends before its last texel");
         }
         return image;
+    }
+
+    /** ImageIO takes that for the file's fault; but a larger heap helps. */
+    private static void rethrowOutOfMemory(IOException failure) {
+        for (Throwable cause = failure.getCause(); cause != null; cause = cause.getCause()) {
+            if (cause instanceof OutOfMemoryError memory) {
+                throw memory;
+            }
+        }
     }
 
     private static boolean saysTruncated(String warning) {

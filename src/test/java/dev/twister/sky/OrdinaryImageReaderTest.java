@@ -1,0 +1,71 @@
+package dev.twister.sky;
+
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.util.Collections;
+import java.util.Iterator;
+import javax.imageio.IIOException;
+import javax.imageio.ImageReadParam;
+import javax.imageio.ImageReader;
+import javax.imageio.ImageTypeSpecifier;
+import javax.imageio.metadata.IIOMetadata;
+import javax.imageio.stream.ImageInputStream;
+import javax.imageio.stream.MemoryCacheImageInputStream;
+import org.junit.jupiter.api.Test;
+
+class OrdinaryImageReaderTest {
+    private final OutOfMemoryError memory = new OutOfMemoryError("Java heap space");
+
+    @Test
+    void tooLittleMemoryIsNoDamagedFile() throws IOException {
+        try (ImageInputStream stream = new MemoryCacheImageInputStream(new ByteArrayInputStream(new byte[0]))) {
+            assertThatThrownBy(() -> OrdinaryImageReader.decode(new Failing(), stream, OrdinaryImageFormat.PNG, 100))
+                    .isSameAs(memory);
+        }
+    }
+
+    /** Takes an error for a fault of the file, as ImageIO's own readers do. */
+    private final class Failing extends ImageReader {
+        Failing() {
+            super(null);
+        }
+
+        @Override
+        public int getNumImages(boolean allowSearch) {
+            return 1;
+        }
+
+        @Override
+        public int getWidth(int imageIndex) {
+            return 4;
+        }
+
+        @Override
+        public int getHeight(int imageIndex) {
+            return 2;
+        }
+
+        @Override
+        public Iterator<ImageTypeSpecifier> getImageTypes(int imageIndex) {
+            return Collections.emptyIterator();
+        }
+
+        @Override
+        public IIOMetadata getStreamMetadata() {
+            throw new UnsupportedOperationException();
+        }
+
+        @Override
+        public IIOMetadata getImageMetadata(int imageIndex) {
+            throw new UnsupportedOperationException();
+        }
+
+        @Override
+        public BufferedImage read(int imageIndex, ImageReadParam param) throws IOException {
+            throw new IIOException("Error reading PNG image data", new IOException("Caught exception", memory));
+        }
+    }
+}
