@@ -1,10 +1,12 @@
 package dev.twister.bench;
 
+import dev.twister.files.SystemReason;
 import dev.twister.files.WholeFile;
 import dev.twister.image.PngWriter;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -25,6 +27,21 @@ public final class PaperFolder {
     private static final String PLOT_ENDING = ".svg";
 
     private PaperFolder() {}
+
+    /**
+     * Makes the folder, and those that it is in, where they are not there.
+     *
+     * @throws IOException naming the folder, and why it cannot be made
+     */
+    public static void make(Path folder) throws IOException {
+        try {
+            Files.createDirectories(folder);
+        } catch (NoSuchFileException refused) {
+            throw new IOException("cannot make the folder " + folder + ": none can be made there", refused);
+        } catch (IOException problem) {
+            throw new IOException("cannot make the folder " + folder + ": " + SystemReason.of(problem), problem);
+        }
+    }
 
     /**
      * Writes all files, each whole or not at all; the numbers first, so that they are there whatever fails later. Unfinished

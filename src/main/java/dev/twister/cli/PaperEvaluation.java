@@ -21,11 +21,7 @@ final class PaperEvaluation {
         if (Files.exists(folder) && !Files.isDirectory(folder)) {
             throw new BadInputException("--output is " + folder + ", but must be a folder");
         }
-        try {
-            Files.createDirectories(folder);
-        } catch (IOException problem) {
-            throw new IOException("--output is " + folder + ", which cannot be made: " + problem, problem);
-        }
+        PaperFolder.make(folder);
         OutputFile.check("--output", folder.resolve(PaperFolder.PAGE));
     }
 

@@ -8,6 +8,7 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
@@ -54,8 +55,12 @@ public final class WholeFile {
         } catch (AccessDeniedException denied) {
             Path folder = target.toAbsolutePath().getParent();
             throw new IOException("cannot write " + target + ": no permission in the folder " + folder, denied);
+        } catch (NoSuchFileException refused) {
+            // The folder was there: systems say so of folders such as /proc.
+            throw new IOException("cannot write " + target + ": no file can be made there", refused);
         } catch (IOException failure) {
-            throw new IOException("cannot write " + target + ": " + failure.getMessage(), failure);
+            // Not its message, which has the temporary file's name.
+            throw new IOException("cannot write " + target + ": " + SystemReason.of(failure), failure);
         }
     }
 

@@ -1,5 +1,6 @@
 package dev.twister.scene;
 
+import dev.twister.files.SystemReason;
 import dev.twister.files.WholeFile;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -38,7 +39,7 @@ public final class SceneWriter {
         } catch (AccessDeniedException e) {
             throw failure(name, "permission denied");
         } catch (IOException e) {
-            throw failure(name, SourceFile.reason(e));
+            throw failure(name, Excerpt.sentence(SystemReason.of(e)));
         }
     }
 

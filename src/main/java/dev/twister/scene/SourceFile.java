@@ -1,5 +1,6 @@
 package dev.twister.scene;
 
+import dev.twister.files.SystemReason;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
@@ -8,12 +9,10 @@ import java.nio.charset.CharsetDecoder;
 import java.nio.charset.CoderResult;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
-import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
-import java.util.Objects;
 
 /** Reads a scene file's bytes as UTF-8, refusing what cannot be a scene before it costs memory. */
 final class SourceFile {
@@ -50,15 +49,8 @@ final class SourceFile {
         } catch (AccessDeniedException e) {
             throw failure(name, "cannot be read: permission denied");
         } catch (IOException e) {
-            throw failure(name, "cannot be read: " + reason(e));
+            throw failure(name, "cannot be read: " + Excerpt.sentence(SystemReason.of(e)));
         }
-    }
-
-    /** Why a file operation failed, in the system's words. */
-    static String reason(IOException failure) {
-        String words = failure instanceof FileSystemException system ? system.getReason() : failure.getMessage();
-        return Excerpt.sentence(
-                Objects.requireNonNullElse(words, failure.getClass().getSimpleName()));
     }
 
     static SceneException failure(String file, String what) {

@@ -1,6 +1,7 @@
 package dev.twister.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
@@ -35,6 +36,17 @@ class PaperBenchmarkTest {
 
     @TempDir
     private Path folder;
+
+    @Test
+    void saysWhyItsFolderCannotBeMade() throws IOException {
+        Path file = Files.writeString(folder.resolve("file"), "in the way");
+        Path inside = file.resolve("report");
+        assertThatThrownBy(() -> PaperFolder.make(inside))
+                .isInstanceOf(IOException.class)
+                .hasMessageStartingWith("cannot make the folder " + inside + ": ")
+                .message()
+                .doesNotContain("Exception");
+    }
 
     @Test
     void settingsAreThePapersEachOnce() {

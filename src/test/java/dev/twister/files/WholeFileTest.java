@@ -107,6 +107,26 @@ class WholeFileTest {
     }
 
     @Test
+    void saysWhatTheSystemHasAgainstANameAndNotItsOwnTemporaryOne() {
+        Path file = folder.resolve("a".repeat(300));
+        assertThatThrownBy(() -> WholeFile.write(file, out -> out.write(1)))
+                .isInstanceOf(IOException.class)
+                .hasMessageStartingWith("cannot write " + file + ": ")
+                .message()
+                .doesNotContain(".tmp")
+                .hasSizeGreaterThan(("cannot write " + file + ": ").length());
+    }
+
+    @Test
+    void saysThatAFolderTakesNoFiles() {
+        Path file = Path.of("/proc/x.png");
+        Assumptions.assumeTrue(Files.isDirectory(file.getParent()));
+        assertThatThrownBy(() -> WholeFile.write(file, out -> out.write(1)))
+                .isInstanceOf(IOException.class)
+                .hasMessage("cannot write /proc/x.png: no file can be made there");
+    }
+
+    @Test
     void saysThatTheTargetIsAFolder() {
         assertThatThrownBy(() -> WholeFile.write(folder, out -> out.write(1)))
                 .isInstanceOf(IOException.class)
