@@ -14,7 +14,7 @@ public final class AutoEngines implements EngineProvider {
         return List.of(EngineOffer.working(
                 FastestEngine.AUTO,
                 "the fastest of the others",
-                "measured at its first use here, then remembered",
+                "measured here once it has been used for some seconds, then remembered",
                 () -> FastestEngine.ofThisMachine().openAtOnce(Engines.offersAtOnce(), Engines::offers)));
     }
 }

@@ -62,7 +62,8 @@ final class DevicesCommand implements Runnable {
 
     private static String autoLine(Optional<String> taken) {
         return taken.map(id -> "auto takes " + id + " here.")
-                .orElse("auto has not been used here yet; 'twister devices --measure' says what it would take.");
+                .orElse(
+                        "auto has not been measured here yet; 'twister devices --measure' does that and says what it takes.");
     }
 
     private static void printTime(PrintWriter out, EngineTime time) {
