@@ -81,12 +81,10 @@ public final class Benchmark {
         EngineMeasuring measuring =
                 new EngineMeasuring(plan.warmupFrames(), plan.frames(), plan.maxSeconds(), progress);
         try (Engine engine = opener.apply(id)) {
-            letCompile(engine, plan.sizes().getFirst());
             for (PictureSize size : plan.sizes()) {
-                progress.begins(engine.id(), size, plan.warmupFrames() + plan.frames());
                 Measurement measurement = motion.isPresent()
                         ? measureMoving(engine, size, motion.get())
-                        : measuring.measure(engine, inputAt(size), references.get(size));
+                        : measureStanding(engine, size, measuring);
                 measurements.add(measurement);
                 progress.measured(measurement);
             }
@@ -95,15 +93,24 @@ public final class Benchmark {
         }
     }
 
-    private void letCompile(Engine engine, PictureSize size) {
-        if (plan.warmupFrames() > 0) {
-            new EngineWarmUp(plan.maxSeconds(), progress).run(engine, size, List.of(inputAt(size)));
-        }
+    private Measurement measureStanding(Engine engine, PictureSize size, EngineMeasuring measuring) {
+        FrameInput input = inputAt(size);
+        letCompile(engine, size, input);
+        progress.begins(engine.id(), size, plan.warmupFrames() + plan.frames());
+        return measuring.measure(engine, input, references.get(size));
     }
 
     private Measurement measureMoving(Engine engine, PictureSize size, MotionPlan moving) {
         applySettings(size);
-        return new MotionMeasuring(plan, moving, world, progress).measure(engine, this::drawReference);
+        return new MotionMeasuring(plan, moving, world, progress)
+                .measure(engine, start -> letCompile(engine, size, start), this::drawReference);
+    }
+
+    private void letCompile(Engine engine, PictureSize size, FrameInput input) {
+        // What is compiled for one size is so for the next ones.
+        if (plan.warmupFrames() > 0 && size.equals(plan.sizes().getFirst())) {
+            new EngineWarmUp(plan.maxSeconds(), progress).run(engine, size, List.of(input));
+        }
     }
 
     private int[] drawReference(FrameInput input) {

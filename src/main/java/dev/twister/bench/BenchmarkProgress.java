@@ -11,10 +11,10 @@ public interface BenchmarkProgress {
         public void drewFrame() {}
     };
 
-    /** An engine starts on a size, with so many frames to come at most. */
+    /** An engine starts on a size, with so many frames to come at most; or what comes before them, with so many steps. */
     void begins(String engine, PictureSize size, int frames);
 
-    /** A frame, warm-up or measured, is there. */
+    /** A frame, warm-up or measured, is there; or a step of what comes before. */
     void drewFrame();
 
     /** An engine is done with a size; not everyone minds. */

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Function;
 
 /** Measures an engine while bodies move: each frame's step, rebuild and drawing apart. */
@@ -38,13 +39,19 @@ final class MotionMeasuring {
     /**
      * Moves the scene from its start, with warm-up frames and measured ones.
      *
+     * @param warmUp what the engine draws of the world as it is at the start: before that it may be without most bodies, and
+     *     the code that their frames take would not be compiled
      * @param reference draws what the last frame should have been
      */
-    Measurement measure(Engine engine, Function<FrameInput, int[]> reference) {
+    Measurement measure(Engine engine, Consumer<FrameInput> warmUp, Function<FrameInput, int[]> reference) {
+        PictureSize size = new PictureSize(input.width(), input.height());
         Frame frame = Frame.ofPixels(input.width(), input.height());
         int warmups = 0;
         try (Simulation simulation = Simulation.of(motion.scene())) {
-            simulation.advance(motion.startSeconds());
+            moveToStart(simulation, engine.id(), size);
+            simulation.place(world);
+            warmUp.accept(world.snapshot());
+            progress.begins(engine.id(), size, plan.warmupFrames() + plan.frames());
             long start = System.nanoTime();
             while (warmups < plan.warmupFrames() && (warmups == 0 || isWithin(start, plan.maxSeconds() / 2))) {
                 draw(engine, simulation, frame);
@@ -64,7 +71,7 @@ final class MotionMeasuring {
         return new Measurement(
                 engine.id(),
                 engine.device(),
-                new PictureSize(input.width(), input.height()),
+                size,
                 input.shadowSamples(),
                 input.bounces(),
                 input.bodies(),
@@ -73,6 +80,14 @@ final class MotionMeasuring {
                 measured.deviceTimes(),
                 PictureComparison.of(reference.apply(input), frame.argb()),
                 Optional.of(new MotionTimes(stepNanos / frames, rebuildNanos / frames)));
+    }
+
+    private void moveToStart(Simulation simulation, String engine, PictureSize size) {
+        int steps = (int) Math.round(motion.startSeconds() / Simulation.STEP_SECONDS);
+        if (steps > 0) {
+            progress.begins(engine + ", moving to its start,", size, steps);
+            simulation.advance(motion.startSeconds(), progress::drewFrame);
+        }
     }
 
     private void draw(Engine engine, Simulation simulation, Frame frame) {

@@ -6,8 +6,18 @@ import static org.assertj.core.api.Assertions.tuple;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.Engines;
+import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
+import dev.twister.physics.Simulation;
+import dev.twister.scene.Palette;
+import dev.twister.scene.Pour;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
+import dev.twister.sky.Skybox;
+import dev.twister.world.FrameInput;
+import dev.twister.world.World;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -16,6 +26,9 @@ class BenchmarkTest {
     private static final PictureSize SMALL = new PictureSize(5, 3);
     private static final PictureSize LARGE = new PictureSize(9, 4);
     private static final int GREY = 0xff808080;
+    private static final double START = 0.5;
+    private static final Scene POURED =
+            TestWorld.scene().withPour(new Pour(40, 20, new Vector3(0, 30, 0), 3.5, 3, 0.07, 0.13, Palette.DUSK, 8, 1));
 
     @Test
     void measuresEveryEngineAtEverySize() {
@@ -166,6 +179,91 @@ class BenchmarkTest {
         assertThat(ReportTable.of(report)).contains("step ms", "rebuild ms");
         assertThat(ReportFields.ofMeasurement(report, report.measurements().getFirst()))
                 .containsKeys("msStep", "msRebuild");
+    }
+
+    @Test
+    void warmsUpOnTheBodiesAsTheyAreAtTheStart() {
+        List<String> heard = new ArrayList<>();
+        runMoving(1, heard);
+
+        assertThat(heard)
+                .containsExactly(
+                        "sequential, moving to its start, 5x3 60",
+                        "sequential, warming up, 5x3 1",
+                        "drew the start",
+                        "sequential 5x3 2",
+                        "drew later",
+                        "sequential, moving to its start, 9x4 60",
+                        "sequential 9x4 2",
+                        "drew later");
+    }
+
+    @Test
+    void movesWithoutWarmUpWhereNoneIsWanted() {
+        List<String> heard = new ArrayList<>();
+        runMoving(0, heard);
+
+        assertThat(heard).doesNotContain("sequential, warming up, 5x3 1", "drew the start");
+    }
+
+    private static void runMoving(int warmup, List<String> heard) {
+        Benchmark.run(
+                id -> new StartTeller(open(id), atStart(), heard),
+                plan(List.of("sequential"), warmup, 1, 100),
+                "test",
+                poured(),
+                Optional.of(new MotionPlan(POURED, START, 1.0 / 60)),
+                new BenchmarkProgress() {
+                    @Override
+                    public void begins(String engine, PictureSize size, int frames) {
+                        heard.add(engine + " " + size + " " + frames);
+                    }
+
+                    @Override
+                    public void drewFrame() {
+                        // What is drawn tells of itself.
+                    }
+                });
+    }
+
+    private static FrameInput atStart() {
+        World world = poured();
+        try (Simulation simulation = Simulation.of(POURED)) {
+            simulation.advance(START);
+            simulation.place(world);
+        }
+        return world.snapshot();
+    }
+
+    private static World poured() {
+        return World.of(POURED, new Skybox(1, 1, new float[] {0.2f, 0.4f, 0.8f}));
+    }
+
+    /** Tells what its frames show: bodies as they are at the start, or later; once for all that are alike. */
+    private record StartTeller(Engine engine, FrameInput start, List<String> heard) implements Engine {
+        @Override
+        public String id() {
+            return engine.id();
+        }
+
+        @Override
+        public String device() {
+            return engine.device();
+        }
+
+        @Override
+        public void render(FrameInput input, Frame frame) {
+            String drew = Arrays.equals(start.bodyPositions(), input.bodyPositions()) ? "drew the start" : "drew later";
+            if (!heard.getLast().equals(drew)) {
+                heard.add(drew);
+            }
+            engine.render(input, frame);
+        }
+
+        @Override
+        public void close() {
+            engine.close();
+        }
     }
 
     static BenchmarkReport run(BenchmarkPlan plan) {
