@@ -86,6 +86,8 @@ final class SceneCommand implements Callable<Integer> {
         Ranges.check("--spheres", wanted.count, 1, SceneGenerator.MAX_SPHERES);
         OutputFile.check("--output", wanted.output);
         Path skybox = wanted.skybox.orElseGet(() -> Home.skyboxes().resolve(ShippedSky.DAY.fileName()));
+        // As --check does: a scene that no command can draw is not to be written.
+        SkyboxReader.read(skybox);
         Scene scene = SceneGenerator.spheres(wanted.count, wanted.seed, skybox);
         SceneWriter.write(scene, wanted.output);
         return wanted.output + ": " + spheres(scene);

@@ -76,6 +76,7 @@ class BadInputTest {
                 "scene | --check",
                 "scene --spheres 0 -o FOLDER/a.json | --spheres is 0, but must be from 1",
                 "scene --spheres 5 | --output",
+                "scene --spheres 5 --skybox FOLDER/none.hdr -o FOLDER/a.json | none.hdr: there is no such file",
                 "scene --check FOLDER/none.json | none.json",
                 "scene --check a.json --spheres 5 -o b.json | mutually exclusive"
             })
