@@ -139,7 +139,7 @@ final class BenchmarkCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        motion.check(Optional.empty());
+        motion.check();
         return paper ? evaluate() : compare();
     }
 

@@ -30,11 +30,20 @@ final class MotionOptions {
     }
 
     /** Refuses what makes no sense without motion. */
+    void check() {
+        check("--fps and --start", rate.isPresent() || start.isPresent());
+    }
+
+    /** The same where a number of frames is of the motion too. */
     void check(Optional<Integer> frames) {
-        if (!physics && (rate.isPresent() || start.isPresent() || frames.isPresent())) {
-            throw new BadInputException("--frames, --fps and --start go with --physics only: without it nothing moves");
-        }
+        check("--frames, --fps and --start", rate.isPresent() || start.isPresent() || frames.isPresent());
         frames.ifPresent(count -> Ranges.check("--frames", count, 1, MAX_FRAMES));
+    }
+
+    private void check(String options, boolean given) {
+        if (given && !physics) {
+            throw new BadInputException(options + " go with --physics only: without it nothing moves");
+        }
         secondsPerFrame();
         startSeconds();
     }

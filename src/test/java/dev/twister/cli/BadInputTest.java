@@ -51,6 +51,7 @@ class BadInputTest {
                 "render benchmark -o FOLDER/a.png --fov 0.5 | --fov is 0.5, but must be from 1 to 179",
                 "render benchmark -o FOLDER/a.png --skybox FOLDER/none.hdr | none.hdr",
                 "benchmark --engine sequential --engine warp | must be one of sequential",
+                "benchmark --fps 30 | twister: --fps and --start go with --physics only",
                 "benchmark --frames 0 | --frames is 0, but must be from 1",
                 "benchmark --warmup -1 | --warmup is -1, but must be from 0",
                 "benchmark --max-seconds NaN | --max-seconds is NaN",
