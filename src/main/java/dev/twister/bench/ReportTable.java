@@ -66,10 +66,10 @@ public final class ReportTable {
                                 .orElse("")),
                 String.format(
                         Locale.ROOT,
-                        "scene %s, %d shadow samples, %d bounces; up to %d + %d frames in %s s",
+                        "scene %s, %s, %s; up to %d + %d frames in %s s",
                         report.scene(),
-                        plan.shadowSamples(),
-                        plan.bounces(),
+                        ReportNumbers.counted(plan.shadowSamples(), "shadow sample"),
+                        ReportNumbers.counted(plan.bounces(), "bounce"),
                         plan.warmupFrames(),
                         plan.frames(),
                         ReportNumbers.shortest(plan.maxSeconds())));

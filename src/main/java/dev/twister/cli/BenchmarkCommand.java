@@ -13,7 +13,6 @@ import dev.twister.bench.ReportTable;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.engine.JvmEngines;
-import dev.twister.engine.UnknownEngineException;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import dev.twister.sky.SkyboxReader;
@@ -24,7 +23,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -229,14 +227,6 @@ final class BenchmarkCommand implements Callable<Integer> {
                     .filter(id -> !id.equals(JvmEngines.PLAIN) && !id.equals(FastestEngine.AUTO))
                     .toList();
         }
-        // A typing error in the last name should not come out after minutes of measuring the others.
-        for (String id : engines) {
-            if (!id.equals(Engines.TORNADO_PREFIX)
-                    && offers.stream().noneMatch(offer -> offer.id().equals(id))) {
-                throw new UnknownEngineException("--engine is '" + id + "', but must be one of "
-                        + offers.stream().map(EngineOffer::id).collect(Collectors.joining(", ")));
-            }
-        }
-        return engines.stream().distinct().toList();
+        return EngineNames.resolve(engines, offers);
     }
 }

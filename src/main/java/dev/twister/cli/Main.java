@@ -1,5 +1,7 @@
 package dev.twister.cli;
 
+import dev.twister.scene.ToneMap;
+import dev.twister.sky.ShippedSky;
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
 import java.nio.file.Path;
@@ -41,9 +43,10 @@ public final class Main {
         CommandLine commandLine = new CommandLine(new TwisterCommand())
                 .setOut(out)
                 .setErr(err)
-                .setCaseInsensitiveEnumValuesAllowed(true)
                 .setExpandAtFiles(false)
                 .registerConverter(Path.class, new PathConverter())
+                .registerConverter(ToneMap.class, new ChoiceConverter<>(ToneMap.class))
+                .registerConverter(ShippedSky.class, new ChoiceConverter<>(ShippedSky.class))
                 .setUsageHelpWidth(HELP_WIDTH)
                 .setParameterExceptionHandler(Failures::explainParameter)
                 .setExecutionExceptionHandler(Failures::explain);

@@ -6,6 +6,7 @@ import dev.twister.bench.PaperBenchmark;
 import dev.twister.bench.PaperFolder;
 import dev.twister.bench.PaperPlan;
 import dev.twister.bench.PaperReport;
+import dev.twister.bench.PaperSetting;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -41,9 +42,9 @@ final class PaperEvaluation {
         }
         report.measurements().stream()
                 .filter(measurement -> !measurement.comparison().withinTolerance())
-                .forEach(measurement -> out.println("FAILED: " + measurement.engine() + " at " + measurement.size()
-                        + ", " + measurement.shadowSamples() + " shadow samples, " + measurement.bounces()
-                        + " bounces draws another picture"));
+                .forEach(measurement -> out.println("FAILED: " + measurement.engine() + " at "
+                        + new PaperSetting(measurement.size(), measurement.shadowSamples(), measurement.bounces())
+                        + " draws another picture"));
         return report.passed() ? Main.OK : Main.FAILED;
     }
 }

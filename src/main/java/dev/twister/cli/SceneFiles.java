@@ -18,6 +18,9 @@ final class SceneFiles {
 
     /** A file that is there wins over a shipped scene; a path that is neither is left to the reader to complain of. */
     static Path find(String fileOrName) {
+        if (fileOrName.isEmpty()) {
+            throw new BadInputException("the scene's name is empty; give a scene file, or the name of a shipped scene");
+        }
         Path file = path(fileOrName);
         if (Files.isRegularFile(file) || !NAME.matcher(fileOrName).matches()) {
             return file;

@@ -5,10 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Whatever is wrong with a command line ends in exit code 2 and a line or two, never in a stack trace. */
 class BadInputTest {
@@ -43,7 +45,7 @@ class BadInputTest {
                 "render benchmark -o FOLDER/a.png --samples 1025 | --samples is 1025, but must be from 1 to 1024",
                 "render benchmark -o FOLDER/a.png --exposure NaN | --exposure is NaN, but must be from -20 to 20",
                 "render benchmark -o FOLDER/a.png --exposure Infinity | from -20 to 20",
-                "render benchmark -o FOLDER/a.png --tone-map film | --tone-map",
+                "render benchmark -o FOLDER/a.png --tone-map film | '--tone-map': 'film' is none of clamp, reinhard, aces",
                 "render benchmark -o FOLDER/a.png --camera 1,2 | x,y,z",
                 "render benchmark -o FOLDER/a.png --camera 1,NaN,2 | --camera's y is NaN",
                 "render benchmark -o FOLDER/a.png --yaw Infinity | --yaw is Infinity",
@@ -73,7 +75,7 @@ class BadInputTest {
                 "sky -o FOLDER/a.hdr --azimuth NaN | --azimuth",
                 "sky -o FOLDER/a.hdr --turbidity 1 | --turbidity is 1.0, but must be from 2 to 10",
                 "sky -o FOLDER/a.hdr --size 100x9000 | --size's height is 9000, but must be from 1 to 8192",
-                "sky -o FOLDER/a.hdr --preset night | --preset",
+                "sky -o FOLDER/a.hdr --preset night | 'night' is none of day, sunset, overcast",
                 "scene | --check",
                 "scene --spheres 0 -o FOLDER/a.json | --spheres is 0, but must be from 1",
                 "scene --spheres 5 | --output",
@@ -91,6 +93,26 @@ class BadInputTest {
         assertThat(outcome.err().lines().count()).isLessThanOrEqualTo(MOST_LINES);
         assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
         assertThat(outcome.out()).isEmpty();
+        assertThat(folder).isEmptyDirectory();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "render EMPTY -o FOLDER/a.png",
+                "render benchmark -o EMPTY",
+                "render benchmark -o FOLDER/a.png --skybox EMPTY",
+                "scene --check EMPTY"
+            })
+    void anEmptyNameIsTold(String line) {
+        String[] arguments = Stream.of(line.replace("FOLDER", folder.toString()).split(" "))
+                .map(argument -> argument.equals("EMPTY") ? "" : argument)
+                .toArray(String[]::new);
+
+        Outcome outcome = Outcome.of(arguments);
+
+        assertThat(outcome.err()).contains("name", "empty").doesNotContain("Exception");
+        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
         assertThat(folder).isEmptyDirectory();
     }
 

@@ -108,7 +108,7 @@ class CommandsTest {
         assertThat(outcome.err()).isEmpty();
         assertThat(outcome.exitCode()).isZero();
         assertThat(outcome.out())
-                .contains("scene teaching, 1 shadow samples, 1 bounces", "sequential", "parallel", "24x16", "1+2");
+                .contains("scene teaching, 1 shadow sample, 1 bounce;", "sequential", "parallel", "24x16", "1+2");
         assertThat(json).isNotEmptyFile();
         assertThat(csv).isNotEmptyFile();
     }

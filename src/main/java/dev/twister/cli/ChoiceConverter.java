@@ -1,0 +1,24 @@
+package dev.twister.cli;
+
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.TypeConversionException;
+
+/** Reads one of some names, in small or capital letters. The library's own tells the user how Java spells them. */
+record ChoiceConverter<E extends Enum<E>>(Class<E> choices) implements ITypeConverter<E> {
+    @Override
+    public E convert(String text) {
+        return Stream.of(choices.getEnumConstants())
+                .filter(choice -> choice.name().equalsIgnoreCase(text))
+                .findFirst()
+                .orElseThrow(() -> new TypeConversionException("'" + text + "' is none of " + names()));
+    }
+
+    private String names() {
+        return Stream.of(choices.getEnumConstants())
+                .map(choice -> choice.name().toLowerCase(Locale.ROOT))
+                .collect(Collectors.joining(", "));
+    }
+}
