@@ -66,8 +66,9 @@ public final class WholeFile {
 
     /**
      * Streams the content into a temporary file in the target's own folder, waits until it is safely on the disk, and
-     * moves it into place, replacing what was there. A failure of any kind, and the end of the process, leaves the target as
-     * it was and no temporary file behind. A symbolic link stays, and the file it leads to is replaced, or made where it was not there.
+     * moves it into place, replacing what was there. A failure of any kind, and the end of the process, leaves the target
+     * as it was and no temporary file behind. A symbolic link stays, and the file it leads to is replaced, or made where
+     * it was not there.
      *
      * @param target no folder or device
      * @throws IOException whatever the disk or the content reported
