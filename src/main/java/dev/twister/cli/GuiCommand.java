@@ -1,5 +1,6 @@
 package dev.twister.cli;
 
+import dev.twister.engine.Engines;
 import dev.twister.gui.Gui;
 import dev.twister.scene.SceneReader;
 import java.nio.file.Path;
@@ -33,6 +34,9 @@ final class GuiCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         Path file = SceneFiles.find(sceneName.orElse(FIRST_SCENE));
+        // To look for devices takes TornadoVM a second: the window tells of one that is not there.
+        engineId.filter(id -> !Engines.isDevice(id))
+                .ifPresent(id -> Engines.offer(id).check());
         Gui.run(SceneReader.read(file), file, sceneName.isPresent(), engineId, Home.skyboxes());
         return Main.OK;
     }

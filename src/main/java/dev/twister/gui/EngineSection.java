@@ -1,9 +1,11 @@
 package dev.twister.gui;
 
 import dev.twister.engine.EngineOffer;
+import dev.twister.engine.Engines;
 import dev.twister.gui.ChoiceRow.Look;
 import dev.twister.gui.model.ResolutionMode;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 
 /** What draws, and how many pixels. */
@@ -64,6 +66,13 @@ final class EngineSection {
                         id,
                         offer.description(),
                         offer.obstacle()))
-                .orElse(new Look(id));
+                .orElseGet(() -> unknown(id));
+    }
+
+    /** What was asked for by a name that the list has not: TornadoVM's first device, or nothing that there is. */
+    private static Look unknown(String id) {
+        return id.equals(Engines.TORNADO_PREFIX)
+                ? new Look(id)
+                : new Look(id, id, "", Optional.of("there is no engine of this name here"));
     }
 }

@@ -52,6 +52,7 @@ class BadInputTest {
                 "render benchmark -o FOLDER/a.png --pitch -91 | --pitch is -91.0, but must be from -90 to 90",
                 "render benchmark -o FOLDER/a.png --fov 0.5 | --fov is 0.5, but must be from 1 to 179",
                 "render benchmark -o FOLDER/a.png --skybox FOLDER/none.hdr | none.hdr",
+                "gui --engine warp | no engine is called 'warp'",
                 "benchmark --engine sequential --engine warp | must be one of sequential",
                 "benchmark --fps 30 | twister: --fps and --start go with --physics only",
                 "benchmark --frames 0 | --frames is 0, but must be from 1",
