@@ -4,8 +4,9 @@ import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 
 /**
- * Draws frames with the one kernel. An engine is used by one thread at a time, and holds whatever it needs between
- * frames (threads, device buffers, compiled kernels) until it is closed.
+ * Draws frames: with the kernel, or with equations of its own that tests hold to the kernel's pictures. An engine is used by
+ * one thread at a time, and holds whatever it needs between frames (threads, device buffers, compiled kernels) until it is
+ * closed.
  */
 public interface Engine extends AutoCloseable {
     /** The name that commands take, such as {@code sequential} or {@code tornado:0:0}. */

@@ -1,6 +1,6 @@
 package dev.twister.kernel;
 
-/** One pixel, from the view ray to what is stored: the kernel that every engine calls. */
+/** One pixel, from the view ray to what is stored: the kernel that engines call, and that {@code vector}, which has its own, is held to. */
 public final class PixelKernel {
     /** Values of the argument {@code shortcuts}: the equations as they stand, the exact shortcuts, and those for few spheres. */
     public static final int PLAIN = 0;
