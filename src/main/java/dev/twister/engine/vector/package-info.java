@@ -1,5 +1,7 @@
 /**
- * The engine {@code vector}: packets of pixels in the CPU's SIMD lanes (Vector API), tiles over all cores.
+ * The engine {@code vector}: packets of pixels in the CPU's SIMD lanes (Vector API), tiles over all cores. The
+ * equations are the kernel's, written anew for lanes. Leans on the engine package, the kernel, whose constants and simple
+ * functions it takes, the world's frame input, the image package, and {@code threads}; only who looks for engines finds it.
  *
  * <p>A tile is drawn in stages. Each stage is one short loop over the tile's packets, reads and writes {@code float[]}
  * columns of the {@link dev.twister.engine.vector.Tile}, and holds vectors in local variables only. That is on purpose:
