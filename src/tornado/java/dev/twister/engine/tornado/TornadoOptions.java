@@ -2,9 +2,9 @@ package dev.twister.engine.tornado;
 
 import java.util.Map;
 
-/** What TornadoVM must be told before its classes are loaded. */
+/** What TornadoVM must be told before its classes are loaded, whoever starts the JVM: {@code scripts/tornado.options}. */
 final class TornadoOptions {
-    private static final Map<String, String> OPTIONS = Map.of(
+    static final Map<String, String> OPTIONS = Map.of(
             // A kernel that does not compile is an error, never a silent run of the Java code.
             "tornado.recover.bailout", "False",
             // Without these two the kernel's helpers are left out of the device's code.
