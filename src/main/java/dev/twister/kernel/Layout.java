@@ -95,13 +95,18 @@ public final class Layout {
     /** No node has more ancestors. */
     public static final int MOST_ANCESTORS = 48;
 
+    /** How many candidates a shadow remembers; where there are more, each sample looks through the hierarchy. */
+    public static final int MOST_CANDIDATES = 64;
+
+    /** From one remembered candidate to the next: its place in the shadow's frame a, u, w, and its radius squared. */
+    public static final int CANDIDATE_STRIDE = 4;
+
     /**
      * {@code float[] scratch}, a thread's own: what a shadow remembers of its candidates, then the nodes to come back to
      * (two floats each, one a generation).
      */
-    public static final int SCRATCH_CANDIDATES = 0;
+    public static final int SCRATCH_STACK = CANDIDATE_STRIDE * MOST_CANDIDATES;
 
-    public static final int SCRATCH_STACK = 256;
     public static final int SCRATCH_LENGTH = SCRATCH_STACK + 2 * MOST_ANCESTORS;
 
     /** The largest reflectivity, at which a body is a perfect mirror. */

@@ -13,12 +13,6 @@ package dev.twister.kernel;
  * <p>Spheres that cannot meet the cone from the point to the disc are left out first; most points have none left.
  */
 public final class SoftShadow {
-    /** How many candidates a point remembers; where there are more, each sample looks through the hierarchy. */
-    private static final int REMEMBERED = 64;
-
-    /** Floats a remembered candidate: a, u, w, radius squared. */
-    private static final int STRIDE = 4;
-
     /** What {@link #judge} says of a sphere. */
     public static final int HARMLESS = 0;
 
@@ -132,11 +126,11 @@ public final class SoftShadow {
                     int judgement = judge(a, u, w, radius, distance, slope, slant);
                     umbra = judgement == HIDES_ALL ? 1 : 0;
                     if (judgement != HARMLESS) {
-                        if (count < REMEMBERED) {
-                            scratch[STRIDE * count] = a;
-                            scratch[STRIDE * count + 1] = u;
-                            scratch[STRIDE * count + 2] = w;
-                            scratch[STRIDE * count + 3] = radius * radius;
+                        if (count < Layout.MOST_CANDIDATES) {
+                            scratch[Layout.CANDIDATE_STRIDE * count] = a;
+                            scratch[Layout.CANDIDATE_STRIDE * count + 1] = u;
+                            scratch[Layout.CANDIDATE_STRIDE * count + 2] = w;
+                            scratch[Layout.CANDIDATE_STRIDE * count + 3] = radius * radius;
                         }
                         count = count + 1;
                     }
@@ -146,7 +140,7 @@ public final class SoftShadow {
                 waiting = waiting - 1;
                 next = (int) scratch[Layout.SCRATCH_STACK + waiting];
             }
-            int known = umbra | (count > REMEMBERED ? 1 : 0);
+            int known = umbra | (count > Layout.MOST_CANDIDATES ? 1 : 0);
             node = known == 0 ? next : Layout.NO_NODE;
         }
 
@@ -156,7 +150,7 @@ public final class SoftShadow {
         }
         int toSample = umbra == 0 ? count : 0;
         if (toSample > 0) {
-            int remembered = Math.min(count, REMEMBERED);
+            int remembered = Math.min(count, Layout.MOST_CANDIDATES);
             int alone = count == 1 ? liesBetween(scratch, distance) : 0;
             int blocked = alone != 0 ? blockedByOne(scratch, shadowDisc, sampleScale, samples) : 0;
             int firstSample = alone != 0 ? samples : 0;
@@ -166,15 +160,15 @@ public final class SoftShadow {
                 int hit = 0;
                 for (int candidate = 0; candidate < remembered && hit == 0; candidate++) {
                     hit = blocks(
-                            scratch[STRIDE * candidate],
-                            scratch[STRIDE * candidate + 1],
-                            scratch[STRIDE * candidate + 2],
-                            scratch[STRIDE * candidate + 3],
+                            scratch[Layout.CANDIDATE_STRIDE * candidate],
+                            scratch[Layout.CANDIDATE_STRIDE * candidate + 1],
+                            scratch[Layout.CANDIDATE_STRIDE * candidate + 2],
+                            scratch[Layout.CANDIDATE_STRIDE * candidate + 3],
                             x,
                             y,
                             distance);
                 }
-                int forgotten = (count > REMEMBERED ? 1 : 0) & (hit == 0 ? 1 : 0);
+                int forgotten = (count > Layout.MOST_CANDIDATES ? 1 : 0) & (hit == 0 ? 1 : 0);
                 if (forgotten != 0) {
                     hit = SampleRay.blocked(
                             pointX, pointY, pointZ, own, axisX, axisY, axisZ, uY, uZ, wX, wY, wZ, x, y, distance,
