@@ -36,7 +36,7 @@ public final class SettlingFrames {
     public static FrameInput small(FrameInput input) {
         int width = Math.min(SMALL_WIDTH, input.width());
         int height = Math.max(1, (int) ((long) width * input.height() / input.width()));
-        return input.ofSize(width, height);
+        return input.withSize(width, height);
     }
 
     /**

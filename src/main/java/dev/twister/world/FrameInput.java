@@ -112,32 +112,6 @@ public record FrameInput(
         return with(banded);
     }
 
-    /** The same view in a picture of another size, whole. */
-    public FrameInput ofSize(int width, int height) {
-        int[] sized = dimensions.clone();
-        sized[Layout.WIDTH] = width;
-        sized[Layout.HEIGHT] = height;
-        sized[Layout.FIRST_ROW] = 0;
-        sized[Layout.ROWS] = height;
-        return with(sized);
-    }
-
-    private FrameInput with(int[] newDimensions) {
-        return new FrameInput(
-                newDimensions,
-                camera,
-                rayTracingProperties,
-                bodyPositions,
-                bodySizes,
-                bodyColors,
-                bodyReflectivities,
-                skybox,
-                skyboxDimensions,
-                shadowDisc,
-                pixelOffsets,
-                hierarchy);
-    }
-
     /**
      * The same view in other pixels, all of whose rows are drawn.
      *
@@ -152,8 +126,12 @@ public record FrameInput(
         sized[Layout.HEIGHT] = height;
         sized[Layout.FIRST_ROW] = 0;
         sized[Layout.ROWS] = height;
+        return with(sized);
+    }
+
+    private FrameInput with(int[] newDimensions) {
         return new FrameInput(
-                sized,
+                newDimensions,
                 camera,
                 rayTracingProperties,
                 bodyPositions,
