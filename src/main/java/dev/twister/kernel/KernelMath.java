@@ -5,8 +5,32 @@ package dev.twister.kernel;
  * devices' own functions differ from driver to driver. The bounds given here are tested against {@code StrictMath}.
  */
 public final class KernelMath {
-    private static final float PI = 3.1415927f;
-    private static final float HALF_PI = 1.5707964f;
+    public static final float PI = 3.1415927f;
+    public static final float HALF_PI = 1.5707964f;
+
+    /** How many binary digits of an exponent's fraction are taken one by one; the rest is a line. */
+    public static final int FRACTION_DIGITS = 12;
+
+    /** The arc tangent of a ratio r in [0, 1] is {@code r (1 + ATAN_1 r^2 + ATAN_2 r^4 + ...)}. */
+    public static final float ATAN_1 = -0.33333093f;
+
+    public static final float ATAN_2 = 0.19993053f;
+    public static final float ATAN_3 = -0.14207132f;
+    public static final float ATAN_4 = 0.106546685f;
+    public static final float ATAN_5 = -0.07533658f;
+    public static final float ATAN_6 = 0.043039143f;
+    public static final float ATAN_7 = -0.01628287f;
+    public static final float ATAN_8 = 0.0029035176f;
+
+    /** {@code x^(10 / 3)} for x in [0.486, 1] is {@code TEN_THIRDS_0 + TEN_THIRDS_1 x + TEN_THIRDS_2 x^2 + ...}. */
+    public static final float TEN_THIRDS_0 = -0.0013424668f;
+
+    public static final float TEN_THIRDS_1 = 0.016488077f;
+    public static final float TEN_THIRDS_2 = -0.10223673f;
+    public static final float TEN_THIRDS_3 = 0.76444095f;
+    public static final float TEN_THIRDS_4 = 0.3976099f;
+    public static final float TEN_THIRDS_5 = -0.08731597f;
+    public static final float TEN_THIRDS_6 = 0.012356257f;
 
     private KernelMath() {}
 
@@ -46,7 +70,7 @@ public final class KernelMath {
         float root = base;
         float rest = fraction;
         float result = 1f;
-        for (int digit = 0; digit < 12; digit++) {
+        for (int digit = 0; digit < FRACTION_DIGITS; digit++) {
             root = (float) Math.sqrt(root);
             rest = 2f * rest;
             float taken = rest >= 1f ? 1f : 0f;
@@ -72,14 +96,14 @@ public final class KernelMath {
     /** The arc tangent of a ratio in [0, 1]: a minimax polynomial in its square. */
     private static float atanOfRatio(float ratio) {
         float s = ratio * ratio;
-        float polynomial = 0.0029035176f;
-        polynomial = polynomial * s - 0.01628287f;
-        polynomial = polynomial * s + 0.043039143f;
-        polynomial = polynomial * s - 0.07533658f;
-        polynomial = polynomial * s + 0.106546685f;
-        polynomial = polynomial * s - 0.14207132f;
-        polynomial = polynomial * s + 0.19993053f;
-        polynomial = polynomial * s - 0.33333093f;
+        float polynomial = ATAN_8;
+        polynomial = polynomial * s + ATAN_7;
+        polynomial = polynomial * s + ATAN_6;
+        polynomial = polynomial * s + ATAN_5;
+        polynomial = polynomial * s + ATAN_4;
+        polynomial = polynomial * s + ATAN_3;
+        polynomial = polynomial * s + ATAN_2;
+        polynomial = polynomial * s + ATAN_1;
         return ratio * (1f + polynomial * s);
     }
 
@@ -88,12 +112,12 @@ public final class KernelMath {
      * power, which is the sRGB curve's.
      */
     static float tenThirdsPower(float x) {
-        float polynomial = 0.012356257f;
-        polynomial = polynomial * x - 0.08731597f;
-        polynomial = polynomial * x + 0.3976099f;
-        polynomial = polynomial * x + 0.76444095f;
-        polynomial = polynomial * x - 0.10223673f;
-        polynomial = polynomial * x + 0.016488077f;
-        return polynomial * x - 0.0013424668f;
+        float polynomial = TEN_THIRDS_6;
+        polynomial = polynomial * x + TEN_THIRDS_5;
+        polynomial = polynomial * x + TEN_THIRDS_4;
+        polynomial = polynomial * x + TEN_THIRDS_3;
+        polynomial = polynomial * x + TEN_THIRDS_2;
+        polynomial = polynomial * x + TEN_THIRDS_1;
+        return polynomial * x + TEN_THIRDS_0;
     }
 }

@@ -15,7 +15,8 @@ public final class PixelKernel {
 
     public static final int LINEAR = 1;
 
-    private static final int OPAQUE = 0xFF000000;
+    /** The alpha of every pixel, beside 8 bits each of red, green and blue. */
+    public static final int OPAQUE = 0xFF000000;
 
     private PixelKernel() {}
 

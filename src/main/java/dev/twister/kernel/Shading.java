@@ -2,7 +2,8 @@ package dev.twister.kernel;
 
 /** Blinn-Phong, as the design has it: {@code shade(C) = C * lit + lightColor * spec}. */
 public final class Shading {
-    private static final float INVERSE_EIGHT_PI = 0.039788734f;
+    /** {@code 1 / (8 pi)}. */
+    public static final float INVERSE_EIGHT_PI = 0.039788734f;
 
     private Shading() {}
 

@@ -7,9 +7,22 @@ public final class ToneMapping {
     public static final int ACES = 2;
 
     /** Far above white on every curve, and far from overflow when squared. */
-    private static final float BRIGHTEST = 65504f;
+    public static final float BRIGHTEST = 65504f;
 
-    private static final float SRGB_LINEAR_END = 0.0031308f;
+    /** {@link #ACES}: {@code c (TOP_SQUARE c + TOP_LINE) / (c (BOTTOM_SQUARE c + BOTTOM_LINE) + BOTTOM)}. */
+    public static final float ACES_TOP_SQUARE = 2.51f;
+
+    public static final float ACES_TOP_LINE = 0.03f;
+    public static final float ACES_BOTTOM_SQUARE = 2.43f;
+    public static final float ACES_BOTTOM_LINE = 0.59f;
+    public static final float ACES_BOTTOM = 0.14f;
+
+    /** IEC 61966-2-1's curve: up to the end a line of that slope, then {@code SCALE c^(1 / 2.4) - OFFSET}. */
+    public static final float SRGB_LINEAR_END = 0.0031308f;
+
+    public static final float SRGB_SLOPE = 12.92f;
+    public static final float SRGB_SCALE = 1.055f;
+    public static final float SRGB_OFFSET = 0.055f;
 
     private ToneMapping() {}
 
@@ -29,17 +42,19 @@ public final class ToneMapping {
             result = c / (1f + c);
         }
         if (operator == ACES) {
-            result = c * (2.51f * c + 0.03f) / (c * (2.43f * c + 0.59f) + 0.14f);
+            result = c
+                    * (ACES_TOP_SQUARE * c + ACES_TOP_LINE)
+                    / (c * (ACES_BOTTOM_SQUARE * c + ACES_BOTTOM_LINE) + ACES_BOTTOM);
         }
         return result;
     }
 
     /** IEC 61966-2-1's curve for a channel in [0, 1], within 2e-6. */
     public static float srgbEncoded(float linear) {
-        float encoded = 12.92f * linear;
+        float encoded = SRGB_SLOPE * linear;
         if (linear > SRGB_LINEAR_END) {
             float eighthRoot = (float) Math.sqrt(Math.sqrt(Math.sqrt(linear)));
-            encoded = 1.055f * KernelMath.tenThirdsPower(eighthRoot) - 0.055f;
+            encoded = SRGB_SCALE * KernelMath.tenThirdsPower(eighthRoot) - SRGB_OFFSET;
         }
         return encoded;
     }

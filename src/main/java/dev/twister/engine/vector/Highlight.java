@@ -1,16 +1,15 @@
 package dev.twister.engine.vector;
 
+import dev.twister.kernel.KernelMath;
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.Shading;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** The specular part of Blinn-Phong: {@link dev.twister.kernel.Shading#specular}. */
+/** The specular part of Blinn-Phong: {@link Shading#specular}. */
 final class Highlight {
-    private static final float INVERSE_EIGHT_PI = 0.039788734f;
-    private static final int FRACTION_DIGITS = 12;
-
     // Stages, so that each keeps its own inlining budget, and not run where there is nothing to do: see Stage.
     private static final Stage[] OF_ONE_WHOLE_POWER = {(tile, drawing) -> raiseAll(tile)};
     private static final Stage[] OF_WHOLE_POWERS = {(tile, drawing) -> raiseEach(tile, tile.wholePowers)};
@@ -51,7 +50,7 @@ final class Highlight {
             FloatVector reflectivity = Lanes.load(t, at + Tile.REFLECTIVITY);
             FloatVector weight = reflectivity
                     .add(8f)
-                    .mul(INVERSE_EIGHT_PI)
+                    .mul(Shading.INVERSE_EIGHT_PI)
                     .mul(reflectivity)
                     .mul(1f / Layout.MAX_REFLECTIVITY)
                     .mul(Lanes.load(t, at + Tile.VISIBLE));
@@ -149,7 +148,7 @@ final class Highlight {
             FloatVector root = Lanes.load(t, at + Tile.SPECULAR);
             FloatVector result = Lanes.all(1f);
             VectorMask<Float> whole = rest.compare(VectorOperators.LE, 0f);
-            for (int digit = 0; digit < FRACTION_DIGITS; digit++) {
+            for (int digit = 0; digit < KernelMath.FRACTION_DIGITS; digit++) {
                 root = root.sqrt();
                 rest = rest.add(rest);
                 VectorMask<Float> taken = rest.compare(VectorOperators.GE, 1f);

@@ -1,5 +1,6 @@
 package dev.twister.engine.vector;
 
+import dev.twister.kernel.SoftShadow;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
@@ -12,9 +13,7 @@ import jdk.incubator.vector.VectorOperators;
  * distance from the region.
  */
 final class Hull {
-    /** Culling must err on one side only. */
-    private static final float RELATIVE_MARGIN = 1.0005f;
-
+    /** Culling must err on one side only: this share of all distances is added to what the kernel adds to a reach. */
     private static final float ABSOLUTE_MARGIN = 1e-4f;
 
     /** Of a cosine. */
@@ -220,7 +219,7 @@ final class Hull {
         FloatVector acrossZ = z.sub(along.mul(axisZ));
         FloatVector across = Lanes.fma(acrossX, acrossX, Lanes.fma(acrossY, acrossY, acrossZ.mul(acrossZ)))
                 .sqrt();
-        FloatVector reach = Lanes.load(radii, at).add(radius).mul(RELATIVE_MARGIN);
+        FloatVector reach = Lanes.load(radii, at).add(radius).mul(SoftShadow.RELATIVE_MARGIN);
         FloatVector margin = along.abs().add(across).add(reach.abs()).mul(ABSOLUTE_MARGIN);
         FloatVector generous = reach.add(margin);
         return across.mul(cosine)

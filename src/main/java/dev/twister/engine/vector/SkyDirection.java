@@ -1,13 +1,12 @@
 package dev.twister.engine.vector;
 
+import dev.twister.kernel.KernelMath;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /** Where in the panorama each ray looks: {@link dev.twister.kernel.SkyLookup}'s column and row, with its arc tangent. */
 final class SkyDirection {
-    private static final float PI = 3.1415927f;
-    private static final float HALF_PI = 1.5707964f;
     private static final float TURNS_PER_RADIAN = 0.15915494f;
     private static final float HALF_TURNS_PER_RADIAN = 0.31830987f;
 
@@ -46,13 +45,13 @@ final class SkyDirection {
             int at = tile.skies.places[k] + column;
             FloatVector ratio = Lanes.load(t, at);
             FloatVector s = ratio.mul(ratio);
-            FloatVector polynomial = Lanes.fma(s, 0.0029035176f, -0.01628287f);
-            polynomial = Lanes.fma(polynomial, s, Lanes.all(0.043039143f));
-            polynomial = Lanes.fma(polynomial, s, Lanes.all(-0.07533658f));
-            polynomial = Lanes.fma(polynomial, s, Lanes.all(0.106546685f));
-            polynomial = Lanes.fma(polynomial, s, Lanes.all(-0.14207132f));
-            polynomial = Lanes.fma(polynomial, s, Lanes.all(0.19993053f));
-            polynomial = Lanes.fma(polynomial, s, Lanes.all(-0.33333093f));
+            FloatVector polynomial = Lanes.fma(s, KernelMath.ATAN_8, KernelMath.ATAN_7);
+            polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.ATAN_6));
+            polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.ATAN_5));
+            polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.ATAN_4));
+            polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.ATAN_3));
+            polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.ATAN_2));
+            polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.ATAN_1));
             Lanes.fma(ratio, polynomial.mul(s), ratio).intoArray(t, at);
         }
     }
@@ -68,9 +67,10 @@ final class SkyDirection {
             FloatVector x = Lanes.load(t, at + Tile.DIRECTION_X);
             FloatVector z = Lanes.load(t, at + Tile.DIRECTION_Z);
             FloatVector octant = Lanes.load(t, at + Tile.SKY_TO_RIGHT);
-            FloatVector quadrant =
-                    octant.blend(Lanes.all(HALF_PI).sub(octant), z.abs().compare(VectorOperators.GT, x.abs()));
-            FloatVector half = quadrant.blend(Lanes.all(PI).sub(quadrant), x.compare(VectorOperators.LT, 0f));
+            FloatVector quadrant = octant.blend(
+                    Lanes.all(KernelMath.HALF_PI).sub(octant), z.abs().compare(VectorOperators.GT, x.abs()));
+            FloatVector half =
+                    quadrant.blend(Lanes.all(KernelMath.PI).sub(quadrant), x.compare(VectorOperators.LT, 0f));
             // The border counts 1 more, and the texels' centres lie half a texel in.
             half.blend(half.neg(), z.compare(VectorOperators.LT, 0f))
                     .mul(TURNS_PER_RADIAN)
@@ -91,7 +91,7 @@ final class SkyDirection {
             FloatVector z = Lanes.load(t, at + Tile.DIRECTION_Z);
             FloatVector octant = Lanes.load(t, at + Tile.SKY_TO_BOTTOM);
             VectorMask<Float> steep = y.mul(y).compare(VectorOperators.GT, Lanes.fma(x, x, z.mul(z)));
-            FloatVector quadrant = octant.blend(Lanes.all(HALF_PI).sub(octant), steep);
+            FloatVector quadrant = octant.blend(Lanes.all(KernelMath.HALF_PI).sub(octant), steep);
             FloatVector elevation = quadrant.blend(quadrant.neg(), y.compare(VectorOperators.LT, 0f));
             Lanes.all(0.5f)
                     .sub(elevation.mul(HALF_TURNS_PER_RADIAN))

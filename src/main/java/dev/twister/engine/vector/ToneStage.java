@@ -1,6 +1,8 @@
 package dev.twister.engine.vector;
 
+import dev.twister.kernel.KernelMath;
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.PixelKernel;
 import dev.twister.kernel.ToneMapping;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
@@ -8,10 +10,6 @@ import jdk.incubator.vector.VectorOperators;
 
 /** From a tile's linear colours to 8-bit ARGB: {@link ToneMapping}. */
 final class ToneStage {
-    private static final float BRIGHTEST = 65504f;
-    private static final float SRGB_LINEAR_END = 0.0031308f;
-    private static final int OPAQUE = 0xFF000000;
-
     private ToneStage() {}
 
     /** Maps the sums of so many samples to [0, 1] and above. */
@@ -35,7 +33,7 @@ final class ToneStage {
     private static void expose(float[] t, int column, float scale) {
         for (int at = column; at < column + Tile.SIZE; at += Lanes.COUNT) {
             FloatVector exposed = Lanes.larger(Lanes.load(t, at).mul(scale), Lanes.all(0f));
-            Lanes.smaller(exposed, Lanes.all(BRIGHTEST)).intoArray(t, at);
+            Lanes.smaller(exposed, Lanes.all(ToneMapping.BRIGHTEST)).intoArray(t, at);
         }
     }
 
@@ -49,8 +47,13 @@ final class ToneStage {
     private static void aces(float[] t, int column) {
         for (int at = column; at < column + Tile.SIZE; at += Lanes.COUNT) {
             FloatVector c = Lanes.load(t, at);
-            FloatVector above = c.mul(2.51f).add(0.03f).mul(c);
-            FloatVector below = c.mul(2.43f).add(0.59f).mul(c).add(0.14f);
+            FloatVector above = c.mul(ToneMapping.ACES_TOP_SQUARE)
+                    .add(ToneMapping.ACES_TOP_LINE)
+                    .mul(c);
+            FloatVector below = c.mul(ToneMapping.ACES_BOTTOM_SQUARE)
+                    .add(ToneMapping.ACES_BOTTOM_LINE)
+                    .mul(c)
+                    .add(ToneMapping.ACES_BOTTOM);
             above.div(below).intoArray(t, at);
         }
     }
@@ -59,16 +62,16 @@ final class ToneStage {
         for (int at = column; at < column + Tile.SIZE; at += Lanes.COUNT) {
             FloatVector linear = Lanes.smaller(Lanes.load(t, at), Lanes.all(1f));
             FloatVector x = linear.sqrt().sqrt().sqrt();
-            FloatVector polynomial = Lanes.all(0.012356257f);
-            polynomial = Lanes.fma(polynomial, x, Lanes.all(-0.08731597f));
-            polynomial = Lanes.fma(polynomial, x, Lanes.all(0.3976099f));
-            polynomial = Lanes.fma(polynomial, x, Lanes.all(0.76444095f));
-            polynomial = Lanes.fma(polynomial, x, Lanes.all(-0.10223673f));
-            polynomial = Lanes.fma(polynomial, x, Lanes.all(0.016488077f));
-            polynomial = Lanes.fma(polynomial, x, Lanes.all(-0.0013424668f));
-            FloatVector curved = polynomial.mul(1.055f).sub(0.055f);
-            linear.mul(12.92f)
-                    .blend(curved, linear.compare(VectorOperators.GT, SRGB_LINEAR_END))
+            FloatVector polynomial = Lanes.all(KernelMath.TEN_THIRDS_6);
+            polynomial = Lanes.fma(polynomial, x, Lanes.all(KernelMath.TEN_THIRDS_5));
+            polynomial = Lanes.fma(polynomial, x, Lanes.all(KernelMath.TEN_THIRDS_4));
+            polynomial = Lanes.fma(polynomial, x, Lanes.all(KernelMath.TEN_THIRDS_3));
+            polynomial = Lanes.fma(polynomial, x, Lanes.all(KernelMath.TEN_THIRDS_2));
+            polynomial = Lanes.fma(polynomial, x, Lanes.all(KernelMath.TEN_THIRDS_1));
+            polynomial = Lanes.fma(polynomial, x, Lanes.all(KernelMath.TEN_THIRDS_0));
+            FloatVector curved = polynomial.mul(ToneMapping.SRGB_SCALE).sub(ToneMapping.SRGB_OFFSET);
+            linear.mul(ToneMapping.SRGB_SLOPE)
+                    .blend(curved, linear.compare(VectorOperators.GT, ToneMapping.SRGB_LINEAR_END))
                     .intoArray(t, at);
         }
     }
@@ -83,7 +86,7 @@ final class ToneStage {
             red.lanewise(VectorOperators.LSHL, 16)
                     .or(green.lanewise(VectorOperators.LSHL, 8))
                     .or(blue)
-                    .or(OPAQUE)
+                    .or(PixelKernel.OPAQUE)
                     .intoArray(tile.argb, at);
         }
     }
