@@ -144,6 +144,14 @@ class AutoEngineTest {
         try (Engine auto = auto(_ -> Optional.of(slow))) {
             auto.render(input, frame);
             slow.awaitClosed();
+            int tries = slow.frames.get();
+            auto.render(input, frame);
+
+            assertThat(auto.id()).isEqualTo("parallel");
+            assertThat(standIn.frames).hasValue(2);
+            assertThat(standIn.closed).isZero();
+            assertThat(tries).isGreaterThan(1);
+            assertThat(slow.frames).hasValue(tries);
         }
     }
 

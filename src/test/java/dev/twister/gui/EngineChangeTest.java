@@ -53,8 +53,14 @@ class EngineChangeTest {
                 driver.window.workbench().panel().setVisible(true);
                 list.requestFocus();
             });
-            driver.pulse();
-            driver.pulse();
+            // Nothing but the opening keeps it from looking.
+            driver.await(() -> driver.studio.pictureProperty().get().isPresent()
+                    && driver.studio.drawingProperty().get().opening().isPresent());
+            // If it looked all the same, on a thread of its own, it would be done about when this is.
+            assertThat(Engines.offers()).isNotEmpty();
+            for (int pulse = 0; pulse < 20; pulse++) {
+                driver.pulse();
+            }
             assertThat(hasDevices(list)).isFalse();
             assertThat(WindowDriver.call(() -> list.getItems().size())).isGreaterThan(3);
 

@@ -12,12 +12,14 @@ import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -41,6 +43,7 @@ class DrawingLoopTest {
     private final SkyShelf skies = new SkyShelf();
     private final DrawingLoop loop = new DrawingLoop(skies, substitute.offer(), () -> nanos);
     private final Scene scene = WindowScenes.tiny();
+    private Thread thread;
     private long requests;
     private long choices;
     private EngineChoice chosen = new EngineChoice(0, green.offer());
@@ -48,7 +51,18 @@ class DrawingLoopTest {
 
     @BeforeEach
     void start() {
+        Set<Thread> others = drawingThreads();
         loop.start();
+        Set<Thread> threads = drawingThreads();
+        threads.removeAll(others);
+        assertThat(threads).hasSize(1);
+        thread = threads.iterator().next();
+    }
+
+    private static Set<Thread> drawingThreads() {
+        return Thread.getAllStackTraces().keySet().stream()
+                .filter(started -> started.getName().equals("drawing"))
+                .collect(Collectors.toSet());
     }
 
     @AfterEach
@@ -419,10 +433,8 @@ class DrawingLoopTest {
     }
 
     /** Until the drawing thread waits for something to do. */
-    private static void awaitQuiet() {
-        await(() -> Thread.getAllStackTraces().keySet().stream()
-                .filter(thread -> thread.getName().equals("drawing"))
-                .allMatch(thread -> thread.getState() == Thread.State.WAITING));
+    private void awaitQuiet() {
+        await(() -> thread.getState() == Thread.State.WAITING);
     }
 
     private static void await(BooleanSupplier condition) {
