@@ -1,6 +1,9 @@
 package dev.twister.kernel;
 
-/** One pixel, from the view ray to what is stored: the kernel that engines call, and that {@code vector}, which has its own, is held to. */
+/**
+ * One pixel, from the view ray to what is stored: the kernel that engines call. What draws by equations of its own, as
+ * {@code vector} does, is held to its pictures.
+ */
 public final class PixelKernel {
     /** Values of the argument {@code shortcuts}: the equations as they stand, the exact shortcuts, and those for few spheres. */
     public static final int PLAIN = 0;

@@ -2,6 +2,7 @@ package dev.twister.gui.model;
 
 import dev.twister.image.Frame;
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.PixelKernel;
 import dev.twister.kernel.ToneMapping;
 import dev.twister.world.FrameInput;
 import java.nio.IntBuffer;
@@ -17,7 +18,6 @@ import java.util.stream.IntStream;
  */
 public final class RefinedPicture {
     private static final int CHANNELS = 3;
-    private static final int OPAQUE = 0xFF000000;
 
     private final int width;
     private final int height;
@@ -113,7 +113,7 @@ public final class RefinedPicture {
                 int at = CHANNELS * pixel;
                 argb.put(
                         pixel,
-                        OPAQUE
+                        PixelKernel.OPAQUE
                                 | (ToneMapping.quantized(sums[at] * average, exposureScale, toneMap, srgb) << 16)
                                 | (ToneMapping.quantized(sums[at + 1] * average, exposureScale, toneMap, srgb) << 8)
                                 | ToneMapping.quantized(sums[at + 2] * average, exposureScale, toneMap, srgb));
