@@ -136,8 +136,9 @@ public final class FastestEngine {
 
     private void remember(List<EngineOffer> candidates, Optional<String> fastest, BooleanSupplier cancelled) {
         fastest.filter(_ -> !cancelled.getAsBoolean()).ifPresent(id -> {
-            store.write(MachineKey.of(candidates), id);
             store.write(MachineKey.beforeDevices(candidates), id);
+            // Last: who finds this one finds all that is remembered.
+            store.write(MachineKey.of(candidates), id);
         });
     }
 
