@@ -18,17 +18,19 @@ final class Errands implements AutoCloseable {
     private volatile boolean closed;
 
     /**
-     * Does that, but not where the window is closed before it is begun.
+     * Does that, but not where the window is closed before it is begun; after that it does nothing.
      *
      * @param done gets the result, on JavaFX's thread
      * @param failed gets whatever was thrown, on JavaFX's thread
      */
     <T> void run(Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
-        thread.execute(() -> {
-            if (!closed) {
-                doNow(errand, done, failed);
-            }
-        });
+        if (!closed) {
+            thread.execute(() -> {
+                if (!closed) {
+                    doNow(errand, done, failed);
+                }
+            });
+        }
     }
 
     /** Does what a person wants to keep: the window is not closed before. */

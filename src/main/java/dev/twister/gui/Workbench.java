@@ -99,7 +99,10 @@ final class Workbench implements AutoCloseable {
         menu.dismantle();
     }
 
-    /** Waits for a recording's last frames, and for what else a person wants to keep; called after {@link #close}, by any thread. */
+    /**
+     * Waits for a recording's last frames, and for what else a person wants to keep; called after {@link #close}, by any
+     * thread.
+     */
     void awaitFiles() {
         pictures.close();
         errands.close();

@@ -11,8 +11,8 @@ import java.util.Optional;
 import java.util.SequencedMap;
 
 /**
- * The panoramas used last, so that going back to one does not read its file again. Used by any thread; none waits while another
- * one reads a file.
+ * The panoramas used last, so that going back to one does not read its file again. Used by any thread; none waits while
+ * another one reads a file.
  */
 public final class SkyShelf {
     private static final int KEPT = 3;
