@@ -3,6 +3,7 @@ package dev.twister.files;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dev.twister.ChildJvm;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -54,12 +55,7 @@ class WholeFileTest {
 
     @Test
     void theEndOfTheProcessLeavesNothingButWhatIsWrittenBecauseOfIt() throws IOException, InterruptedException {
-        Process java = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        SlowMain.class.getName(),
-                        folder.toString())
+        Process java = ChildJvm.of(SlowMain.class, folder.toString())
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();
         Assumptions.assumeTrue(java.supportsNormalTermination(), "this system ends processes without a word to them");

@@ -2,11 +2,11 @@ package dev.twister.physics;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.ChildJvm;
 import dev.twister.scene.Physics;
 import dev.twister.scene.Sphere;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -15,13 +15,7 @@ import org.junit.jupiter.api.Test;
 class WithoutVectorsTest {
     @Test
     void manySpheresMove() throws IOException, InterruptedException {
-        Process java = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        MotionMain.class.getName())
-                .redirectErrorStream(true)
-                .start();
+        Process java = ChildJvm.of(MotionMain.class).redirectErrorStream(true).start();
         String output = new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertThat(java.waitFor()).as(output).isZero();
         assertThat(output).contains("fell");

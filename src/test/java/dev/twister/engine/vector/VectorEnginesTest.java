@@ -2,11 +2,11 @@ package dev.twister.engine.vector;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.ChildJvm;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 
 final class VectorEnginesTest {
@@ -22,13 +22,7 @@ final class VectorEnginesTest {
 
     @Test
     void saysWhichOptionIsMissing() throws IOException, InterruptedException {
-        Process java = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        ObstacleMain.class.getName())
-                .redirectErrorStream(true)
-                .start();
+        Process java = ChildJvm.of(ObstacleMain.class).redirectErrorStream(true).start();
         String output = new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertThat(java.waitFor()).as(output).isZero();
         assertThat(output).contains("--add-modules jdk.incubator.vector");
