@@ -83,7 +83,7 @@ final class MotionMeasuring {
     }
 
     private void moveToStart(Simulation simulation, String engine, PictureSize size) {
-        int steps = (int) Math.round(motion.startSeconds() / Simulation.STEP_SECONDS);
+        int steps = Simulation.stepsIn(motion.startSeconds());
         if (steps > 0) {
             progress.begins(engine + ", moving to its start,", size, steps);
             simulation.advance(motion.startSeconds(), progress::drewFrame);

@@ -58,7 +58,7 @@ final class MotionOptions {
 
     /** Lets the time before the first frame pass; for many bodies that takes minutes. */
     void begin(Simulation simulation, PrintWriter err) {
-        long steps = Math.round(startSeconds() / Simulation.STEP_SECONDS);
+        int steps = Simulation.stepsIn(startSeconds());
         if (steps == 0) {
             return;
         }

@@ -65,8 +65,8 @@ final class FrameTimesView extends VBox {
             double em = numbers.getFont().getSize();
             double wide = room.get() - getInsets().getLeft() - getInsets().getRight();
             boolean narrow = wide < LEAST_WIDTH_EM * em;
-            numbers.setText(
-                    String.join(SEPARATOR, narrow ? parts(history, nanos).subList(0, 1) : parts(history, nanos)));
+            List<String> parts = parts(history, nanos);
+            numbers.setText(String.join(SEPARATOR, narrow ? parts.subList(0, 1) : parts));
             numbers.setMaxWidth(wide);
             graph.setVisible(!narrow);
             graph.setManaged(!narrow);

@@ -171,6 +171,11 @@ public final class Simulation implements AutoCloseable {
                 integrator.moveBefore(old.velocity(from, 2), gravity.z()));
     }
 
+    /** About how many steps that time takes. */
+    public static int stepsIn(double seconds) {
+        return (int) Math.round(seconds / STEP_SECONDS);
+    }
+
     /** Lets time pass, 0 seconds or more: takes as many steps as fit, and keeps the rest for the next call. */
     public void advance(double seconds) {
         advance(seconds, () -> {});
@@ -179,7 +184,7 @@ public final class Simulation implements AutoCloseable {
     /**
      * The same where that may take minutes.
      *
-     * @param stepped hears of each step when it is done: about {@code seconds / STEP_SECONDS} times
+     * @param stepped hears of each step when it is done: about {@link #stepsIn} times
      */
     public void advance(double seconds, Runnable stepped) {
         ahead += seconds;

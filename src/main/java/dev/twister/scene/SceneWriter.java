@@ -4,7 +4,6 @@ import dev.twister.files.SystemReason;
 import dev.twister.files.WholeFile;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -36,8 +35,6 @@ public final class SceneWriter {
             WholeFile.replace(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
         } catch (NoSuchFileException e) {
             throw failure(name, "there is no folder to write it in");
-        } catch (AccessDeniedException e) {
-            throw failure(name, "permission denied");
         } catch (IOException e) {
             throw failure(name, Excerpt.sentence(SystemReason.of(e)));
         }

@@ -8,7 +8,6 @@ import java.nio.CharBuffer;
 import java.nio.charset.CharsetDecoder;
 import java.nio.charset.CoderResult;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -46,8 +45,6 @@ final class SourceFile {
             return decode(name, bytes(file, name));
         } catch (NoSuchFileException e) {
             throw failure(name, "there is no such file");
-        } catch (AccessDeniedException e) {
-            throw failure(name, "cannot be read: permission denied");
         } catch (IOException e) {
             throw failure(name, "cannot be read: " + Excerpt.sentence(SystemReason.of(e)));
         }

@@ -25,7 +25,7 @@ final class LoneCandidates {
     private static final int Y = 8;
     private static final int CONSTANT = 9;
 
-    /** 1 where the sphere lies wholly between the point and the disc and is not too small, so that the conic decides; else 0. */
+    /** 1 where the sphere lies wholly between the point and the disc and is not too small: the conic decides; else 0. */
     private static final int CONICAL = 10;
 
     private static final int COLUMNS = 11;

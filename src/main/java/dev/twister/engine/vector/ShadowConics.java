@@ -6,9 +6,9 @@ import jdk.incubator.vector.VectorOperators;
 
 /**
  * Blocked samples where every candidate lies wholly between the points and the disc, and is not small for its distance. A
- * line through (1, x, y) then
- * decides: it meets the sphere at (a, u, w) where {@code (u y - w x)^2 + (u - a x)^2 + (w - a y)^2 <= r^2 (1 + x^2 + y^2)},
- * a conic in (x, y), so that a sample costs five multiplications a candidate.
+ * line through (1, x, y) then decides: it meets the sphere at (a, u, w) where
+ * {@code (u y - w x)^2 + (u - a x)^2 + (w - a y)^2 <= r^2 (1 + x^2 + y^2)}, a conic in (x, y), so that a sample costs five
+ * multiplications a candidate.
  *
  * <p>The loops call the Vector API itself, and of helpers {@link Lanes#fma} alone: one of several operations that the
  * compiler has met first on its own may be too large to be inlined, and its vectors become objects, in some JVMs and not in
