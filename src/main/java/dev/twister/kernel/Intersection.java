@@ -47,8 +47,10 @@ public final class Intersection {
         float distance = MISS;
         if (directionY != 0f) {
             float along = (height - originY) / directionY;
-            float farther = Math.max(Math.abs(originX + along * directionX), Math.abs(originZ + along * directionZ));
-            int inside = (farther <= 0.5f * size ? 1 : 0) & (along > 0f ? 1 : 0);
+            float reach = 0.5f * size;
+            int inside = (Math.abs(originX + along * directionX) <= reach ? 1 : 0)
+                    & (Math.abs(originZ + along * directionZ) <= reach ? 1 : 0)
+                    & (along > 0f ? 1 : 0);
             distance = inside != 0 ? along : MISS;
         }
         return distance;

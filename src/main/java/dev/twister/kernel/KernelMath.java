@@ -52,21 +52,28 @@ public final class KernelMath {
     public static float pow(float base, float exponent) {
         int whole = (int) exponent;
         float fraction = exponent - whole;
-        float square = base;
-        float result = 1f;
-        for (int bit = 0; bit < 8; bit++) {
-            result = (whole & 1) != 0 ? result * square : result;
-            square = square * square;
-            whole = whole / 2;
-        }
+        float result = wholePower(base, whole);
         if (fraction > 0f) {
-            result = result * fractionalPow(base, fraction);
+            result = result * fractionalPower(base, fraction);
         }
         return result;
     }
 
-    /** {@code base^fraction}, fraction in (0, 1), by its binary digits: each takes one more square root. */
-    private static float fractionalPow(float base, float fraction) {
+    /** {@code base^exponent} for a base in [0, 2] and an exponent in [0, 255], by its binary digits. */
+    static float wholePower(float base, int exponent) {
+        int rest = exponent;
+        float square = base;
+        float result = 1f;
+        for (int bit = 0; bit < 8; bit++) {
+            result = (rest & 1) != 0 ? result * square : result;
+            square = square * square;
+            rest = rest / 2;
+        }
+        return result;
+    }
+
+    /** {@code base^fraction}, fraction in [0, 1), by its binary digits: each takes one more square root. */
+    static float fractionalPower(float base, float fraction) {
         float root = base;
         float rest = fraction;
         float result = 1f;

@@ -23,15 +23,20 @@ public final class Shading {
             float reflectivity, float normalDotLight, float normalDotHalf, float halfLengthSquared, float visible) {
         float specular = 0f;
         if (normalDotLight > 0f) {
-            float cosine = Math.max(0f, normalDotHalf * KernelMath.inverseRoot(halfLengthSquared));
-            specular = visible
-                    * (8f + reflectivity)
-                    * INVERSE_EIGHT_PI
-                    * KernelMath.pow(Math.min(cosine, 1f), reflectivity)
-                    * reflectivity
-                    / Layout.MAX_REFLECTIVITY;
+            float cosine = halfCosine(normalDotHalf, halfLengthSquared);
+            specular = specular(reflectivity, KernelMath.pow(cosine, reflectivity), visible);
         }
         return specular;
+    }
+
+    /** {@code max(0, N.H)}, of the same arguments. */
+    static float halfCosine(float normalDotHalf, float halfLengthSquared) {
+        return Math.min(Math.max(0f, normalDotHalf * KernelMath.inverseRoot(halfLengthSquared)), 1f);
+    }
+
+    /** {@code S * (8 + p) / (8 pi) * power * p / 128}, where the power is that of {@code max(0, N.H)}. */
+    static float specular(float reflectivity, float power, float visible) {
+        return visible * (8f + reflectivity) * INVERSE_EIGHT_PI * power * reflectivity / Layout.MAX_REFLECTIVITY;
     }
 
     /** 1 where {@code floor(x) + floor(z)} is even (the plane's first colour), else 0. */

@@ -19,6 +19,9 @@ public final class SoftShadow {
     public static final int CANDIDATE = 1;
     public static final int HIDES_ALL = 2;
 
+    /** What {@link #candidates} says where a sphere surely hides the whole disc. */
+    static final int ALL_HIDDEN = -1;
+
     /** Culling must err on one side only: this much is added to a reach, so that rounding never drops a blocker. */
     public static final float RELATIVE_MARGIN = 1.0005f;
 
@@ -57,14 +60,12 @@ public final class SoftShadow {
             float[] hierarchy,
             int root,
             float[] scratch) {
-        float acrossSquared = axisY * axisY + axisZ * axisZ;
-        float scale = KernelMath.inverseRoot(acrossSquared > 0f ? acrossSquared : axisX * axisX);
-        float uX = 0f;
-        float uY = acrossSquared > 0f ? axisZ * scale : 0f;
-        float uZ = acrossSquared > 0f ? -axisY * scale : axisX * scale;
+        float scale = axesScale(axisX, axisY, axisZ);
+        float uY = uY(axisY, axisZ, scale);
+        float uZ = uZ(axisX, axisY, axisZ, scale);
         float wX = uY * axisZ - uZ * axisY;
-        float wY = uZ * axisX - uX * axisZ;
-        float wZ = uX * axisY - uY * axisX;
+        float wY = uZ * axisX;
+        float wZ = -uY * axisX;
 
         float inverseDistance = distance > 0f ? 1f / distance : 0f;
         float sampleScale = discRadius * inverseDistance;
@@ -73,6 +74,82 @@ public final class SoftShadow {
         float slope = sampleScale * (float) Math.sqrt(rimX * rimX + rimY * rimY);
         float slant = (float) Math.sqrt(1f + slope * slope);
 
+        int count = candidates(
+                pointX, pointY, pointZ, own, axisX, axisY, axisZ, uY, uZ, wX, wY, wZ, distance, slope, slant, hierarchy,
+                root, scratch);
+        float visible = count == ALL_HIDDEN ? 0f : 1f;
+        if (count > 0) {
+            int remembered = Math.min(count, Layout.MOST_CANDIDATES);
+            int alone = count == 1 ? liesBetween(scratch, distance) : 0;
+            int blocked = alone != 0 ? blockedByOne(scratch, shadowDisc, sampleScale, samples) : 0;
+            int firstSample = alone != 0 ? samples : 0;
+            for (int sample = firstSample; sample < samples; sample++) {
+                float x = shadowDisc[2 * sample] * sampleScale;
+                float y = shadowDisc[2 * sample + 1] * sampleScale;
+                int hit = 0;
+                for (int candidate = 0; candidate < remembered && hit == 0; candidate++) {
+                    hit = blocks(
+                            scratch[Layout.CANDIDATE_STRIDE * candidate],
+                            scratch[Layout.CANDIDATE_STRIDE * candidate + 1],
+                            scratch[Layout.CANDIDATE_STRIDE * candidate + 2],
+                            scratch[Layout.CANDIDATE_STRIDE * candidate + 3],
+                            x,
+                            y,
+                            distance);
+                }
+                int forgotten = (count > Layout.MOST_CANDIDATES ? 1 : 0) & (hit == 0 ? 1 : 0);
+                if (forgotten != 0) {
+                    hit = SampleRay.blocked(
+                            pointX, pointY, pointZ, own, axisX, axisY, axisZ, uY, uZ, wX, wY, wZ, x, y, distance,
+                            hierarchy, root, scratch);
+                }
+                blocked = blocked + hit;
+            }
+            visible = 1f - (float) blocked / samples;
+        }
+        return visible;
+    }
+
+    /** What the axes of the disc are scaled by: 1 over the length of A x (1, 0, 0), or of A x (0, 1, 0) for A along x. */
+    static float axesScale(float axisX, float axisY, float axisZ) {
+        float acrossSquared = axisY * axisY + axisZ * axisZ;
+        return KernelMath.inverseRoot(acrossSquared > 0f ? acrossSquared : axisX * axisX);
+    }
+
+    /** U, whose x is 0. */
+    static float uY(float axisY, float axisZ, float scale) {
+        return axisY * axisY + axisZ * axisZ > 0f ? axisZ * scale : 0f;
+    }
+
+    static float uZ(float axisX, float axisY, float axisZ, float scale) {
+        return axisY * axisY + axisZ * axisZ > 0f ? -axisY * scale : axisX * scale;
+    }
+
+    /**
+     * Looks for the spheres that may come between the point and the disc, and writes the first
+     * {@link Layout#MOST_CANDIDATES} into the scratch.
+     *
+     * @return how many there are, at least if there are more, or {@link #ALL_HIDDEN}
+     */
+    static int candidates(
+            float pointX,
+            float pointY,
+            float pointZ,
+            int own,
+            float axisX,
+            float axisY,
+            float axisZ,
+            float uY,
+            float uZ,
+            float wX,
+            float wY,
+            float wZ,
+            float distance,
+            float slope,
+            float slant,
+            float[] hierarchy,
+            int root,
+            float[] scratch) {
         float inverseX = NodeBox.inverse(axisX);
         float inverseY = NodeBox.inverse(axisY);
         float inverseZ = NodeBox.inverse(axisZ);
@@ -144,41 +221,7 @@ public final class SoftShadow {
             node = known == 0 ? next : Layout.NO_NODE;
         }
 
-        float visible = 1f;
-        if (umbra != 0) {
-            visible = 0f;
-        }
-        int toSample = umbra == 0 ? count : 0;
-        if (toSample > 0) {
-            int remembered = Math.min(count, Layout.MOST_CANDIDATES);
-            int alone = count == 1 ? liesBetween(scratch, distance) : 0;
-            int blocked = alone != 0 ? blockedByOne(scratch, shadowDisc, sampleScale, samples) : 0;
-            int firstSample = alone != 0 ? samples : 0;
-            for (int sample = firstSample; sample < samples; sample++) {
-                float x = shadowDisc[2 * sample] * sampleScale;
-                float y = shadowDisc[2 * sample + 1] * sampleScale;
-                int hit = 0;
-                for (int candidate = 0; candidate < remembered && hit == 0; candidate++) {
-                    hit = blocks(
-                            scratch[Layout.CANDIDATE_STRIDE * candidate],
-                            scratch[Layout.CANDIDATE_STRIDE * candidate + 1],
-                            scratch[Layout.CANDIDATE_STRIDE * candidate + 2],
-                            scratch[Layout.CANDIDATE_STRIDE * candidate + 3],
-                            x,
-                            y,
-                            distance);
-                }
-                int forgotten = (count > Layout.MOST_CANDIDATES ? 1 : 0) & (hit == 0 ? 1 : 0);
-                if (forgotten != 0) {
-                    hit = SampleRay.blocked(
-                            pointX, pointY, pointZ, own, axisX, axisY, axisZ, uY, uZ, wX, wY, wZ, x, y, distance,
-                            hierarchy, root, scratch);
-                }
-                blocked = blocked + hit;
-            }
-            visible = 1f - (float) blocked / samples;
-        }
-        return visible;
+        return umbra != 0 ? ALL_HIDDEN : count;
     }
 
     /**
@@ -187,18 +230,22 @@ public final class SoftShadow {
      */
     public static int judge(float a, float u, float w, float radius, float distance, float slope, float slant) {
         float across = u * u + w * w;
+        int judgement = HARMLESS;
+        if (mayMeet(a, across, radius, distance, slope, slant) != 0) {
+            judgement = hidesDisc(a, across, radius, distance, slope, slant) != 0 ? HIDES_ALL : CANDIDATE;
+        }
+        return judgement;
+    }
+
+    /** 1 where a sphere may meet the cone, with its centre at a along the axis and a square of {@code across} beside it. */
+    static int mayMeet(float a, float across, float radius, float distance, float slope, float slant) {
         float reach =
                 (a * slope + radius * slant) * RELATIVE_MARGIN + ABSOLUTE_MARGIN * (Math.abs(a) + distance + radius);
-        int between = (a + radius > 0f ? 1 : 0)
+        return (a + radius > 0f ? 1 : 0)
                 & (a - radius < distance * RELATIVE_MARGIN ? 1 : 0)
                 & (reach > 0f ? 1 : 0)
                 & (across <= reach * reach ? 1 : 0)
                 & (a * a + across > radius * radius ? 1 : 0);
-        int judgement = HARMLESS;
-        if (between != 0) {
-            judgement = hidesDisc(a, across, radius, distance, slope, slant) != 0 ? HIDES_ALL : CANDIDATE;
-        }
-        return judgement;
     }
 
     /** 1 where the first candidate lies wholly between the point and the disc: then only its distance from a ray counts. */

@@ -1,8 +1,49 @@
 package dev.twister.engine.tornado;
 
-/** The kernel, loaded for devices: once, since TornadoVM keeps what it knows of a method for good. */
-final class DeviceKernel {
-    static final DrawTask DRAW = DeviceClassLoader.load(TornadoKernel.class, DrawTask.class);
+import dev.twister.kernel.Strip;
+import java.util.Optional;
+import uk.ac.manchester.tornado.api.WorkerGrid;
+import uk.ac.manchester.tornado.api.WorkerGrid1D;
+import uk.ac.manchester.tornado.api.WorkerGrid2D;
+import uk.ac.manchester.tornado.api.common.TornadoDevice;
+import uk.ac.manchester.tornado.api.enums.TornadoDeviceType;
 
-    private DeviceKernel() {}
+/**
+ * A kernel as TornadoVM takes it, and over which grid its work-items lie. Those here are loaded once, since TornadoVM
+ * keeps what it knows of a method for good.
+ */
+record DeviceKernel(DrawTask task, Grid grid) {
+    /** A work-item a pixel. */
+    static final DeviceKernel PIXELS =
+            new DeviceKernel(DeviceClassLoader.load(TornadoKernel.class, DrawTask.class), DeviceKernel::pixels);
+
+    /** A work-item a strip of pixels. */
+    static final DeviceKernel STRIPS =
+            new DeviceKernel(DeviceClassLoader.load(TornadoStripKernel.class, DrawTask.class), DeviceKernel::strips);
+
+    /** Chooses a grid for a picture, or none where TornadoVM's own choice will do. */
+    interface Grid {
+        Optional<WorkerGrid> of(TornadoDevice device, int width, int rows);
+    }
+
+    /** The fastest one for a device. */
+    static DeviceKernel of(TornadoDevice device) {
+        return isCpu(device) ? STRIPS : PIXELS;
+    }
+
+    private static boolean isCpu(TornadoDevice device) {
+        return device.getDeviceType() == TornadoDeviceType.CPU;
+    }
+
+    private static Optional<WorkerGrid> pixels(TornadoDevice device, int width, int rows) {
+        // Left alone, TornadoVM may choose a group too large for a GPU's registers; the driver knows better.
+        return isCpu(device) ? Optional.empty() : Optional.of(new WorkerGrid2D(width, rows));
+    }
+
+    private static Optional<WorkerGrid> strips(TornadoDevice device, int width, int rows) {
+        WorkerGrid grid = new WorkerGrid1D(Strip.inRow(width) * rows);
+        // PoCL keeps the arrays of a whole group on a thread's stack, which those of some hundred strips overflow.
+        grid.setLocalWork(1, 1, 1);
+        return Optional.of(grid);
+    }
 }

@@ -13,11 +13,9 @@ import uk.ac.manchester.tornado.api.TaskGraph;
 import uk.ac.manchester.tornado.api.TornadoExecutionPlan;
 import uk.ac.manchester.tornado.api.TornadoExecutionResult;
 import uk.ac.manchester.tornado.api.TornadoProfilerResult;
-import uk.ac.manchester.tornado.api.WorkerGrid2D;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
 import uk.ac.manchester.tornado.api.enums.DataTransferMode;
 import uk.ac.manchester.tornado.api.enums.ProfilerMode;
-import uk.ac.manchester.tornado.api.enums.TornadoDeviceType;
 import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
 
 /**
@@ -58,7 +56,7 @@ final class DevicePlan implements AutoCloseable {
     /** What a frame moved between this machine and the device. */
     record Copied(long bytesIn, long bytesOut) {}
 
-    DevicePlan(TornadoDevice device, FrameInput input, boolean linear, DrawTask kernel) {
+    DevicePlan(TornadoDevice device, FrameInput input, boolean linear, DeviceKernel kernel) {
         fixed = input;
         this.linear = linear;
         int count = Math.multiplyExact(input.width(), input.rows());
@@ -94,7 +92,7 @@ final class DevicePlan implements AutoCloseable {
                         hierarchy)
                 .task(
                         TASK,
-                        kernel,
+                        kernel.task(),
                         pixels,
                         radiance,
                         dimensions,
@@ -116,11 +114,9 @@ final class DevicePlan implements AutoCloseable {
                 .transferToHost(DataTransferMode.EVERY_EXECUTION, linear ? radiance : pixels);
         plan = new TornadoExecutionPlan(graph.snapshot());
         plan.withDevice(device).withProfiler(ProfilerMode.SILENT);
-        if (device.getDeviceType() != TornadoDeviceType.CPU) {
-            // Left alone, TornadoVM may choose a group too large for the kernel's registers; the driver knows better.
-            plan.withGridScheduler(
-                    new GridScheduler(GRAPH + "." + TASK, new WorkerGrid2D(input.width(), input.rows())));
-        }
+        kernel.grid()
+                .of(device, input.width(), input.rows())
+                .ifPresent(grid -> plan.withGridScheduler(new GridScheduler(GRAPH + "." + TASK, grid)));
     }
 
     /** Whether what is on the device and compiled still holds for this frame. */

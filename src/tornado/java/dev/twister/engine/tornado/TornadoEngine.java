@@ -15,15 +15,15 @@ final class TornadoEngine implements Engine {
     private final String id;
     private final String name;
     private final TornadoDevice device;
-    private final DrawTask kernel;
+    private final DeviceKernel kernel;
     private final Map<Boolean, DevicePlan> planByLinear = new HashMap<>();
     private Optional<DevicePlan> last = Optional.empty();
 
     TornadoEngine(String id, String name, TornadoDevice device) {
-        this(id, name, device, DeviceKernel.DRAW);
+        this(id, name, device, DeviceKernel.of(device));
     }
 
-    TornadoEngine(String id, String name, TornadoDevice device, DrawTask kernel) {
+    TornadoEngine(String id, String name, TornadoDevice device, DeviceKernel kernel) {
         this.id = id;
         this.name = name;
         this.device = device;
