@@ -20,7 +20,9 @@ final class BandedDrawing {
 
     /** Draws the whole picture; the frame's times are all bands' together. */
     static Frame draw(Engine engine, FrameInput input, int samplesPerPixel, boolean linear, PrintWriter err) {
-        Frame whole = frame(input.width(), input.height(), linear);
+        Frame whole = linear
+                ? Frame.ofRadiance(input.width(), input.height())
+                : Frame.ofPixels(input.width(), input.height());
         int rowsPerBand = rowsPerBand(input, samplesPerPixel);
         if (rowsPerBand >= input.height()) {
             engine.render(input, whole);
@@ -28,16 +30,16 @@ final class BandedDrawing {
         }
         int bands = Math.ceilDiv(input.height(), rowsPerBand);
         FrameTimes times = FrameTimes.NONE;
-        Frame band = frame(input.width(), rowsPerBand, linear);
+        Frame band = whole.ofRows(rowsPerBand);
         try (ProgressLine progress = ProgressLine.start(err, engine.id(), bands)) {
             for (int first = 0; first < input.height(); first += rowsPerBand) {
                 int rows = Math.min(rowsPerBand, input.height() - first);
                 if (rows != band.height()) {
-                    band = frame(input.width(), rows, linear);
+                    band = whole.ofRows(rows);
                 }
                 engine.render(input.band(first, rows), band);
-                copy(band, whole, first);
-                times = sum(times, band.times());
+                whole.put(band, first);
+                times = times.plus(band.times());
                 progress.step();
             }
         }
@@ -53,26 +55,5 @@ final class BandedDrawing {
     private static int rowsPerBand(FrameInput input, int samplesPerPixel) {
         long rows = Math.max(MIN_ROWS, RAYS_PER_BAND / ((long) input.width() * samplesPerPixel));
         return (int) Math.min(rows, input.height());
-    }
-
-    private static Frame frame(int width, int height, boolean linear) {
-        return linear ? Frame.ofRadiance(width, height) : Frame.ofPixels(width, height);
-    }
-
-    private static void copy(Frame band, Frame whole, int firstRow) {
-        if (band.isLinear()) {
-            System.arraycopy(
-                    band.radiance(), 0, whole.radiance(), CHANNELS * band.width() * firstRow, band.radiance().length);
-        } else {
-            System.arraycopy(band.argb(), 0, whole.argb(), band.width() * firstRow, band.argb().length);
-        }
-    }
-
-    private static FrameTimes sum(FrameTimes one, FrameTimes other) {
-        return new FrameTimes(
-                one.totalNanos() + other.totalNanos(),
-                one.kernelNanos() + other.kernelNanos(),
-                one.copyInNanos() + other.copyInNanos(),
-                one.copyOutNanos() + other.copyOutNanos());
     }
 }

@@ -32,6 +32,14 @@ public interface Engine extends AutoCloseable {
      */
     default void onFaster(Runnable listener) {}
 
+    /**
+     * Whether a band of a picture's rows takes about that part of the picture's time, so that a slow picture may be drawn
+     * band by band. Not so where each number of rows is compiled for, or a frame is measured.
+     */
+    default boolean drawsBandsInProportion() {
+        return false;
+    }
+
     /** Gives back what the engine holds; never throws. */
     @Override
     void close();

@@ -25,6 +25,11 @@ record JvmEngine(String id, String device, Rows rows) implements Engine {
     }
 
     @Override
+    public boolean drawsBandsInProportion() {
+        return true;
+    }
+
+    @Override
     public void close() {
         // The JVM's engines hold nothing between frames.
     }

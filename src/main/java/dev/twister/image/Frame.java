@@ -7,6 +7,7 @@ package dev.twister.image;
  * returned and until the next call with the same frame.
  */
 public final class Frame {
+    private static final int CHANNELS = 3;
     private static final int[] NO_PIXELS = {};
     private static final float[] NO_RADIANCE = {};
 
@@ -30,7 +31,23 @@ public final class Frame {
 
     /** A frame of {@code 3 * width * height} floats: linear red, green, blue of each pixel, row by row from the top. */
     public static Frame ofRadiance(int width, int height) {
-        return new Frame(width, height, NO_PIXELS, new float[Math.multiplyExact(3, Math.multiplyExact(width, height))]);
+        return new Frame(
+                width, height, NO_PIXELS, new float[Math.multiplyExact(CHANNELS, Math.multiplyExact(width, height))]);
+    }
+
+    /** A frame of the same kind and width. */
+    public Frame ofRows(int rows) {
+        return isLinear() ? ofRadiance(width, rows) : ofPixels(width, rows);
+    }
+
+    /** Copies the rows of a frame of the same kind and width to those from {@code firstRow} on. */
+    public void put(Frame band, int firstRow) {
+        int first = width * firstRow;
+        if (isLinear()) {
+            System.arraycopy(band.radiance, 0, radiance, CHANNELS * first, band.radiance.length);
+        } else {
+            System.arraycopy(band.argb, 0, argb, first, band.argb.length);
+        }
     }
 
     public int width() {

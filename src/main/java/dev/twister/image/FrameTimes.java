@@ -15,4 +15,13 @@ public record FrameTimes(long totalNanos, long kernelNanos, long copyInNanos, lo
     public static FrameTimes onJvm(long totalNanos) {
         return new FrameTimes(totalNanos, totalNanos, 0, 0);
     }
+
+    /** Of what was drawn one after the other. */
+    public FrameTimes plus(FrameTimes next) {
+        return new FrameTimes(
+                totalNanos + next.totalNanos,
+                kernelNanos + next.kernelNanos,
+                copyInNanos + next.copyInNanos,
+                copyOutNanos + next.copyOutNanos);
+    }
 }

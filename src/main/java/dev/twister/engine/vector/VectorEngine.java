@@ -83,6 +83,11 @@ final class VectorEngine implements Engine {
     }
 
     @Override
+    public boolean drawsBandsInProportion() {
+        return true;
+    }
+
+    @Override
     public void close() {
         ways.close();
         crew.close();

@@ -41,7 +41,7 @@ public final class DrawingLoop implements AutoCloseable {
 
     /** The same by another clock than {@link System#nanoTime}. */
     DrawingLoop(SkyShelf skies, EngineOffer substitute, LongSupplier clock) {
-        work = new PictureWork(exchange, skies, substitute, this::wake, clock);
+        work = new PictureWork(exchange, skies, substitute, this::newest, this::wake, clock);
         thread = Thread.ofPlatform().daemon().name("drawing").unstarted(this::run);
     }
 
@@ -172,6 +172,16 @@ public final class DrawingLoop implements AutoCloseable {
                 changed.awaitUninterruptibly();
             }
             due = false;
+            return closed ? Optional.empty() : newest;
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /** What is asked for by now; empty when the loop is closed. */
+    private Optional<DrawingRequest> newest() {
+        lock.lock();
+        try {
             return closed ? Optional.empty() : newest;
         } finally {
             lock.unlock();

@@ -21,6 +21,12 @@ public record DrawingRequest(
         this(number, scene, width, height, engine, refineTo, Motion.NONE);
     }
 
+    /** Whether the other one asks for the same picture, of whatever engine. */
+    boolean asksForThePictureOf(DrawingRequest other) {
+        return equals(new DrawingRequest(
+                number, other.scene(), other.width(), other.height(), engine, refineTo, other.motion()));
+    }
+
     /** Whether one picture follows the other, though nothing is asked for. */
     public boolean isContinuous() {
         return refineTo == 0 || motion.running();

@@ -65,6 +65,11 @@ final class EngineSeat implements AutoCloseable {
         });
     }
 
+    /** Whether the next frame would be drawn by another engine than the last. */
+    boolean isReady() {
+        return candidate.filter(next -> next.engine().isDone()).isPresent();
+    }
+
     /** Whether the engine has become another, faster one since this was last asked. */
     boolean hasBecomeFaster() {
         boolean has = faster;

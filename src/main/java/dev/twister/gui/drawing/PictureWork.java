@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 
 /**
  * The steps from a request to its pictures: at the very start small ones, because nothing is compiled yet, then the picture
@@ -26,13 +27,18 @@ final class PictureWork implements AutoCloseable {
     /** Between two pictures that differ by less than one sees: to show each would take time from their drawing. */
     private static final long REFINED_EVERY_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
 
+    /** A picture that takes longer is not drawn again while only another engine is waited for. */
+    private static final long SLOW_NANOS = TimeUnit.SECONDS.toNanos(1);
+
     private final PictureExchange exchange;
     private final LongSupplier clock;
+    private final Supplier<Optional<DrawingRequest>> newest;
+    private final SlowPictures slowPictures;
     private final LivingWorld world;
     private final EngineSeat seat;
     private FrameInput input;
     private Optional<String> sceneFailure = Optional.empty();
-    private long request = Long.MIN_VALUE;
+    private Optional<DrawingRequest> request = Optional.empty();
     private boolean drawn;
     private int coarseness = COARSEST;
     private Optional<Engine> drawer = Optional.empty();
@@ -42,9 +48,20 @@ final class PictureWork implements AutoCloseable {
     private Optional<DrawnPicture> last = Optional.empty();
     private volatile Optional<Consumer<DrawnPicture>> watcher = Optional.empty();
 
+    /**
+     * @param newest what is asked for by now; empty where nothing is to be drawn any more
+     * @param whenReady called on another thread when there may be something to do for a request that was answered
+     */
     PictureWork(
-            PictureExchange exchange, SkyShelf skies, EngineOffer substitute, Runnable whenReady, LongSupplier clock) {
+            PictureExchange exchange,
+            SkyShelf skies,
+            EngineOffer substitute,
+            Supplier<Optional<DrawingRequest>> newest,
+            Runnable whenReady,
+            LongSupplier clock) {
         this.clock = clock;
+        this.newest = newest;
+        slowPictures = new SlowPictures(clock);
         this.exchange = exchange;
         world = new LivingWorld(skies);
         seat = new EngineSeat(substitute, whenReady);
@@ -67,10 +84,10 @@ final class PictureWork implements AutoCloseable {
     /** Takes one step for the request that was prepared; whether there is another to take. */
     boolean step(DrawingRequest wanted) {
         Engine engine = seat.engine();
-        if (wanted.number() != request || !drawer.equals(Optional.of(engine)) || seat.hasBecomeFaster()) {
-            request = wanted.number();
+        if (!isAtWork(wanted) || !drawer.equals(Optional.of(engine)) || seat.hasBecomeFaster()) {
+            drawn = drawn && isSlowAndTheSame(wanted, engine);
+            request = Optional.of(wanted);
             drawer = Optional.of(engine);
-            drawn = false;
             refined = refined.filter(old -> old.fits(wanted.width(), wanted.height()));
             refined.ifPresent(RefinedPicture::reset);
         }
@@ -85,9 +102,20 @@ final class PictureWork implements AutoCloseable {
         }
     }
 
+    private boolean isAtWork(DrawingRequest wanted) {
+        return request.filter(old -> old.number() == wanted.number()).isPresent();
+    }
+
+    /** Whether only another engine is asked for, and the old one would take long to draw its picture again. */
+    private boolean isSlowAndTheSame(DrawingRequest wanted, Engine engine) {
+        return drawer.equals(Optional.of(engine))
+                && request.filter(wanted::asksForThePictureOf).isPresent()
+                && slowPictures.knownNanos(engine, input) > SLOW_NANOS;
+    }
+
     /** What was gathered for that picture; empty where it was not refined, or another request is at work by now. */
     Optional<float[]> radiance(DrawnPicture picture) {
-        return refined.filter(held -> picture.request().number() == request
+        return refined.filter(held -> isAtWork(picture.request())
                         && held.fits(picture.frame().width(), picture.frame().height())
                         && held.samples() > picture.request().scene().settings().samplesPerPixel()
                         && held.samples() >= picture.samples())
@@ -118,10 +146,12 @@ final class PictureWork implements AutoCloseable {
             return true;
         }
         if (!drawn || (wanted.isContinuous() && !opening)) {
-            drawPlain(wanted, engine, input, drawn && !wanted.motion().running());
-            drawn = true;
-            coarseness = 1;
-            return !opening;
+            if (drawPlain(wanted, engine, input, drawn && !wanted.motion().running())) {
+                drawn = true;
+                coarseness = 1;
+                return !opening;
+            }
+            return true;
         }
         if (opening || wanted.isContinuous()) {
             return false;
@@ -133,15 +163,38 @@ final class PictureWork implements AutoCloseable {
         return input.withSize(Math.ceilDiv(input.width(), divisor), Math.ceilDiv(input.height(), divisor));
     }
 
-    private void drawPlain(DrawingRequest wanted, Engine engine, FrameInput seen, boolean again) {
+    /** Whether the picture was drawn, and not left. */
+    private boolean drawPlain(DrawingRequest wanted, Engine engine, FrameInput seen, boolean again) {
         Frame frame = exchange.frameToDraw(seen.width(), seen.height());
+        boolean whole = false;
         try {
-            engine.render(seen, frame);
-        } catch (RuntimeException | Error problem) {
-            exchange.abandon(frame);
-            throw problem;
+            whole = slowPictures.draw(engine, seen, frame, nanosLeft -> isInVain(wanted, nanosLeft));
+        } finally {
+            if (!whole) {
+                exchange.abandon(frame);
+            }
         }
-        finish(wanted, seen, engine, frame, frame.times(), seen.samplesPerPixel(), again);
+        if (whole) {
+            finish(wanted, seen, engine, frame, frame.times(), seen.samplesPerPixel(), again);
+        }
+        return whole;
+    }
+
+    /**
+     * Whether the rest of a picture is not worth its time: another engine is to draw, or is ready to, or another size is
+     * asked for, or other settings and it takes long. Not so for a camera that moves: that shall be seen now and then.
+     */
+    private boolean isInVain(DrawingRequest wanted, long nanosLeft) {
+        return seat.isReady()
+                || newest.get()
+                        .filter(request -> request.engine().equals(wanted.engine())
+                                && request.width() == wanted.width()
+                                && request.height() == wanted.height()
+                                && (nanosLeft < SLOW_NANOS
+                                        || request.scene()
+                                                .settings()
+                                                .equals(wanted.scene().settings())))
+                        .isEmpty();
     }
 
     private boolean refine(DrawingRequest wanted, Engine engine) {
@@ -155,7 +208,10 @@ final class PictureWork implements AutoCloseable {
                 .orElseGet(() -> Frame.ofRadiance(wanted.width(), wanted.height()));
         pass = Optional.of(linear);
         int samples = picture.samplesOfNextPass(input.samplesPerPixel());
-        engine.render(picture.next(input, samples), linear);
+        FrameInput next = picture.next(input, samples);
+        if (!slowPictures.draw(engine, next, linear, _ -> isRefinedInVain())) {
+            return true;
+        }
         picture.add(linear, samples);
         if (picture.isDone() || (picture.samples() >= FEWEST_REFINED_SAMPLES && isToBeSeen())) {
             Frame frame = exchange.frameToDraw(wanted.width(), wanted.height());
@@ -167,10 +223,15 @@ final class PictureWork implements AutoCloseable {
         return !picture.isDone();
     }
 
+    /** A pass is not seen by itself, so that any request counts for more. */
+    private boolean isRefinedInVain() {
+        return seat.isReady() || newest.get().filter(this::isAtWork).isEmpty();
+    }
+
     /** Whether what was gathered is worth a picture now: whoever watches sees all, a person some in a second. */
     private boolean isToBeSeen() {
         return watcher.isPresent()
-                || last.filter(old -> old.request().number() == request
+                || last.filter(old -> isAtWork(old.request())
                                 && old.samples() >= FEWEST_REFINED_SAMPLES
                                 && clock.getAsLong() - old.finishedNanos() < REFINED_EVERY_NANOS)
                         .isEmpty();

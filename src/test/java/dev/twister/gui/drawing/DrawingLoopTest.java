@@ -16,6 +16,7 @@ import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
@@ -31,6 +32,12 @@ class DrawingLoopTest {
     private static final int BLUE = 0xFF0000FF;
     private static final int WIDTH = 32;
     private static final int HEIGHT = 18;
+
+    /** Of a picture that has enough pixels to be drawn in bands, of one row each where it is slow. */
+    private static final int LARGE_WIDTH = 64;
+
+    private static final int LARGE_HEIGHT = 2048;
+
     private static final Duration LIMIT = Duration.ofSeconds(60);
 
     @TempDir
@@ -39,9 +46,9 @@ class DrawingLoopTest {
     private final TestEngine.Kind substitute = new TestEngine.Kind("substitute", BLUE);
     private final TestEngine.Kind green = new TestEngine.Kind("green", GREEN);
     private final TestEngine.Kind red = new TestEngine.Kind("red", RED);
-    private volatile long nanos;
+    private final AtomicLong nanos = new AtomicLong();
     private final SkyShelf skies = new SkyShelf();
-    private final DrawingLoop loop = new DrawingLoop(skies, substitute.offer(), () -> nanos);
+    private final DrawingLoop loop = new DrawingLoop(skies, substitute.offer(), nanos::get);
     private final Scene scene = WindowScenes.tiny();
     private Thread thread;
     private long requests;
@@ -176,7 +183,7 @@ class DrawingLoopTest {
         awaitQuiet();
         assertThat(awaitPicture(drawnBy(green)).samples()).isEqualTo(4);
 
-        nanos = TimeUnit.MILLISECONDS.toNanos(50);
+        nanos.set(TimeUnit.MILLISECONDS.toNanos(50));
         green.allow(1);
         awaitPicture(picture -> picture.samples() > 4);
         green.allowAll();
@@ -343,6 +350,81 @@ class DrawingLoopTest {
 
         awaitPicture(drawnBy(red));
         assertThat(red.opened.get()).isLessThan(20);
+    }
+
+    @Test
+    void aSlowPictureIsLeftForAnotherEngine() {
+        beSlow(green);
+        requestLarge(scene, 1);
+        awaitPicture(drawnBy(green));
+        awaitQuiet();
+        green.hold();
+        Scene moved = scene.withCamera(WindowScenes.shipped("benchmark").camera());
+        requestLarge(moved, 1);
+        int before = green.frames.get();
+        green.allow(1);
+        await(() -> green.frames.get() > before);
+        choose(red.offer());
+        requestLarge(moved, 1);
+
+        await(() -> {
+            green.allow(1);
+            shown = loop.takeNewest().or(() -> shown);
+            return shown.filter(drawnBy(red)).isPresent();
+        });
+
+        assertThat(shown.orElseThrow().isWhole()).isTrue();
+        assertThat(green.frames.get() - before).isLessThan(LARGE_HEIGHT / 2);
+    }
+
+    @Test
+    void aSlowPictureIsNotDrawnAgainWhileAnotherEngineIsMadeReady() {
+        beSlow(green);
+        requestLarge(scene, 1);
+        awaitPicture(drawnBy(green));
+        awaitQuiet();
+        int before = green.frames.get();
+        red.hold();
+        choose(red.offer());
+        requestLarge(scene, 1);
+        await(() -> red.opened.get() == 1);
+        awaitQuiet();
+
+        assertThat(loop.status().opening()).contains("red");
+        assertThat(green.frames.get()).isEqualTo(before);
+        red.allowAll();
+        awaitPicture(drawnBy(red));
+    }
+
+    @Test
+    void aSlowPictureIsFinishedThoughTheCameraMoves() {
+        beSlow(green);
+        requestLarge(scene, 1);
+        awaitPicture(drawnBy(green));
+        awaitQuiet();
+        List<Long> answered = new CopyOnWriteArrayList<>();
+        loop.watch(picture -> answered.add(picture.request().number()));
+        green.hold();
+        Scene moved = scene.withCamera(WindowScenes.shipped("benchmark").camera());
+        requestLarge(moved, 1);
+        long first = requests;
+        int before = green.frames.get();
+        green.allow(1);
+        await(() -> green.frames.get() > before);
+        requestLarge(scene, 1);
+        green.allowAll();
+
+        await(() -> answered.contains(requests));
+        assertThat(answered).contains(first);
+    }
+
+    private void beSlow(TestEngine.Kind kind) {
+        kind.onFrame = () -> nanos.addAndGet(TimeUnit.MINUTES.toNanos(1));
+    }
+
+    private void requestLarge(Scene wanted, int refineTo) {
+        requests++;
+        loop.request(new DrawingRequest(requests, wanted, LARGE_WIDTH, LARGE_HEIGHT, chosen, refineTo, Motion.NONE));
     }
 
     @Test

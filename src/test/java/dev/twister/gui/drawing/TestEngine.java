@@ -35,6 +35,7 @@ final class TestEngine implements Engine {
         final AtomicInteger frames = new AtomicInteger();
         volatile boolean breaks;
         volatile Runnable onFaster = () -> {};
+        volatile Runnable onFrame = () -> {};
         private final Semaphore gate = new Semaphore(ANY_NUMBER);
 
         Kind(String id, int color) {
@@ -91,6 +92,7 @@ final class TestEngine implements Engine {
         }
         kind.gate.acquireUninterruptibly();
         kind.frames.incrementAndGet();
+        kind.onFrame.run();
         user.set(null);
         look = kind.look;
         if (kind.breaks) {
@@ -104,6 +106,11 @@ final class TestEngine implements Engine {
     @Override
     public void onFaster(Runnable listener) {
         kind.onFaster = listener;
+    }
+
+    @Override
+    public boolean drawsBandsInProportion() {
+        return true;
     }
 
     @Override

@@ -1,0 +1,111 @@
+package dev.twister.gui.drawing;
+
+import dev.twister.engine.Engine;
+import dev.twister.image.Frame;
+import dev.twister.image.FrameTimes;
+import dev.twister.kernel.Layout;
+import dev.twister.world.FrameInput;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.function.LongPredicate;
+import java.util.function.LongSupplier;
+
+/**
+ * Draws pictures that take long in bands of rows, so that one can be left when it is not wanted any more: a reference
+ * engine takes minutes for a picture of 3840 x 2160. Those that do not take long are drawn in one go, as bands cost
+ * time, and so are those of engines that are not made for bands. Used by one thread.
+ */
+final class SlowPictures {
+    /** How long a band should take. */
+    private static final long BAND_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
+
+    /** Pictures of fewer pixels are not worth it: the slowest engine takes half a second for so many. */
+    private static final int FEWEST_PIXELS = 1 << 16;
+
+    /** Of a picture of which nothing is known about so many are drawn first. */
+    private static final int FIRST_PIXELS = 1 << 14;
+
+    private final LongSupplier clock;
+    private Optional<Pace> pace = Optional.empty();
+
+    /** What the time of a picture hangs on, beside the scene. */
+    private record Work(Engine engine, int width, int rows, float shadowSamples, float bounces, float pixelSamples) {
+        static Work of(Engine engine, FrameInput input) {
+            float[] properties = input.rayTracingProperties();
+            return new Work(
+                    engine,
+                    input.width(),
+                    input.rows(),
+                    properties[Layout.SHADOW_SAMPLES],
+                    properties[Layout.BOUNCES],
+                    properties[Layout.PIXEL_SAMPLES]);
+        }
+    }
+
+    private record Pace(Work work, double nanosARow) {}
+
+    SlowPictures(LongSupplier clock) {
+        this.clock = clock;
+    }
+
+    /** How long the last picture took, where it was one like that and had enough pixels to be left; else 0. */
+    long knownNanos(Engine engine, FrameInput input) {
+        return (long) (nanosARow(Work.of(engine, input)) * input.rows());
+    }
+
+    /** 0 where it is not known. */
+    private double nanosARow(Work work) {
+        return pace.filter(known -> known.work().equals(work))
+                .map(Pace::nanosARow)
+                .orElse(0.0);
+    }
+
+    /**
+     * Draws a picture.
+     *
+     * @param leave whether to leave the picture, so many nanoseconds before it would be done; asked between bands
+     * @return whether the picture was drawn, and not left
+     */
+    boolean draw(Engine engine, FrameInput input, Frame frame, LongPredicate leave) {
+        int height = input.rows();
+        if (!engine.drawsBandsInProportion() || input.width() * height < FEWEST_PIXELS) {
+            engine.render(input, frame);
+            return true;
+        }
+        Work work = Work.of(engine, input);
+        double nanosARow = nanosARow(work);
+        long start = clock.getAsLong();
+        long before = start;
+        FrameTimes times = FrameTimes.NONE;
+        int drawn = 0;
+        while (drawn < height) {
+            int rows = nanosARow == 0
+                    ? Math.clamp(FIRST_PIXELS / input.width(), 1, height)
+                    : rows(nanosARow, height - drawn);
+            if (rows == height) {
+                engine.render(input, frame);
+                times = frame.times();
+            } else {
+                Frame band = frame.ofRows(rows);
+                engine.render(input.band(drawn, rows), band);
+                frame.put(band, drawn);
+                times = times.plus(band.times());
+            }
+            drawn += rows;
+            // Rows are not alike: the next ones are like the last, more than like the sky above.
+            long now = clock.getAsLong();
+            nanosARow = Math.max(1, (double) (now - before) / rows);
+            before = now;
+            if (drawn < height && leave.test((long) (nanosARow * (height - drawn)))) {
+                return false;
+            }
+        }
+        frame.setTimes(times);
+        pace = Optional.of(new Pace(work, (double) (before - start) / height));
+        return true;
+    }
+
+    private static int rows(double nanosARow, int left) {
+        return nanosARow * left < 2 * BAND_NANOS ? left : (int) Math.clamp(BAND_NANOS / nanosARow, 1, left);
+    }
+}
