@@ -1,7 +1,6 @@
 package dev.twister.engine.tornado;
 
 import dev.twister.engine.EngineException;
-import dev.twister.engine.Shortcuts;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.kernel.PixelKernel;
@@ -35,6 +34,7 @@ final class DevicePlan implements AutoCloseable {
     private static final int[] NO_PIXELS = new int[1];
     private static final float[] NO_RADIANCE = new float[1];
 
+    private final DeviceKernel kernel;
     private final FrameInput fixed;
     private final boolean linear;
     private final int[] pixels;
@@ -57,6 +57,7 @@ final class DevicePlan implements AutoCloseable {
     record Copied(long bytesIn, long bytesOut) {}
 
     DevicePlan(TornadoDevice device, FrameInput input, boolean linear, DeviceKernel kernel) {
+        this.kernel = kernel;
         fixed = input;
         this.linear = linear;
         int count = Math.multiplyExact(input.width(), input.rows());
@@ -109,7 +110,7 @@ final class DevicePlan implements AutoCloseable {
                         hierarchy,
                         input.width(),
                         input.rows(),
-                        Shortcuts.of(input),
+                        kernel.shortcuts().applyAsInt(input),
                         linear ? PixelKernel.LINEAR : PixelKernel.ARGB)
                 .transferToHost(DataTransferMode.EVERY_EXECUTION, linear ? radiance : pixels);
         plan = new TornadoExecutionPlan(graph.snapshot());
@@ -126,7 +127,7 @@ final class DevicePlan implements AutoCloseable {
                 && input.rows() == fixed.rows()
                 && frame.isLinear() == linear
                 && input.room() == fixed.room()
-                && Shortcuts.of(input) == Shortcuts.of(fixed)
+                && kernel.shortcuts().applyAsInt(input) == kernel.shortcuts().applyAsInt(fixed)
                 && input.skybox() == fixed.skybox()
                 && input.skyboxDimensions() == fixed.skyboxDimensions()
                 && (sendsLooks() || hasLooksOf(fixed, input));

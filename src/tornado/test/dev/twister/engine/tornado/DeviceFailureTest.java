@@ -3,6 +3,7 @@ package dev.twister.engine.tornado;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.engine.EngineException;
+import dev.twister.engine.Shortcuts;
 import dev.twister.image.Frame;
 import dev.twister.scene.RenderSettings;
 import dev.twister.world.World;
@@ -20,8 +21,8 @@ class DeviceFailureTest {
         TornadoDevice device = Devices.all().getFirst();
         World world = SceneSamples.world(1, 2);
         world.setSettings(RenderSettings.DEFAULT.withSize(16, 8));
-        try (TornadoEngine engine =
-                new TornadoEngine("tornado:0:0", "the first device", device, new DeviceKernel(kernel, NO_GRID))) {
+        try (TornadoEngine engine = new TornadoEngine(
+                "tornado:0:0", "the first device", device, new DeviceKernel(kernel, Shortcuts::of, NO_GRID))) {
             engine.render(world.snapshot(), Frame.ofPixels(16, 8));
         }
     }

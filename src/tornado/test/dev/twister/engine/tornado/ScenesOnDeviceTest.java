@@ -108,7 +108,7 @@ class ScenesOnDeviceTest {
 
     static Stream<Object[]> randomWorldsOnDevicesByEitherKernel() {
         return Devices.all().stream()
-                .flatMap(device -> Stream.of(5, 40)
+                .flatMap(device -> Stream.of(5, 50, 80)
                         .flatMap(spheres -> Stream.of(
                                 new Object[] {8, spheres, device, "pixels", DeviceKernel.PIXELS},
                                 new Object[] {9, spheres, device, "strips", DeviceKernel.STRIPS})));
