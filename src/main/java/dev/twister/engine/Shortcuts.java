@@ -9,8 +9,8 @@ public final class Shortcuts {
 
     /**
      * {@link PixelKernel#FEW_SPHERES} or {@link PixelKernel#SHORTCUTS}. The loop over few spheres is small enough for the
-     * JVM's compiler to become part of the kernel's code, the walk is not.
-     * A scene keeps its shortcuts while spheres are poured: TornadoVM would compile the kernel again.
+     * JVM's compiler to become part of the kernel's code, the walk is not. A scene keeps its
+     * shortcuts while spheres are poured: TornadoVM would compile the kernel again.
      */
     public static int of(FrameInput input) {
         return input.hasFewSpheres() ? PixelKernel.FEW_SPHERES : PixelKernel.SHORTCUTS;

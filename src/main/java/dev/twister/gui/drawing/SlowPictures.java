@@ -28,21 +28,16 @@ final class SlowPictures {
     private final LongSupplier clock;
     private Optional<Pace> pace = Optional.empty();
 
-    /** What the time of a picture hangs on, beside the scene. */
-    private record Work(Engine engine, int width, int rows, float shadowSamples, float bounces, float pixelSamples) {
+    /** What the time of a picture hangs on, beside the scene, and its samples a pixel, with which it grows. */
+    private record Work(Engine engine, int width, int rows, float shadowSamples, float bounces) {
         static Work of(Engine engine, FrameInput input) {
             float[] properties = input.rayTracingProperties();
             return new Work(
-                    engine,
-                    input.width(),
-                    input.rows(),
-                    properties[Layout.SHADOW_SAMPLES],
-                    properties[Layout.BOUNCES],
-                    properties[Layout.PIXEL_SAMPLES]);
+                    engine, input.width(), input.rows(), properties[Layout.SHADOW_SAMPLES], properties[Layout.BOUNCES]);
         }
     }
 
-    private record Pace(Work work, double nanosARow) {}
+    private record Pace(Work work, double nanosARowAndSample) {}
 
     SlowPictures(LongSupplier clock) {
         this.clock = clock;
@@ -50,13 +45,14 @@ final class SlowPictures {
 
     /** How long the last picture took, where it was one like that and had enough pixels to be left; else 0. */
     long knownNanos(Engine engine, FrameInput input) {
-        return (long) (nanosARow(Work.of(engine, input)) * input.rows());
+        return (long) (nanosARow(engine, input) * input.rows());
     }
 
     /** 0 where it is not known. */
-    private double nanosARow(Work work) {
+    private double nanosARow(Engine engine, FrameInput input) {
+        Work work = Work.of(engine, input);
         return pace.filter(known -> known.work().equals(work))
-                .map(Pace::nanosARow)
+                .map(known -> known.nanosARowAndSample() * input.samplesPerPixel())
                 .orElse(0.0);
     }
 
@@ -72,8 +68,7 @@ final class SlowPictures {
             engine.render(input, frame);
             return true;
         }
-        Work work = Work.of(engine, input);
-        double nanosARow = nanosARow(work);
+        double nanosARow = nanosARow(engine, input);
         long start = clock.getAsLong();
         long before = start;
         FrameTimes times = FrameTimes.NONE;
@@ -101,7 +96,8 @@ final class SlowPictures {
             }
         }
         frame.setTimes(times);
-        pace = Optional.of(new Pace(work, (double) (before - start) / height));
+        double samples = (double) height * input.samplesPerPixel();
+        pace = Optional.of(new Pace(Work.of(engine, input), (before - start) / samples));
         return true;
     }
 

@@ -72,6 +72,13 @@ class SlowPicturesTest {
         return world.snapshot();
     }
 
+    private static FrameInput withSamplesPerPixel(int samples) {
+        World world = World.of(WindowScenes.tiny(), new Skybox(1, 1, new float[3]));
+        world.setSettings(
+                world.settings().withSize(WIDTH, HEIGHT).withShadows(1).withSamplesPerPixel(samples));
+        return world.snapshot();
+    }
+
     private Frame draw(FrameInput input) {
         Frame frame = Frame.ofPixels(input.width(), input.rows());
         assertThat(pictures.draw(engine, input, frame, _ -> false)).isTrue();
@@ -153,6 +160,7 @@ class SlowPicturesTest {
         draw(input(WIDTH, HEIGHT, 1));
         assertThat(pictures.knownNanos(engine, input(WIDTH, HEIGHT, 1))).isEqualTo(HEIGHT * engine.nanosARow);
         assertThat(pictures.knownNanos(engine, input(WIDTH, HEIGHT, 2))).isZero();
+        assertThat(pictures.knownNanos(engine, withSamplesPerPixel(4))).isEqualTo(4 * HEIGHT * engine.nanosARow);
         assertThat(pictures.knownNanos(new Paced(), input(WIDTH, HEIGHT, 1))).isZero();
     }
 }

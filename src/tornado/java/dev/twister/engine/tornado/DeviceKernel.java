@@ -15,8 +15,7 @@ import uk.ac.manchester.tornado.api.enums.TornadoDeviceType;
 
 /**
  * A kernel as TornadoVM takes it, by which of {@link PixelKernel}'s shortcuts it draws a frame, and over which grid its
- * work-items lie. Those here are loaded once, since TornadoVM
- * keeps what it knows of a method for good.
+ * work-items lie. Those here are loaded once, since TornadoVM keeps what it knows of a method for good.
  */
 record DeviceKernel(DrawTask task, ToIntFunction<FrameInput> shortcuts, Grid grid) {
     /** In strips the loop over all spheres takes half of the walk's time for 50 and 0.7 of it for 100. */
