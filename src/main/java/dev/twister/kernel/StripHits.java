@@ -8,8 +8,10 @@ final class StripHits {
     static void ofAllBodies(
             int pixels, float[] bodyPositions, float[] bodySizes, int bodies, float[] lanes, int[] marks) {
         for (int lane = 0; lane < pixels; lane++) {
-            lanes[Strip.DISTANCE + lane] = Intersection.MISS;
-            marks[Strip.HIT + lane] = marks[Strip.LEAVING + lane] == Strip.FINISHED ? Strip.FINISHED : Layout.NOTHING;
+            int finished = marks[Strip.LEAVING + lane] == Strip.FINISHED ? 1 : 0;
+            // No distance is below 0, so that lanes whose path has ended meet nothing.
+            lanes[Strip.DISTANCE + lane] = finished != 0 ? -1f : Intersection.MISS;
+            marks[Strip.HIT + lane] = finished != 0 ? Strip.FINISHED : Layout.NOTHING;
         }
         sphere(Layout.LIGHT, pixels, bodyPositions, bodySizes, lanes, marks);
         plane(pixels, bodyPositions, bodySizes, lanes, marks);

@@ -101,6 +101,26 @@ class StripKernelTest {
         requireSequentials(world.snapshot());
     }
 
+    /** They would add nothing, but be traced for nothing. */
+    @Test
+    void lanesWhosePathHasEndedMeetNothing() {
+        float[] positions = {0, 9, 0, 0, 0, 0, 0, 4, 0};
+        float[] sizes = {1, 20, 1};
+        float[] lanes = new float[Strip.FLOATS];
+        int[] marks = new int[Strip.MARKS];
+        for (int lane = 0; lane < 2; lane++) {
+            lanes[Strip.ORIGIN_Y + lane] = 2;
+            lanes[Strip.DIRECTION_Y + lane] = 1;
+        }
+        marks[Strip.LEAVING] = Layout.NOTHING;
+        marks[Strip.LEAVING + 1] = Strip.FINISHED;
+
+        StripHits.ofAllBodies(2, positions, sizes, sizes.length, lanes, marks);
+
+        assertThat(marks[Strip.HIT]).isEqualTo(Layout.FIRST_SPHERE);
+        assertThat(marks[Strip.HIT + 1]).isEqualTo(Strip.FINISHED);
+    }
+
     private static void requireSequentials(FrameInput input) {
         int[] expected = Pictures.argb(JvmEngines.SEQUENTIAL, input);
         for (int shortcuts : new int[] {PixelKernel.FEW_SPHERES, PixelKernel.SHORTCUTS}) {
