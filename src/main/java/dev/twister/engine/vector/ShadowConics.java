@@ -2,6 +2,7 @@ package dev.twister.engine.vector;
 
 import java.util.Arrays;
 import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorOperators;
 
 /**
@@ -27,6 +28,9 @@ final class ShadowConics {
 
     /** Where the second candidate's facts begin. */
     private static final int SECOND = ShadowScratch.STRIDE;
+
+    /** From the bit of a number below 0, where a sample is blocked, to a 1: fewer steps than to compare and to choose. */
+    private static final int SIGN = 31;
 
     private static final int LOWER = 0;
     private static final int COUNT = 1;
@@ -65,7 +69,7 @@ final class ShadowConics {
         }
     }
 
-    /** Counts the samples that one candidate blocks, two by two, as each addition waits for the one before. */
+    /** Counts the samples that one candidate blocks. */
     static void countOne(ShadowScratch scratch, float[] disc, int samples) {
         float[] facts = scratch.facts;
         FloatVector xx = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.XX);
@@ -74,24 +78,15 @@ final class ShadowConics {
         FloatVector linearX = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.X);
         FloatVector linearY = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.Y);
         FloatVector constant = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.CONSTANT);
-        FloatVector blocked = FloatVector.zero(Lanes.FLOATS);
-        FloatVector blockedToo = FloatVector.zero(Lanes.FLOATS);
-        for (int at = 0; at < 2 * samples; at += 4) {
-            int next = at + 2 < 2 * samples ? at + 2 : at;
+        IntVector blocked = IntVector.zero(Lanes.INTS);
+        for (int at = 0; at < 2 * samples; at += 2) {
             FloatVector x = FloatVector.broadcast(Lanes.FLOATS, disc[at]);
             FloatVector y = FloatVector.broadcast(Lanes.FLOATS, disc[at + 1]);
-            FloatVector xToo = FloatVector.broadcast(Lanes.FLOATS, disc[next]);
-            FloatVector yToo = FloatVector.broadcast(Lanes.FLOATS, disc[next + 1]);
             FloatVector inX = Lanes.fma(Lanes.fma(xy, y, Lanes.fma(xx, x, linearX)), x, constant);
-            FloatVector inXToo = Lanes.fma(Lanes.fma(xy, yToo, Lanes.fma(xx, xToo, linearX)), xToo, constant);
             FloatVector conic = Lanes.fma(Lanes.fma(yy, y, linearY), y, inX);
-            FloatVector conicToo = Lanes.fma(Lanes.fma(yy, yToo, linearY), yToo, inXToo);
-            // An odd last sample is not counted twice.
-            float oneMore = next > at ? 1f : 0f;
-            blocked = blocked.blend(blocked.add(1f), conic.compare(VectorOperators.LE, 0f));
-            blockedToo = blockedToo.blend(blockedToo.add(oneMore), conicToo.compare(VectorOperators.LE, 0f));
+            blocked = blocked.add(conic.reinterpretAsInts().lanewise(VectorOperators.LSHR, SIGN));
         }
-        blocked.add(blockedToo).intoArray(scratch.frame, ShadowScratch.BLOCKED);
+        Lanes.toFloats(blocked).intoArray(scratch.frame, ShadowScratch.BLOCKED);
     }
 
     /** Counts the samples that any of two candidates blocks. */
@@ -109,7 +104,7 @@ final class ShadowConics {
         FloatVector linearXToo = FloatVector.fromArray(Lanes.FLOATS, facts, SECOND + ShadowScratch.X);
         FloatVector linearYToo = FloatVector.fromArray(Lanes.FLOATS, facts, SECOND + ShadowScratch.Y);
         FloatVector constantToo = FloatVector.fromArray(Lanes.FLOATS, facts, SECOND + ShadowScratch.CONSTANT);
-        FloatVector blocked = FloatVector.zero(Lanes.FLOATS);
+        IntVector blocked = IntVector.zero(Lanes.INTS);
         for (int at = 0; at < 2 * samples; at += 2) {
             FloatVector x = FloatVector.broadcast(Lanes.FLOATS, disc[at]);
             FloatVector y = FloatVector.broadcast(Lanes.FLOATS, disc[at + 1]);
@@ -117,10 +112,10 @@ final class ShadowConics {
             FloatVector inXToo = Lanes.fma(Lanes.fma(xyToo, y, Lanes.fma(xxToo, x, linearXToo)), x, constantToo);
             FloatVector conic = Lanes.fma(Lanes.fma(yy, y, linearY), y, inX);
             FloatVector conicToo = Lanes.fma(Lanes.fma(yyToo, y, linearYToo), y, inXToo);
-            FloatVector lower = conic.blend(conicToo, conicToo.compare(VectorOperators.LT, conic));
-            blocked = blocked.blend(blocked.add(1f), lower.compare(VectorOperators.LE, 0f));
+            IntVector signs = conic.reinterpretAsInts().or(conicToo.reinterpretAsInts());
+            blocked = blocked.add(signs.lanewise(VectorOperators.LSHR, SIGN));
         }
-        blocked.intoArray(scratch.frame, ShadowScratch.BLOCKED);
+        Lanes.toFloats(blocked).intoArray(scratch.frame, ShadowScratch.BLOCKED);
     }
 
     /** Counts the samples that any of the candidates blocks. */
@@ -153,15 +148,15 @@ final class ShadowConics {
         }
     }
 
-    /** Counts the samples at which the lowest conic is not above 0. */
+    /** Counts the samples at which the lowest conic is below 0. */
     private static void count(ShadowScratch scratch, int samples) {
         float[] conics = scratch.conics;
-        FloatVector blocked = FloatVector.zero(Lanes.FLOATS);
+        IntVector blocked = IntVector.zero(Lanes.INTS);
         for (int sample = 0; sample < samples; sample++) {
             FloatVector conic = FloatVector.fromArray(Lanes.FLOATS, conics, sample * Lanes.COUNT);
-            blocked = blocked.blend(blocked.add(1f), conic.compare(VectorOperators.LE, 0f));
+            blocked = blocked.add(conic.reinterpretAsInts().lanewise(VectorOperators.LSHR, SIGN));
         }
-        blocked.intoArray(scratch.frame, ShadowScratch.BLOCKED);
+        Lanes.toFloats(blocked).intoArray(scratch.frame, ShadowScratch.BLOCKED);
     }
 
     /** One way over all samples. */

@@ -25,7 +25,7 @@ final class ShadowScratch {
     static final int ACROSS_W = 2 * Lanes.COUNT;
     static final int RADIUS_SQUARED = 3 * Lanes.COUNT;
 
-    /** The conic {@code xx X^2 + xy X Y + yy Y^2 + x X + y Y + c} over the unit disc, at most 0 where a sample is blocked. */
+    /** The conic {@code xx X^2 + xy X Y + yy Y^2 + x X + y Y + c} over the unit disc, below 0 where a sample is blocked. */
     static final int XX = 4 * Lanes.COUNT;
 
     static final int XY = 5 * Lanes.COUNT;
