@@ -22,18 +22,29 @@ final class SlowPictures {
     /** Pictures of fewer pixels are not worth it: the slowest engine takes half a second for so many. */
     private static final int FEWEST_PIXELS = 1 << 16;
 
-    /** Of a picture of which nothing is known about so many are drawn first. */
+    /** Of a picture of which nothing is known about so many pixels are drawn first, of more than {@link #FEW_BODIES} fewer. */
     private static final int FIRST_PIXELS = 1 << 14;
+
+    /** The slowest engine looks at every body for every ray. */
+    private static final int FEW_BODIES = 32;
 
     private final LongSupplier clock;
     private Optional<Pace> pace = Optional.empty();
 
-    /** What the time of a picture hangs on, beside the scene, and its samples a pixel, with which it grows. */
-    private record Work(Engine engine, int width, int rows, float shadowSamples, float bounces) {
+    /**
+     * What the time of a picture hangs on most, beside its samples a pixel, with which it grows. Of a scene only the room for
+     * bodies: more of them come one by one, and the next picture of the same scene is much like the last.
+     */
+    private record Work(Engine engine, int width, int rows, int room, float shadowSamples, float bounces) {
         static Work of(Engine engine, FrameInput input) {
             float[] properties = input.rayTracingProperties();
             return new Work(
-                    engine, input.width(), input.rows(), properties[Layout.SHADOW_SAMPLES], properties[Layout.BOUNCES]);
+                    engine,
+                    input.width(),
+                    input.rows(),
+                    input.room(),
+                    properties[Layout.SHADOW_SAMPLES],
+                    properties[Layout.BOUNCES]);
         }
     }
 
@@ -74,9 +85,7 @@ final class SlowPictures {
         FrameTimes times = FrameTimes.NONE;
         int drawn = 0;
         while (drawn < height) {
-            int rows = nanosARow == 0
-                    ? Math.clamp(FIRST_PIXELS / input.width(), 1, height)
-                    : rows(nanosARow, height - drawn);
+            int rows = nanosARow == 0 ? firstRows(input) : rows(nanosARow, height - drawn);
             if (rows == height) {
                 engine.render(input, frame);
                 times = frame.times();
@@ -99,6 +108,11 @@ final class SlowPictures {
         double samples = (double) height * input.samplesPerPixel();
         pace = Optional.of(new Pace(Work.of(engine, input), (before - start) / samples));
         return true;
+    }
+
+    private static int firstRows(FrameInput input) {
+        int pixels = (int) ((long) FIRST_PIXELS * FEW_BODIES / Math.max(FEW_BODIES, input.room()));
+        return Math.clamp(pixels / input.width(), 1, input.rows());
     }
 
     private static int rows(double nanosARow, int left) {

@@ -6,6 +6,7 @@ import dev.twister.engine.Engine;
 import dev.twister.gui.WindowScenes;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
+import dev.twister.oracle.Crowds;
 import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
 import dev.twister.world.World;
@@ -112,6 +113,25 @@ class SlowPicturesTest {
 
         draw(input(WIDTH, HEIGHT, 200));
         assertThat(engine.rows).as("other work").containsExactly(25, 295);
+    }
+
+    /** A picture of five spheres tells nothing of one of thousands, which may take the slowest engine hours. */
+    @Test
+    void aSceneOfMoreBodiesIsOtherWorkWhoseFirstBandIsSmaller() {
+        engine.nanosARow = 1000;
+        draw(input(WIDTH, HEIGHT, 1));
+        engine.rows.clear();
+
+        draw(Crowds.world(126, WIDTH, HEIGHT).snapshot());
+        assertThat(engine.rows).containsExactly(6, 314);
+        engine.rows.clear();
+
+        draw(Crowds.world(10_000, WIDTH, HEIGHT).snapshot());
+        assertThat(engine.rows).containsExactly(1, 319);
+        engine.rows.clear();
+
+        draw(Crowds.world(10_000, WIDTH, HEIGHT).snapshot());
+        assertThat(engine.rows).containsExactly(HEIGHT);
     }
 
     @Test
