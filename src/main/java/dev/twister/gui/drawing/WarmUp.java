@@ -22,6 +22,9 @@ record WarmUp(FrameInput whole, FrameInput small) {
     /** ... or when it has had this much time. */
     private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(6);
 
+    /** Of the first small picture. */
+    private static final int BANDS = 16;
+
     /**
      * Draws until the engine is about as fast as it will be.
      *
@@ -37,9 +40,13 @@ record WarmUp(FrameInput whole, FrameInput small) {
     }
 
     private void runOnJvm(Engine engine, BooleanSupplier unwanted) {
+        long start = System.nanoTime();
+        if (engine.drawsBandsInProportion()
+                && !drawInBands(engine, () -> unwanted.getAsBoolean() || System.nanoTime() - start > PATIENCE_NANOS)) {
+            return;
+        }
         SettlingFrames frames = new SettlingFrames(engine, small);
         double ratio = (double) whole.width() * whole.rows() / ((double) small.width() * small.rows());
-        long start = System.nanoTime();
         long nanos;
         do {
             nanos = frames.draw().toNanos();
@@ -47,5 +54,22 @@ record WarmUp(FrameInput whole, FrameInput small) {
                 && nanos > SWIFT_NANOS / ratio
                 && System.nanoTime() - start < PATIENCE_NANOS
                 && !unwanted.getAsBoolean());
+    }
+
+    /**
+     * Draws the small picture once, in bands: where there are thousands of bodies, a reference engine takes minutes for it.
+     *
+     * @param leave whether to draw no more of it; asked between bands
+     * @return whether all of it was drawn
+     */
+    private boolean drawInBands(Engine engine, BooleanSupplier leave) {
+        int most = Math.max(1, small.rows() / BANDS);
+        int drawn = 0;
+        while (drawn < small.rows() && !leave.getAsBoolean()) {
+            int rows = Math.min(most, small.rows() - drawn);
+            engine.render(small.band(drawn, rows), Frame.ofPixels(small.width(), rows));
+            drawn += rows;
+        }
+        return drawn == small.rows();
     }
 }
