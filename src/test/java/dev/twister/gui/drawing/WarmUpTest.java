@@ -6,6 +6,7 @@ import dev.twister.engine.Engine;
 import dev.twister.gui.WindowScenes;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
+import dev.twister.oracle.Crowds;
 import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
 import dev.twister.world.World;
@@ -55,9 +56,17 @@ class WarmUpTest {
         }
     }
 
-    private static WarmUp warmUp() {
+    private static WarmUp ofMany() {
+        return warmUp(Crowds.world(100, 512, 8 * SMALL_ROWS));
+    }
+
+    private static WarmUp ofFew() {
         World world = World.of(WindowScenes.tiny(), new Skybox(1, 1, new float[3]));
         world.setSettings(world.settings().withSize(512, 8 * SMALL_ROWS));
+        return warmUp(world);
+    }
+
+    private static WarmUp warmUp(World world) {
         FrameInput whole = world.snapshot();
         return new WarmUp(whole, whole.withSize(64, SMALL_ROWS));
     }
@@ -65,26 +74,32 @@ class WarmUpTest {
     /** A slow engine that is not wanted any more would keep the next one waiting. */
     @Test
     void leavesTheFirstPictureBetweenBands() {
-        warmUp().run(new Noted("slow", true), () -> rows.size() == 3);
+        ofMany().run(new Noted("slow", true), () -> rows.size() == 3);
         assertThat(rows).containsExactly(2, 2, 2);
     }
 
     @Test
     void drawsWholePicturesAfterTheFirst() {
-        warmUp().run(new Noted("swift", true), () -> false);
+        ofMany().run(new Noted("swift", true), () -> false);
         assertThat(rows).hasSize(21).endsWith(SMALL_ROWS);
         assertThat(rows.subList(0, 20)).containsOnly(2);
     }
 
     @Test
+    void drawsWholePicturesAloneOfFewBodies() {
+        ofFew().run(new Noted("swift", true), () -> false);
+        assertThat(rows).containsExactly(SMALL_ROWS);
+    }
+
+    @Test
     void drawsWholePicturesAloneWhereBandsAreNotInProportion() {
-        warmUp().run(new Noted("whole", false), () -> false);
+        ofMany().run(new Noted("whole", false), () -> false);
         assertThat(rows).containsExactly(SMALL_ROWS);
     }
 
     @Test
     void drawsThePictureItselfOnADevice() {
-        warmUp().run(new Noted("tornado:0:0", false), () -> false);
+        ofMany().run(new Noted("tornado:0:0", false), () -> false);
         assertThat(rows).containsExactly(8 * SMALL_ROWS);
     }
 }
