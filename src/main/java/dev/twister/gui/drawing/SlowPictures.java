@@ -26,7 +26,7 @@ final class SlowPictures {
     private static final int FIRST_PIXELS = 1 << 14;
 
     /** The slowest engine looks at every body for every ray. */
-    static final int FEW_BODIES = 32;
+    private static final int FEW_BODIES = 32;
 
     private final LongSupplier clock;
     private Optional<Pace> pace = Optional.empty();

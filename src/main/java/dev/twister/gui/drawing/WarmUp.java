@@ -22,7 +22,7 @@ record WarmUp(FrameInput whole, FrameInput small) {
     /** ... or when it has had this much time. */
     private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(6);
 
-    /** Of the first small picture of many bodies. */
+    /** Of the first small picture of many spheres. */
     private static final int BANDS = 16;
 
     /**
@@ -42,7 +42,7 @@ record WarmUp(FrameInput whole, FrameInput small) {
     private void runOnJvm(Engine engine, BooleanSupplier unwanted) {
         long start = System.nanoTime();
         if (engine.drawsBandsInProportion()
-                && small.room() > SlowPictures.FEW_BODIES
+                && !small.hasFewSpheres()
                 && !drawInBands(engine, () -> unwanted.getAsBoolean() || System.nanoTime() - start > PATIENCE_NANOS)) {
             return;
         }
