@@ -55,6 +55,11 @@ final class AutoEngine implements Engine {
         current.onFaster(listener);
     }
 
+    @Override
+    public void rest() {
+        current.rest();
+    }
+
     private void goOverTo(Engine faster) {
         current.close();
         current = faster;

@@ -40,6 +40,12 @@ public interface Engine extends AutoCloseable {
         return false;
     }
 
+    /**
+     * Says that no frame is wanted for now: what other scenes would have to wait for may be made ready meanwhile, on threads of
+     * the engine's own, until the next frame is drawn. Returns at once.
+     */
+    default void rest() {}
+
     /** Gives back what the engine holds; never throws. */
     @Override
     void close();

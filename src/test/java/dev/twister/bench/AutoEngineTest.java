@@ -52,6 +52,19 @@ class AutoEngineTest {
     }
 
     @Test
+    void whoeverDrawsRests() {
+        CountingEngine fast = new CountingEngine("vector", 99);
+        try (Engine auto = auto(_ -> Optional.of(fast))) {
+            auto.rest();
+            assertThat(standIn.rests).isOne();
+            renderUntil(auto, "vector");
+            assertThat(fast.rests).isZero();
+            auto.rest();
+            assertThat(fast.rests).isOne();
+        }
+    }
+
+    @Test
     void tellsWhenThereIsAFasterOneThoughNothingIsDrawn() throws InterruptedException {
         CountDownLatch told = new CountDownLatch(2);
         try (Engine auto = auto(_ -> Optional.of(new CountingEngine("vector", 99)))) {
@@ -234,6 +247,7 @@ class AutoEngineTest {
         private final int nanosPerPixel;
         private final AtomicInteger frames = new AtomicInteger();
         private volatile int closed;
+        private int rests;
         private int nanosPerPixelAtFirst;
         private IntConsumer pauses = _ -> {};
         private volatile int lastWidth;
@@ -264,6 +278,11 @@ class AutoEngineTest {
             pauses.accept(drawnBefore);
             int nanos = drawnBefore == 0 ? nanosPerPixelAtFirst : nanosPerPixel;
             into.setTimes(FrameTimes.onJvm((long) nanos * drawn.width() * drawn.rows()));
+        }
+
+        @Override
+        public void rest() {
+            rests++;
         }
 
         void awaitFrames(int wanted) throws InterruptedException {

@@ -6,29 +6,32 @@ import dev.twister.engine.SettlingFrames;
 import dev.twister.world.SampleWorld;
 import java.time.Duration;
 
-/** Draws small pictures of a crowd on one thread of its own until they get no faster. */
+/** Draws small pictures of many spheres or of few, on one thread of its own, until they get no faster. */
 final class SmallRehearsal implements Rehearsal {
-    private static final int SPHERES = 1000;
+    private static final int MANY = 1000;
+    private static final int FEW = 5;
     private static final int WIDTH = 320;
     private static final int HEIGHT = 180;
 
     /** The JVM's compiler may be at work for others all the time. */
     private static final Duration LONGEST = Duration.ofSeconds(5);
 
+    private final int spheres;
     private volatile boolean over;
 
-    private SmallRehearsal() {
+    private SmallRehearsal(int spheres) {
+        this.spheres = spheres;
         Thread.ofPlatform().daemon().name("twister-rehearsal").start(this::draw);
     }
 
-    static Rehearsal start() {
-        return new SmallRehearsal();
+    /** As {@link Rehearsal.Start#of}. */
+    static Rehearsal of(boolean walk) {
+        return new SmallRehearsal(walk ? MANY : FEW);
     }
 
     private void draw() {
-        try (Engine walking = VectorEngines.open(1, 0)) {
-            new SettlingFrames(
-                            walking, SampleWorld.crowd(SPHERES, WIDTH, HEIGHT).snapshot())
+        try (Engine engine = VectorEngines.open(1, VectorEngine.CROWD)) {
+            new SettlingFrames(engine, SampleWorld.crowd(spheres, WIDTH, HEIGHT).snapshot())
                     .settle(LONGEST, () -> over);
         } catch (EngineException _) {
             // What does not draw tells whoever asks for a frame.

@@ -88,6 +88,11 @@ final class VectorEngine implements Engine {
     }
 
     @Override
+    public void rest() {
+        ways.rest();
+    }
+
+    @Override
     public void close() {
         ways.close();
         crew.close();

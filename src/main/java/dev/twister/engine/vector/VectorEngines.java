@@ -35,11 +35,11 @@ public final class VectorEngines implements EngineProvider {
 
     /** The engine on so many threads. */
     static Engine open(int threads) {
-        return new VectorEngine(threads, new Ways(VectorEngine.CROWD, SmallRehearsal::start));
+        return new VectorEngine(threads, new Ways(VectorEngine.CROWD, SmallRehearsal::of));
     }
 
     /** The same, which walks the hierarchy from that many bodies on, rehearsed or not. */
     static Engine open(int threads, int crowd) {
-        return new VectorEngine(threads, new Ways(crowd, Unrehearsed::new));
+        return new VectorEngine(threads, new Ways(crowd, _ -> new Unrehearsed()));
     }
 }

@@ -2,12 +2,11 @@ package dev.twister.engine.vector;
 
 import dev.twister.world.FrameInput;
 import java.util.Optional;
-import java.util.function.Supplier;
 
 /**
  * By which of two ways frames are drawn: past all bodies, or on a walk through the hierarchy. What the JVM has not compiled
- * takes more than a second for a frame. So where a crowd is to come, the walk is rehearsed, and the few that are there
- * already are drawn past until then.
+ * takes seconds for a frame. So where a crowd is to come, the walk is rehearsed, and the few that are there already are drawn
+ * past until then; and while nothing is drawn, the way that has not been taken yet is rehearsed, as another scene may be next.
  */
 final class Ways implements AutoCloseable {
     /** An engine that is still warming itself is left alone. */
@@ -17,34 +16,56 @@ final class Ways implements AutoCloseable {
     private static final int MOST_CROWDS = 2;
 
     private final int crowd;
-    private final Supplier<Rehearsal> rehearsals;
+    private final Rehearsal.Start rehearsals;
     private Optional<Rehearsal> rehearsal = Optional.empty();
-    private boolean known;
+    private boolean walked;
+    private boolean passed;
     private int frames;
 
     /**
      * Draws nothing yet.
      *
      * @param crowd from how many bodies on the hierarchy is walked
-     * @param rehearsals starts one
      */
-    Ways(int crowd, Supplier<Rehearsal> rehearsals) {
+    Ways(int crowd, Rehearsal.Start rehearsals) {
         this.crowd = crowd;
         this.rehearsals = rehearsals;
     }
 
     /** Whether the next frame is a walk. */
     boolean walk(FrameInput input) {
-        if (!known && rehearsal.isEmpty() && input.room() >= crowd && frames++ >= FIRST_FRAMES) {
-            rehearsal = Optional.of(rehearsals.get());
+        boolean crowdToCome = !walked && input.room() >= crowd;
+        if (!crowdToCome) {
+            // Begun at rest: whoever draws needs the processor, and what is compiled by now stays so.
+            endUnfinished();
+        } else if (rehearsal.isEmpty() && frames++ >= FIRST_FRAMES) {
+            rehearsal = Optional.of(rehearsals.of(true));
         }
-        boolean waits = rehearsal.filter(begun -> !begun.isOver()).isPresent();
-        boolean walk = input.bodies() >= (waits ? MOST_CROWDS * crowd : crowd);
-        if (walk && !known) {
-            known = true;
-            close();
+        boolean walk = input.bodies() >= (isUnfinished() ? MOST_CROWDS * crowd : crowd);
+        if (walk) {
+            walked = true;
+            endUnfinished();
+        } else {
+            passed = true;
         }
         return walk;
+    }
+
+    /** Nothing is drawn for now. */
+    void rest() {
+        if (walked != passed && rehearsal.isEmpty()) {
+            rehearsal = Optional.of(rehearsals.of(passed));
+        }
+    }
+
+    private boolean isUnfinished() {
+        return rehearsal.filter(begun -> !begun.isOver()).isPresent();
+    }
+
+    private void endUnfinished() {
+        if (isUnfinished()) {
+            close();
+        }
     }
 
     @Override

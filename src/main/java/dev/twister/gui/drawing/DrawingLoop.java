@@ -6,6 +6,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
@@ -16,6 +17,9 @@ import java.util.function.LongSupplier;
  * {@link #takeNewest} return at once.
  */
 public final class DrawingLoop implements AutoCloseable {
+    /** Where nothing is asked for in so long, the engine rests. */
+    private static final long REST_NANOS = TimeUnit.SECONDS.toNanos(1);
+
     private final PictureExchange exchange = new PictureExchange();
     private final PictureWork work;
     private final Thread thread;
@@ -131,6 +135,9 @@ public final class DrawingLoop implements AutoCloseable {
                 status = work.status();
                 more = drawable && work.step(next.get());
                 status = work.status();
+                if (drawable && !more && isQuiet()) {
+                    work.rest();
+                }
                 next = await(more);
             }
         } finally {
@@ -159,6 +166,22 @@ public final class DrawingLoop implements AutoCloseable {
         lock.lock();
         try {
             return Optional.ofNullable(questions.poll());
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /** Waits a while, and returns whether there is nothing to do even then. */
+    private boolean isQuiet() {
+        lock.lock();
+        try {
+            long left = REST_NANOS;
+            while (!closed && !due && questions.isEmpty() && left > 0) {
+                left = changed.awaitNanos(left);
+            }
+            return left <= 0;
+        } catch (InterruptedException _) {
+            return false;
         } finally {
             lock.unlock();
         }

@@ -94,6 +94,13 @@ final class EngineSeat implements AutoCloseable {
         return substituted;
     }
 
+    /** No frame is wanted for now: the engine rests, unless another one is being made ready. */
+    void rest() {
+        if (candidate.isEmpty()) {
+            seated.ifPresent(Engine::rest);
+        }
+    }
+
     /** The seated engine failed while it drew: the substitute takes its place. */
     void giveUp(Throwable problem) {
         failure = Optional.of(explain(seated.map(Engine::id).orElse(substitute.id()), problem));

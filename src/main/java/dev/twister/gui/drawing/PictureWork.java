@@ -102,6 +102,11 @@ final class PictureWork implements AutoCloseable {
         }
     }
 
+    /** Nothing has been asked for in a while. */
+    void rest() {
+        seat.rest();
+    }
+
     private boolean isAtWork(DrawingRequest wanted) {
         return request.filter(old -> old.number() == wanted.number()).isPresent();
     }

@@ -13,6 +13,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class WaysTest {
     private static final int CROWD = 20;
@@ -20,6 +22,9 @@ class WaysTest {
 
     /** More frames than an engine takes to be warm. */
     private static final int WARM = 100;
+
+    /** And with no room for more. */
+    private static final FrameInput FEW = SampleWorld.ofSize(4, 4).snapshot();
 
     private final List<FakeRehearsal> started = new ArrayList<>();
     private final Ways ways = new Ways(CROWD, this::start);
@@ -63,9 +68,8 @@ class WaysTest {
 
     @Test
     void nothingIsRehearsedForAFewThatStayAFew() {
-        FrameInput few = SampleWorld.ofSize(4, 4).snapshot();
         for (int frame = 0; frame < WARM; frame++) {
-            ways.walk(few);
+            ways.walk(FEW);
         }
         assertThat(started).isEmpty();
     }
@@ -75,6 +79,52 @@ class WaysTest {
         ways.walk(bodies(CROWD));
         warm();
         assertThat(started).isEmpty();
+    }
+
+    @Test
+    void atRestTheWayNotTakenYetIsRehearsed() {
+        ways.rest();
+        assertThat(started).isEmpty();
+
+        ways.walk(FEW);
+        ways.rest();
+        ways.rest();
+        assertThat(started).hasSize(1).allMatch(rehearsal -> rehearsal.walk);
+        started.getFirst().over = true;
+        ways.walk(FEW);
+        ways.rest();
+        assertThat(started).hasSize(1);
+
+        assertThat(ways.walk(bodies(CROWD))).isTrue();
+        ways.rest();
+        assertThat(started).hasSize(1);
+    }
+
+    @Test
+    void afterACrowdItIsTheWayOfTheFew() {
+        ways.walk(bodies(CROWD));
+        ways.rest();
+        assertThat(started).hasSize(1).noneMatch(rehearsal -> rehearsal.walk);
+    }
+
+    @Test
+    void aFrameEndsARehearsalAtRestThatTheNextRestTakesUpAgain() {
+        ways.walk(FEW);
+        ways.rest();
+        ways.walk(FEW);
+        assertThat(started).hasSize(1).allMatch(rehearsal -> rehearsal.closed);
+        ways.rest();
+        assertThat(started).hasSize(2);
+    }
+
+    @Test
+    void aCrowdThatComesWhileItIsRehearsedAtRestWaits() {
+        ways.walk(FEW);
+        ways.rest();
+        assertThat(ways.walk(bodies(CROWD))).isFalse();
+        started.getFirst().over = true;
+        assertThat(ways.walk(bodies(CROWD))).isTrue();
+        assertThat(started).hasSize(1).noneMatch(rehearsal -> rehearsal.closed);
     }
 
     @Test
@@ -95,10 +145,11 @@ class WaysTest {
         }
     }
 
-    @Test
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
     @Timeout(60)
-    void aRehearsalComesToItsEnd() throws InterruptedException {
-        Rehearsal rehearsal = SmallRehearsal.start();
+    void aRehearsalComesToItsEnd(boolean walk) throws InterruptedException {
+        Rehearsal rehearsal = SmallRehearsal.of(walk);
         while (!rehearsal.isOver()) {
             Thread.sleep(1);
         }
@@ -131,15 +182,20 @@ class WaysTest {
         return world.snapshot();
     }
 
-    private Rehearsal start() {
-        FakeRehearsal rehearsal = new FakeRehearsal();
+    private Rehearsal start(boolean walk) {
+        FakeRehearsal rehearsal = new FakeRehearsal(walk);
         started.add(rehearsal);
         return rehearsal;
     }
 
     private static final class FakeRehearsal implements Rehearsal {
+        private final boolean walk;
         private boolean over;
         private boolean closed;
+
+        FakeRehearsal(boolean walk) {
+            this.walk = walk;
+        }
 
         @Override
         public boolean isOver() {

@@ -94,6 +94,19 @@ class DrawingLoopTest {
     }
 
     @Test
+    void theEngineRestsOnceWhenNothingIsAskedForAnyMore() {
+        request(scene, 16);
+        await(() -> green.rests.get() == 1);
+        int frames = green.frames.get();
+
+        request(scene, 16);
+        await(() -> green.rests.get() == 2);
+
+        assertThat(green.frames.get()).isGreaterThan(frames);
+        assertThat(substitute.rests).hasValue(0);
+    }
+
+    @Test
     void somethingIsSeenWhileTheEngineIsMadeReady() {
         green.hold();
         request(scene, 0);

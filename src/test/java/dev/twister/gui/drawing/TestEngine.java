@@ -33,6 +33,7 @@ final class TestEngine implements Engine {
         final AtomicInteger alive = new AtomicInteger();
         final AtomicInteger opened = new AtomicInteger();
         final AtomicInteger frames = new AtomicInteger();
+        final AtomicInteger rests = new AtomicInteger();
         volatile boolean breaks;
         volatile Runnable onFaster = () -> {};
         volatile Runnable onFrame = () -> {};
@@ -106,6 +107,11 @@ final class TestEngine implements Engine {
     @Override
     public void onFaster(Runnable listener) {
         kind.onFaster = listener;
+    }
+
+    @Override
+    public void rest() {
+        kind.rests.incrementAndGet();
     }
 
     @Override
