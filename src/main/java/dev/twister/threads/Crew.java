@@ -39,9 +39,16 @@ public final class Crew implements AutoCloseable {
         }
     }
 
-    /** Does the job once on every thread; returns when all are done. */
+    /**
+     * Does the job once on every thread; returns when all are done.
+     *
+     * @throws IllegalStateException where the job fails on any of them, or the crew is closed
+     */
     @SuppressWarnings("NonAtomicVolatileUpdate") // only the caller writes it
     public void work() {
+        if (closed) {
+            throw new IllegalStateException("closed");
+        }
         failure = null;
         caller = Thread.currentThread();
         working.set(helpers.size());
@@ -60,11 +67,14 @@ public final class Crew implements AutoCloseable {
 
     private void help(int number) {
         int seen = 0;
-        while (!closed) {
+        boolean ended = false;
+        while (!ended) {
             for (int turn = 0; round == seen && !closed; turn++) {
                 await(turn);
             }
-            if (!closed) {
+            // Who works counts on every helper, even in the round in which the crew was closed.
+            ended = round == seen;
+            if (!ended) {
                 seen = round;
                 attempt(number);
                 if (working.decrementAndGet() == 0) {

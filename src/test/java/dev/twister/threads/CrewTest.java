@@ -1,0 +1,60 @@
+package dev.twister.threads;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.concurrent.atomic.AtomicIntegerArray;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class CrewTest {
+    private static final int THREADS = 3;
+
+    @Test
+    void eachThreadDoesTheJobOnceARound() {
+        AtomicIntegerArray done = new AtomicIntegerArray(THREADS);
+        try (Crew crew = new Crew("test", THREADS, done::incrementAndGet)) {
+            for (int round = 1; round <= 100; round++) {
+                crew.work();
+                for (int thread = 0; thread < THREADS; thread++) {
+                    assertThat(done.get(thread)).isEqualTo(round);
+                }
+            }
+        }
+    }
+
+    @Test
+    void whatFailsOnOneThreadIsToldAndTheOthersWork() {
+        try (Crew crew = new Crew("test", THREADS, number -> {
+            if (number == 1) {
+                throw new IllegalArgumentException("spoilt");
+            }
+        })) {
+            assertThatThrownBy(crew::work)
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessageContaining("spoilt");
+            assertThatThrownBy(crew::work).hasMessageContaining("spoilt");
+        }
+    }
+
+    @Test
+    void aClosedOneSaysSo() {
+        Crew crew = new Crew("test", THREADS, _ -> {});
+        crew.work();
+        crew.close();
+        assertThatThrownBy(crew::work).isInstanceOf(IllegalStateException.class).hasMessageContaining("closed");
+    }
+
+    @Test
+    void oneThatIsClosedWhileItWorksComesToAnEnd() {
+        Crew[] closing = new Crew[1];
+        closing[0] = new Crew("test", THREADS, number -> {
+            if (number == 0) {
+                closing[0].close();
+            }
+        });
+        closing[0].work();
+        assertThatThrownBy(closing[0]::work).hasMessageContaining("closed");
+    }
+}
