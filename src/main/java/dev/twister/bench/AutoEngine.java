@@ -41,11 +41,12 @@ final class AutoEngine implements Engine {
             successor.take().ifPresent(this::goOverTo);
         }
         if (!succeeded) {
-            successor.startWith(input);
+            successor.follow(input);
         }
         current.render(input, frame);
         if (!succeeded) {
-            successor.mustBeat((double) frame.times().totalNanos() / ((double) frame.width() * frame.height()));
+            double samples = (double) frame.width() * frame.height() * input.samplesPerPixel();
+            successor.mustBeat(frame.times().totalNanos() / samples);
         }
     }
 
@@ -53,6 +54,12 @@ final class AutoEngine implements Engine {
     public void onFaster(Runnable listener) {
         successor.onReady(listener);
         current.onFaster(listener);
+    }
+
+    /** While frames are measured, they are whole. */
+    @Override
+    public boolean drawsBandsInProportion() {
+        return (succeeded || successor.isOver()) && current.drawsBandsInProportion();
     }
 
     @Override

@@ -28,13 +28,13 @@ final class Successor implements AutoCloseable {
 
     private final Function<BooleanSupplier, Optional<Engine>> opener;
     private final Duration patience;
-    /** What the last frames of the engine that draws took, in nanoseconds a pixel: the scene may change. */
+    /** What the last frames of the engine that draws took, in nanoseconds for each sample of a pixel: the scene may change. */
     private final double[] nanosToBeat = new double[FRAMES_TO_BEAT];
 
     private long framesToBeat;
     private volatile boolean closed;
     private boolean over;
-    private boolean started;
+    private volatile Optional<FrameInput> newest = Optional.empty();
     private long waitedNanos;
     private Optional<Engine> ready = Optional.empty();
     private Runnable listener = () -> {};
@@ -60,26 +60,33 @@ final class Successor implements AutoCloseable {
         this.opener = opener;
     }
 
-    /** Starts, the first time, to open and to warm the engine. */
-    void startWith(FrameInput input) {
+    /**
+     * Starts, the first time, to open and to warm the engine; from then on what it draws is what is drawn beside it.
+     *
+     * @param input of the frame that is drawn now
+     */
+    synchronized void follow(FrameInput input) {
+        boolean started = newest.isPresent();
+        if (newest.filter(old -> !Work.of(old).equals(Work.of(input))).isPresent()) {
+            framesToBeat = 0;
+        }
+        newest = Optional.of(input);
         if (!started) {
-            started = true;
-            FrameInput small = SettlingFrames.small(input);
-            Thread.ofPlatform().daemon().name("twister-warm-up").start(() -> warm(small));
+            Thread.ofPlatform().daemon().name("twister-warm-up").start(this::warm);
         }
     }
 
-    /** How long the engine that draws took for a pixel of a frame. */
-    synchronized void mustBeat(double nanosPerPixel) {
-        nanosToBeat[(int) (framesToBeat % FRAMES_TO_BEAT)] = nanosPerPixel;
+    /** How long the engine that draws took for a frame's pixels, for each of their samples. */
+    synchronized void mustBeat(double nanosPerSample) {
+        nanosToBeat[(int) (framesToBeat % FRAMES_TO_BEAT)] = nanosPerSample;
         framesToBeat++;
     }
 
     /** Where no more frames are drawn, those there are must do for what gets no faster. */
-    private synchronized boolean isBeatenBy(double nanosPerPixel, boolean settled) {
+    private synchronized boolean isBeatenBy(double nanosPerSample, boolean settled) {
         int known = (int) Math.min(framesToBeat, FRAMES_TO_BEAT);
         boolean enough = known == FRAMES_TO_BEAT || (known > 0 && settled);
-        return enough && Arrays.stream(nanosToBeat, 0, known).allMatch(frame -> nanosPerPixel < frame);
+        return enough && Arrays.stream(nanosToBeat, 0, known).allMatch(frame -> nanosPerSample < frame);
     }
 
     /** Has someone told, on another thread, when there is an engine to take; at once where there is one. */
@@ -93,7 +100,7 @@ final class Successor implements AutoCloseable {
     /** Waits for the engine a little, where there is patience left. */
     synchronized void await() {
         long start = System.nanoTime();
-        long pauseNanos = started ? Math.min(PAUSE_NANOS, patience.toNanos() - waitedNanos) : 0;
+        long pauseNanos = newest.isPresent() ? Math.min(PAUSE_NANOS, patience.toNanos() - waitedNanos) : 0;
         try {
             long leftNanos = pauseNanos;
             while (ready.isEmpty() && !over && !closed && leftNanos > 0) {
@@ -104,6 +111,11 @@ final class Successor implements AutoCloseable {
             Thread.currentThread().interrupt();
         }
         waitedNanos += System.nanoTime() - start;
+    }
+
+    /** Whether no engine comes any more. */
+    synchronized boolean isOver() {
+        return over && ready.isEmpty();
     }
 
     /** The engine, once it is warm; from then on it is the caller's. */
@@ -120,12 +132,9 @@ final class Successor implements AutoCloseable {
         take().ifPresent(Engine::close);
     }
 
-    private void warm(FrameInput small) {
+    private void warm() {
         try {
-            Optional<Engine> opened = opener.apply(() -> closed);
-            if (opened.isPresent()) {
-                warm(opened.get(), small);
-            }
+            opener.apply(() -> closed).ifPresent(this::warm);
         } catch (EngineException _) {
             // What draws now goes on; whoever opens the engine by its name is told why.
         } finally {
@@ -138,16 +147,21 @@ final class Successor implements AutoCloseable {
         notifyAll();
     }
 
-    private void warm(Engine engine, FrameInput small) {
+    private void warm(Engine engine) {
         boolean warm = false;
         try {
-            SettlingFrames frames = new SettlingFrames(engine, small);
-            double pixels = (double) small.width() * small.rows();
-            long spentNanos = 0;
-            while (!warm && !closed && !(frames.areSettled() && spentNanos > WARMING.toNanos())) {
-                long nanos = frames.draw().toNanos();
-                spentNanos += nanos;
-                warm = isBeatenBy(nanos / pixels, frames.areSettled());
+            Trial trial = new Trial(engine, newest.orElseThrow());
+            boolean again = true;
+            while (!warm && !closed && (again || !trial.isHopeless())) {
+                FrameInput now = newest.orElseThrow();
+                if (!Work.of(now).equals(trial.work)) {
+                    trial = new Trial(engine, now);
+                } else if (trial.isHopeless()) {
+                    // The camera may look at what takes another time: one more trial of what it sees now.
+                    again = false;
+                    trial = new Trial(engine, now);
+                }
+                warm = isBeatenBy(trial.draw(), trial.frames.areSettled());
             }
         } finally {
             if (!warm) {
@@ -166,6 +180,39 @@ final class Successor implements AutoCloseable {
             ready = Optional.of(engine);
             notifyAll();
             listener.run();
+        }
+    }
+
+    /** What, beside the view, decides how long a pixel's sample takes: times of one tell nothing of another. */
+    private record Work(int room, int shadowSamples, int bounces) {
+        static Work of(FrameInput input) {
+            return new Work(input.room(), input.shadowSamples(), input.bounces());
+        }
+    }
+
+    /** Small pictures of one input. */
+    private static final class Trial {
+        private final Work work;
+        private final SettlingFrames frames;
+        private final double samples;
+        private long spentNanos;
+
+        Trial(Engine engine, FrameInput input) {
+            FrameInput small = SettlingFrames.small(input);
+            work = Work.of(input);
+            frames = new SettlingFrames(engine, small);
+            samples = (double) small.width() * small.rows() * small.samplesPerPixel();
+        }
+
+        /** Draws one; returns the nanoseconds for each sample of its pixels. */
+        double draw() {
+            long nanos = frames.draw().toNanos();
+            spentNanos += nanos;
+            return nanos / samples;
+        }
+
+        boolean isHopeless() {
+            return frames.areSettled() && spentNanos > WARMING.toNanos();
         }
     }
 }

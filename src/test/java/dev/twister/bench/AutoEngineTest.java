@@ -8,6 +8,7 @@ import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SampleWorld;
+import dev.twister.world.World;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.Optional;
@@ -23,8 +24,10 @@ import org.junit.jupiter.api.Timeout;
 class AutoEngineTest {
     private static final int WIDTH = 640;
     private static final int HEIGHT = 200;
+    private static final int SHADOW_SAMPLES = 2;
 
-    private final FrameInput input = SampleWorld.ofSize(WIDTH, HEIGHT).snapshot();
+    private final World world = SampleWorld.ofSize(WIDTH, HEIGHT);
+    private final FrameInput input = ofShadows(SHADOW_SAMPLES);
     private final Frame frame = Frame.ofPixels(WIDTH, HEIGHT);
     private final CountingEngine standIn = new CountingEngine("parallel", 100);
 
@@ -138,7 +141,7 @@ class AutoEngineTest {
         };
         try (Successor successor = new Successor(_ -> Optional.of(fast))) {
             successor.mustBeat(100);
-            successor.startWith(input);
+            successor.follow(input);
             fast.awaitFrames(frames + 1);
             assertThat(successor.take()).isEmpty();
 
@@ -165,6 +168,53 @@ class AutoEngineTest {
             assertThat(standIn.closed).isZero();
             assertThat(tries).isGreaterThan(1);
             assertThat(slow.frames).hasValue(tries);
+        }
+    }
+
+    /** A light picture of the one that draws takes less time than a heavy one of any. */
+    @Test
+    void whatBecomesLighterIsTriedAnew() throws InterruptedException {
+        CountingEngine fast = new CountingEngine("vector", 20);
+        FrameInput heavy = ofShadows(16 * SHADOW_SAMPLES);
+        CountDownLatch lighter = new CountDownLatch(1);
+        fast.pauses = frame -> {
+            if (frame == 0) {
+                Latches.await(lighter);
+            }
+        };
+        try (Engine auto = auto(_ -> Optional.of(fast))) {
+            auto.render(heavy, frame);
+            fast.awaitFrames(1);
+            for (int i = 0; i < 3; i++) {
+                auto.render(input, frame);
+            }
+            lighter.countDown();
+            renderUntil(auto, "vector");
+        }
+        assertThat(fast.closed).isOne();
+    }
+
+    @Test
+    void picturesAreDrawnInBandsOnceNothingIsMeasured() {
+        standIn.bands = true;
+        CountingEngine fast = new CountingEngine("vector", 99);
+        fast.bands = true;
+        try (Engine auto = auto(_ -> Optional.of(fast))) {
+            assertThat(auto.drawsBandsInProportion()).isFalse();
+            renderUntil(auto, "vector");
+            assertThat(auto.drawsBandsInProportion()).isTrue();
+        }
+    }
+
+    @Test
+    void picturesAreDrawnInBandsByTheStandInThatStays() {
+        standIn.bands = true;
+        try (Engine auto = auto(_ -> Optional.empty())) {
+            auto.render(input, frame);
+            while (!auto.drawsBandsInProportion()) {
+                Thread.onSpinWait();
+            }
+            assertThat(auto.id()).isEqualTo("parallel");
         }
     }
 
@@ -231,6 +281,11 @@ class AutoEngineTest {
         }
     }
 
+    private FrameInput ofShadows(int samples) {
+        world.setSettings(world.settings().withShadows(samples));
+        return world.snapshot();
+    }
+
     private Engine auto(Function<BooleanSupplier, Optional<Engine>> successor) {
         return new AutoEngine(standIn, new Successor(successor));
     }
@@ -241,13 +296,14 @@ class AutoEngineTest {
         }
     }
 
-    /** Says that each pixel took it so many nanoseconds. */
+    /** Says that each pixel took it so many nanoseconds, where there are the usual shadow samples. */
     private static final class CountingEngine implements Engine {
         private final String id;
         private final int nanosPerPixel;
         private final AtomicInteger frames = new AtomicInteger();
         private volatile int closed;
         private int rests;
+        private boolean bands;
         private int nanosPerPixelAtFirst;
         private IntConsumer pauses = _ -> {};
         private volatile int lastWidth;
@@ -276,8 +332,14 @@ class AutoEngineTest {
             Arrays.fill(into.argb(), id.hashCode());
             int drawnBefore = frames.getAndIncrement();
             pauses.accept(drawnBefore);
-            int nanos = drawnBefore == 0 ? nanosPerPixelAtFirst : nanosPerPixel;
+            int nanos =
+                    (drawnBefore == 0 ? nanosPerPixelAtFirst : nanosPerPixel) * drawn.shadowSamples() / SHADOW_SAMPLES;
             into.setTimes(FrameTimes.onJvm((long) nanos * drawn.width() * drawn.rows()));
+        }
+
+        @Override
+        public boolean drawsBandsInProportion() {
+            return bands;
         }
 
         @Override
