@@ -10,7 +10,8 @@ import java.util.List;
  * @param shadowSamples points on the light's disc
  * @param bounces limit of reflections
  * @param warmupFrames frames drawn before the measured ones at each size; where there are any, small pictures are drawn before
- *     an engine's first size until they get no faster, so that compilers are done; of bodies that move as they are then
+ *     an engine's first size until they get no faster, so that compilers are done; all of them of bodies at their
+ *     start, where they move
  * @param frames measured frames
  * @param maxSeconds for one engine at one size, warm-up included, half of it at most; fewer frames are taken where it
  *     is short, but always one of each. And as long again, at most, for an engine's small pictures

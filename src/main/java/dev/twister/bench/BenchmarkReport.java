@@ -31,7 +31,12 @@ public record BenchmarkReport(
         return measurements.stream()
                 .filter(other -> other.engine().equals(baseline) && other.size().equals(measurement.size()))
                 .findFirst()
-                .map(other -> other.times().mean() / measurement.times().mean());
+                .map(other -> speedup(other, measurement));
+    }
+
+    private static double speedup(Measurement baseline, Measurement measurement) {
+        int frames = Math.min(baseline.times().frames(), measurement.times().frames());
+        return baseline.meanOfFirst(frames) / measurement.meanOfFirst(frames);
     }
 
     /** Whether every engine finished with sequential's picture. */

@@ -37,7 +37,8 @@ final class MotionMeasuring {
     }
 
     /**
-     * Moves the scene from its start, with warm-up frames and measured ones.
+     * Draws warm-up frames of the scene at its start, and moves it from there with the measured ones: the same frames for
+     * every engine, however many it draws to warm up.
      *
      * @param warmUp what the engine draws of the world as it is at the start: before that it may be without most bodies, and
      *     the code that their frames take would not be compiled
@@ -46,20 +47,14 @@ final class MotionMeasuring {
     Measurement measure(Engine engine, Consumer<FrameInput> warmUp, Function<FrameInput, int[]> reference) {
         PictureSize size = new PictureSize(input.width(), input.height());
         Frame frame = Frame.ofPixels(input.width(), input.height());
-        int warmups = 0;
+        int warmups;
         try (Simulation simulation = Simulation.of(motion.scene())) {
             moveToStart(simulation, engine.id(), size);
             simulation.place(world);
             warmUp.accept(world.snapshot());
             progress.begins(engine.id(), size, plan.warmupFrames() + plan.frames());
             long start = System.nanoTime();
-            while (warmups < plan.warmupFrames() && (warmups == 0 || isWithin(start, plan.maxSeconds() / 2))) {
-                draw(engine, simulation, frame);
-                warmups++;
-            }
-            times.clear();
-            stepNanos = 0;
-            rebuildNanos = 0;
+            warmups = warmUp(engine, simulation, frame, start);
             // An engine that left pixels unwritten would show the warm-up's: what is compared is drawn over nothing.
             Arrays.fill(frame.argb(), 0);
             while (times.size() < plan.frames() && (times.isEmpty() || isWithin(start, plan.maxSeconds()))) {
@@ -79,7 +74,7 @@ final class MotionMeasuring {
                 measured.statistics(),
                 measured.deviceTimes(),
                 PictureComparison.of(reference.apply(input), frame.argb()),
-                Optional.of(new MotionTimes(stepNanos / frames, rebuildNanos / frames)));
+                Optional.of(new MotionTimes(stepNanos / frames, rebuildNanos / frames, measured.millis())));
     }
 
     private void moveToStart(Simulation simulation, String engine, PictureSize size) {
@@ -88,6 +83,21 @@ final class MotionMeasuring {
             progress.begins(engine + ", moving to its start,", size, steps);
             simulation.advance(motion.startSeconds(), progress::drewFrame);
         }
+    }
+
+    private int warmUp(Engine engine, Simulation simulation, Frame frame, long start) {
+        int drawn = 0;
+        // Steps are to be compiled too, but the bodies that are measured must stay at their start.
+        try (Simulation rehearsal = Simulation.of(motion.scene())) {
+            while (drawn < plan.warmupFrames() && (drawn == 0 || isWithin(start, plan.maxSeconds() / 2))) {
+                rehearsal.advance(motion.secondsPerFrame());
+                simulation.place(world);
+                engine.render(world.snapshot(), frame);
+                progress.drewFrame();
+                drawn++;
+            }
+        }
+        return drawn;
     }
 
     private void draw(Engine engine, Simulation simulation, Frame frame) {

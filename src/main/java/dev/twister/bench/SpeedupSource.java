@@ -5,6 +5,6 @@ import java.util.Optional;
 /** Knows how engines compare at the same setting. */
 @FunctionalInterface
 interface SpeedupSource {
-    /** How many times faster than the baseline, by the means; empty where that one was not measured. */
+    /** How many times faster than the baseline, by the means of the same frames; empty where that one was not measured. */
     Optional<Double> speedupOver(String baseline, Measurement measurement);
 }

@@ -192,10 +192,49 @@ class BenchmarkTest {
                         "sequential, warming up, 5x3 1",
                         "drew the start",
                         "sequential 5x3 2",
+                        "drew the start",
                         "drew later",
                         "sequential, moving to its start, 9x4 60",
                         "sequential 9x4 2",
+                        "drew the start",
                         "drew later");
+    }
+
+    @Test
+    void measuresTheSameBodiesHoweverLongTheWarmUp() {
+        List<String> heard = new ArrayList<>();
+        assertThat(runMoving(6, heard).bodies()).isEqualTo(runMoving(0, heard).bodies());
+    }
+
+    @Test
+    void comparesTheSameFramesOfBodiesThatMove() {
+        BenchmarkReport report = new BenchmarkReport(
+                MachineInfo.ofThisMachine(),
+                plan(List.of("sequential", "other"), 0, 3, 100),
+                "test",
+                List.of(moving("sequential", 40, 60), moving("other", 10, 15, 200)),
+                List.of());
+
+        assertThat(report.speedupOver("sequential", report.measurements().getLast()))
+                .contains(4.0);
+    }
+
+    private static Measurement moving(String engine, double... millis) {
+        Statistics times = Statistics.ofNanos(
+                Arrays.stream(millis).mapToLong(time -> (long) (time * 1e6)).toArray());
+        List<Double> drawing = Arrays.stream(millis).boxed().toList();
+        return new Measurement(
+                engine,
+                "a device of the test's",
+                SMALL,
+                7,
+                2,
+                5,
+                0,
+                times,
+                Optional.empty(),
+                new PictureComparison(15, 0, 0),
+                Optional.of(new MotionTimes(1, 1, drawing)));
     }
 
     @Test
@@ -206,8 +245,8 @@ class BenchmarkTest {
         assertThat(heard).doesNotContain("sequential, warming up, 5x3 1", "drew the start");
     }
 
-    private static void runMoving(int warmup, List<String> heard) {
-        Benchmark.run(
+    private static Measurement runMoving(int warmup, List<String> heard) {
+        BenchmarkReport report = Benchmark.run(
                 id -> new StartTeller(open(id), atStart(), heard),
                 plan(List.of("sequential"), warmup, 1, 100),
                 "test",
@@ -224,6 +263,7 @@ class BenchmarkTest {
                         // What is drawn tells of itself.
                     }
                 });
+        return report.measurements().getLast();
     }
 
     private static FrameInput atStart() {
