@@ -90,6 +90,8 @@ public final class Benchmark {
             }
         } catch (EngineException failure) {
             failures.add(new EngineFailure(id, failure.getMessage()));
+        } catch (OutOfMemoryError _) {
+            failures.add(new EngineFailure(id, EngineFailure.outOfMemory()));
         }
     }
 

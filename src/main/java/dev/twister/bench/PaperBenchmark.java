@@ -99,9 +99,15 @@ public final class PaperBenchmark {
                 soFar.accept(report(List.of(), false));
             }
         } catch (EngineException failure) {
-            failures.add(new EngineFailure(id, failure.getMessage()));
-            soFar.accept(report(List.of(), false));
+            note(new EngineFailure(id, failure.getMessage()));
+        } catch (OutOfMemoryError _) {
+            note(new EngineFailure(id, EngineFailure.outOfMemory()));
         }
+    }
+
+    private void note(EngineFailure failure) {
+        failures.add(failure);
+        soFar.accept(report(List.of(), false));
     }
 
     private void letCompile(Engine engine) {

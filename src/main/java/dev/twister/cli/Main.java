@@ -1,5 +1,6 @@
 package dev.twister.cli;
 
+import dev.twister.bench.EngineFailure;
 import dev.twister.scene.ToneMap;
 import dev.twister.sky.ShippedSky;
 import java.io.PrintWriter;
@@ -18,7 +19,6 @@ public final class Main {
     /** Options, a file or a scene that cannot be used. */
     public static final int BAD_INPUT = 2;
 
-    private static final int MEGABYTE = 1 << 20;
     private static final int HELP_WIDTH = 100;
 
     private Main() {}
@@ -53,9 +53,7 @@ public final class Main {
         try {
             return commandLine.execute(arguments);
         } catch (OutOfMemoryError _) {
-            err.println("twister: out of memory: this needs more than the "
-                    + Runtime.getRuntime().maxMemory() / MEGABYTE
-                    + " MB that the JVM may use; make it smaller, or allow more with TWISTER_JAVA_OPTIONS=-Xmx8g");
+            err.println("twister: " + EngineFailure.outOfMemory());
             return BAD_INPUT;
         }
     }

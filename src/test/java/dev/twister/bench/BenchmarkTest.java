@@ -91,6 +91,16 @@ class BenchmarkTest {
     }
 
     @Test
+    void anEngineThatNeedsTooMuchMemoryDoesNotStopTheOthers() {
+        BenchmarkReport report = run(plan(List.of("greedy", "sequential"), 0, 1, 100));
+
+        assertThat(report.failures()).containsExactly(new EngineFailure("greedy", EngineFailure.outOfMemory()));
+        assertThat(report.measurements())
+                .extracting(Measurement::engine, Measurement::size)
+                .containsExactly(tuple("greedy", SMALL), tuple("sequential", SMALL), tuple("sequential", LARGE));
+    }
+
+    @Test
     void aDevicesTimesAreMeans() {
         BenchmarkReport report = run(plan(List.of("device"), 0, 2, 100));
 
@@ -318,6 +328,7 @@ class BenchmarkTest {
             case "other" -> new FakeEngine(id, GREY, FrameTimes.onJvm(2_000_000));
             case "wrong" -> new FakeEngine(id, GREY + 2, FrameTimes.onJvm(1_000_000));
             case "device" -> new FakeEngine(id, GREY, new FrameTimes(11_000_000, 6_000_000, 1_000_000, 3_000_000));
+            case "greedy" -> new GreedyEngine(open("sequential"), id, LARGE.width());
             default -> throw new EngineException("out of order");
         };
     }

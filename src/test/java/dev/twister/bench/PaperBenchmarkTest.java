@@ -95,6 +95,18 @@ class PaperBenchmarkTest {
     }
 
     @Test
+    void anEngineThatNeedsTooMuchMemoryDoesNotStopTheOthers() {
+        PaperPlan plan = new PaperPlan(List.of("greedy", "parallel"), PLAN.sizes(), List.of(1), List.of(1), 0, 1, 100);
+        List<PaperReport> reports = new ArrayList<>();
+
+        PaperReport report = run(plan, reports::add);
+
+        assertThat(report.failures()).containsExactly(new EngineFailure("greedy", EngineFailure.outOfMemory()));
+        assertThat(report.engines()).containsExactly("greedy", "parallel");
+        assertThat(reports.get(1).failures()).isEqualTo(report.failures());
+    }
+
+    @Test
     void jsonHasTheFigures() throws IOException {
         PaperFolder.write(REPORT, folder);
 
@@ -242,6 +254,7 @@ class PaperBenchmarkTest {
             case "sequential" -> new FakeEngine(id, GREY, FrameTimes.onJvm(8_000_000));
             case "parallel" -> new FakeEngine(id, GREY, FrameTimes.onJvm(4_000_000));
             case "<fast>" -> new FakeEngine(id, GREY, FrameTimes.onJvm(20_000));
+            case "greedy" -> new GreedyEngine(open("sequential"), id, 12);
             default -> throw new EngineException("out of order");
         };
     }
