@@ -81,10 +81,11 @@ public final class Benchmark {
         EngineMeasuring measuring =
                 new EngineMeasuring(plan.warmupFrames(), plan.frames(), plan.maxSeconds(), progress);
         try (Engine engine = opener.apply(id)) {
+            AskedEngine asked = new AskedEngine(id, engine);
             for (PictureSize size : plan.sizes()) {
                 Measurement measurement = motion.isPresent()
-                        ? measureMoving(engine, size, motion.get())
-                        : measureStanding(engine, size, measuring);
+                        ? measureMoving(asked, size, motion.get())
+                        : measureStanding(asked, size, measuring);
                 measurements.add(measurement);
                 progress.measured(measurement);
             }
@@ -95,23 +96,23 @@ public final class Benchmark {
         }
     }
 
-    private Measurement measureStanding(Engine engine, PictureSize size, EngineMeasuring measuring) {
+    private Measurement measureStanding(AskedEngine asked, PictureSize size, EngineMeasuring measuring) {
         FrameInput input = inputAt(size);
-        letCompile(engine, size, input);
-        progress.begins(engine.id(), size, plan.warmupFrames() + plan.frames());
-        return measuring.measure(engine, input, references.get(size));
+        letCompile(asked, size, input);
+        progress.begins(asked.id(), size, plan.warmupFrames() + plan.frames());
+        return measuring.measure(asked, input, references.get(size));
     }
 
-    private Measurement measureMoving(Engine engine, PictureSize size, MotionPlan moving) {
+    private Measurement measureMoving(AskedEngine asked, PictureSize size, MotionPlan moving) {
         applySettings(size);
         return new MotionMeasuring(plan, moving, world, progress)
-                .measure(engine, start -> letCompile(engine, size, start), this::drawReference);
+                .measure(asked, start -> letCompile(asked, size, start), this::drawReference);
     }
 
-    private void letCompile(Engine engine, PictureSize size, FrameInput input) {
+    private void letCompile(AskedEngine asked, PictureSize size, FrameInput input) {
         // What is compiled for one size is so for the next ones.
         if (plan.warmupFrames() > 0 && size.equals(plan.sizes().getFirst())) {
-            new EngineWarmUp(plan.maxSeconds(), progress).run(engine, size, List.of(input));
+            new EngineWarmUp(plan.maxSeconds(), progress).run(asked, size, List.of(input));
         }
     }
 

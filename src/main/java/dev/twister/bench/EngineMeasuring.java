@@ -1,6 +1,5 @@
 package dev.twister.bench;
 
-import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 
@@ -13,14 +12,14 @@ import dev.twister.world.FrameInput;
  */
 record EngineMeasuring(int warmupFrames, int frames, double maxSeconds, BenchmarkProgress progress) {
     /** Measures one engine with one input, and compares its picture with the reference. */
-    Measurement measure(Engine engine, FrameInput input, int[] reference) {
+    Measurement measure(AskedEngine asked, FrameInput input, int[] reference) {
         Frame frame = Frame.ofPixels(input.width(), input.height());
-        FrameLoop loop = new FrameLoop(engine, input, frame, progress, maxSeconds);
+        FrameLoop loop = new FrameLoop(asked.engine(), input, frame, progress, maxSeconds);
         int warmups = loop.warmUp(warmupFrames);
         MeasuredFrames measured = loop.measure(frames);
         return new Measurement(
-                engine.id(),
-                engine.device(),
+                asked.id(),
+                asked.device(),
                 new PictureSize(input.width(), input.height()),
                 input.shadowSamples(),
                 input.bounces(),

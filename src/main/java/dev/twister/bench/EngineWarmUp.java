@@ -1,7 +1,5 @@
 package dev.twister.bench;
 
-import dev.twister.engine.Engine;
-import dev.twister.engine.Engines;
 import dev.twister.engine.SettlingFrames;
 import dev.twister.world.FrameInput;
 import java.time.Duration;
@@ -18,11 +16,12 @@ record EngineWarmUp(double maxSeconds, BenchmarkProgress progress) {
     private static final double NANOS_PER_SECOND = TimeUnit.SECONDS.toNanos(1);
 
     /** Draws small pictures of each input in turn until they get no faster; devices, which compile for each size, draw none. */
-    void run(Engine engine, PictureSize size, List<FrameInput> inputs) {
-        if (!Engines.isDevice(engine.id())) {
-            progress.begins(engine.id() + ", warming up,", size, 1);
+    void run(AskedEngine asked, PictureSize size, List<FrameInput> inputs) {
+        if (!asked.isDevice()) {
+            progress.begins(asked.id() + ", warming up,", size, 1);
             Duration each = Duration.ofNanos((long) (maxSeconds * NANOS_PER_SECOND / inputs.size()));
-            inputs.forEach(input -> new SettlingFrames(engine, SettlingFrames.small(input)).settle(each, () -> false));
+            inputs.forEach(
+                    input -> new SettlingFrames(asked.engine(), SettlingFrames.small(input)).settle(each, () -> false));
             progress.drewFrame();
         }
     }

@@ -5,6 +5,8 @@ import java.util.Optional;
 /**
  * One engine at one size.
  *
+ * @param engine the id that was asked for
+ * @param device what did the work, after the engine's own id where it has another one
  * @param bodies light, plane and spheres
  * @param warmupFrames really drawn before the measured ones
  * @param times of the measured frames, from the call to the pixels in the caller's array

@@ -44,28 +44,28 @@ final class MotionMeasuring {
      *     the code that their frames take would not be compiled
      * @param reference draws what the last frame should have been
      */
-    Measurement measure(Engine engine, Consumer<FrameInput> warmUp, Function<FrameInput, int[]> reference) {
+    Measurement measure(AskedEngine asked, Consumer<FrameInput> warmUp, Function<FrameInput, int[]> reference) {
         PictureSize size = new PictureSize(input.width(), input.height());
         Frame frame = Frame.ofPixels(input.width(), input.height());
         int warmups;
         try (Simulation simulation = Simulation.of(motion.scene())) {
-            moveToStart(simulation, engine.id(), size);
+            moveToStart(simulation, asked.id(), size);
             simulation.place(world);
             warmUp.accept(world.snapshot());
-            progress.begins(engine.id(), size, plan.warmupFrames() + plan.frames());
+            progress.begins(asked.id(), size, plan.warmupFrames() + plan.frames());
             long start = System.nanoTime();
-            warmups = warmUp(engine, simulation, frame, start);
+            warmups = warmUp(asked.engine(), simulation, frame, start);
             // An engine that left pixels unwritten would show the warm-up's: what is compared is drawn over nothing.
             Arrays.fill(frame.argb(), 0);
             while (times.size() < plan.frames() && (times.isEmpty() || isWithin(start, plan.maxSeconds()))) {
-                draw(engine, simulation, frame);
+                draw(asked.engine(), simulation, frame);
             }
         }
         MeasuredFrames measured = new MeasuredFrames(times);
         double frames = times.size() * NANOS_PER_MILLI;
         return new Measurement(
-                engine.id(),
-                engine.device(),
+                asked.id(),
+                asked.device(),
                 size,
                 input.shadowSamples(),
                 input.bounces(),

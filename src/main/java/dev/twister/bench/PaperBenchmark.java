@@ -89,11 +89,12 @@ public final class PaperBenchmark {
         EngineMeasuring measuring =
                 new EngineMeasuring(plan.warmupFrames(), plan.frames(), plan.maxSeconds(), progress);
         try (Engine engine = opener.apply(id)) {
-            letCompile(engine);
+            AskedEngine asked = new AskedEngine(id, engine);
+            letCompile(asked);
             for (PaperSetting setting : plan.settings()) {
-                progress.begins(engine.id(), setting.size(), plan.framesEach());
+                progress.begins(asked.id(), setting.size(), plan.framesEach());
                 Measurement measurement = measuring.measure(
-                        engine, inputAt(setting), references.get(setting).argb());
+                        asked, inputAt(setting), references.get(setting).argb());
                 measurements.add(measurement);
                 progress.measured(measurement);
                 soFar.accept(report(List.of(), false));
@@ -110,11 +111,11 @@ public final class PaperBenchmark {
         soFar.accept(report(List.of(), false));
     }
 
-    private void letCompile(Engine engine) {
+    private void letCompile(AskedEngine asked) {
         if (plan.warmupFrames() > 0) {
             List<FrameInput> inputs = plan.shown().stream().map(this::inputAt).toList();
             new EngineWarmUp(FIRST_WARM_UP_SETTINGS * plan.maxSeconds(), progress)
-                    .run(engine, plan.sizes().getFirst(), inputs);
+                    .run(asked, plan.sizes().getFirst(), inputs);
         }
     }
 

@@ -91,6 +91,20 @@ class BenchmarkTest {
     }
 
     @Test
+    void anEngineThatBecomesAnotherIsMeasuredUnderItsName() {
+        BenchmarkReport report = run(plan(List.of("becomes parallel", "sequential", "parallel"), 1, 1, 100));
+
+        Measurement measurement = report.measurements().getFirst();
+        assertThat(measurement.engine()).isEqualTo("becomes parallel");
+        assertThat(measurement.device()).isEqualTo("parallel: a device of the test's");
+        assertThat(runMoving("becomes parallel", 1, new ArrayList<>()))
+                .extracting(Measurement::engine, Measurement::device)
+                .containsExactly(measurement.engine(), measurement.device());
+        assertThat(report.measurements().get(2).device()).isEqualTo("a device of the test's");
+        assertThat(report.speedupOver("parallel", measurement)).contains(1.0);
+    }
+
+    @Test
     void anEngineThatNeedsTooMuchMemoryDoesNotStopTheOthers() {
         BenchmarkReport report = run(plan(List.of("greedy", "sequential"), 0, 1, 100));
 
@@ -194,7 +208,7 @@ class BenchmarkTest {
     @Test
     void warmsUpOnTheBodiesAsTheyAreAtTheStart() {
         List<String> heard = new ArrayList<>();
-        runMoving(1, heard);
+        runMoving("sequential", 1, heard);
 
         assertThat(heard)
                 .containsExactly(
@@ -213,7 +227,8 @@ class BenchmarkTest {
     @Test
     void measuresTheSameBodiesHoweverLongTheWarmUp() {
         List<String> heard = new ArrayList<>();
-        assertThat(runMoving(6, heard).bodies()).isEqualTo(runMoving(0, heard).bodies());
+        assertThat(runMoving("sequential", 6, heard).bodies())
+                .isEqualTo(runMoving("sequential", 0, heard).bodies());
     }
 
     @Test
@@ -250,15 +265,15 @@ class BenchmarkTest {
     @Test
     void movesWithoutWarmUpWhereNoneIsWanted() {
         List<String> heard = new ArrayList<>();
-        runMoving(0, heard);
+        runMoving("sequential", 0, heard);
 
         assertThat(heard).doesNotContain("sequential, warming up, 5x3 1", "drew the start");
     }
 
-    private static Measurement runMoving(int warmup, List<String> heard) {
+    private static Measurement runMoving(String engine, int warmup, List<String> heard) {
         BenchmarkReport report = Benchmark.run(
                 id -> new StartTeller(open(id), atStart(), heard),
-                plan(List.of("sequential"), warmup, 1, 100),
+                plan(List.of(engine), warmup, 1, 100),
                 "test",
                 poured(),
                 Optional.of(new MotionPlan(POURED, START, 1.0 / 60)),
@@ -324,7 +339,7 @@ class BenchmarkTest {
     private static Engine open(String id) {
         return switch (id) {
             case "sequential" -> new FakeEngine(id, GREY, FrameTimes.onJvm(8_000_000));
-            case "parallel" -> new FakeEngine(id, GREY, FrameTimes.onJvm(4_000_000));
+            case "parallel", "becomes parallel" -> new FakeEngine("parallel", GREY, FrameTimes.onJvm(4_000_000));
             case "other" -> new FakeEngine(id, GREY, FrameTimes.onJvm(2_000_000));
             case "wrong" -> new FakeEngine(id, GREY + 2, FrameTimes.onJvm(1_000_000));
             case "device" -> new FakeEngine(id, GREY, new FrameTimes(11_000_000, 6_000_000, 1_000_000, 3_000_000));

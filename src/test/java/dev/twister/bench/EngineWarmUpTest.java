@@ -47,7 +47,7 @@ class EngineWarmUpTest {
 
     private void warmUp(String id, double seconds, List<FrameInput> inputs) {
         new EngineWarmUp(seconds, BenchmarkProgress.SILENT)
-                .run(new CompiledLate(id, drawn), new PictureSize(1280, 720), inputs);
+                .run(new AskedEngine(id, new CompiledLate(id, drawn)), new PictureSize(1280, 720), inputs);
     }
 
     /** Says that each of its first frames took a tenth less than the one before, until it is compiled. */

@@ -95,6 +95,17 @@ class PaperBenchmarkTest {
     }
 
     @Test
+    void anEngineThatBecomesAnotherIsMeasuredUnderItsName() {
+        PaperPlan plan =
+                new PaperPlan(List.of("becomes parallel", "parallel"), PLAN.sizes(), List.of(1), List.of(1), 0, 1, 100);
+
+        PaperReport report = run(plan);
+
+        assertThat(report.engines()).containsExactly("becomes parallel", "parallel");
+        assertThat(report.measurements().getFirst().device()).startsWith("parallel: ");
+    }
+
+    @Test
     void anEngineThatNeedsTooMuchMemoryDoesNotStopTheOthers() {
         PaperPlan plan = new PaperPlan(List.of("greedy", "parallel"), PLAN.sizes(), List.of(1), List.of(1), 0, 1, 100);
         List<PaperReport> reports = new ArrayList<>();
@@ -252,7 +263,7 @@ class PaperBenchmarkTest {
     private static Engine open(String id) {
         return switch (id) {
             case "sequential" -> new FakeEngine(id, GREY, FrameTimes.onJvm(8_000_000));
-            case "parallel" -> new FakeEngine(id, GREY, FrameTimes.onJvm(4_000_000));
+            case "parallel", "becomes parallel" -> new FakeEngine("parallel", GREY, FrameTimes.onJvm(4_000_000));
             case "<fast>" -> new FakeEngine(id, GREY, FrameTimes.onJvm(20_000));
             case "greedy" -> new GreedyEngine(open("sequential"), id, 12);
             default -> throw new EngineException("out of order");
