@@ -135,7 +135,7 @@ final class Successor implements AutoCloseable {
     private void warm() {
         try {
             opener.apply(() -> closed).ifPresent(this::warm);
-        } catch (EngineException _) {
+        } catch (EngineException | OutOfMemoryError _) {
             // What draws now goes on; whoever opens the engine by its name is told why.
         } finally {
             freeWhoWaits();

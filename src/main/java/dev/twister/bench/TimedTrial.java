@@ -60,7 +60,7 @@ final class TimedTrial implements EngineTrial {
             while (!over.getAsBoolean() && !frames.areSettled()) {
                 frames.draw();
             }
-        } catch (EngineException _) {
+        } catch (EngineException | OutOfMemoryError _) {
             // An engine that fails is not the fastest; whoever opens it by its name is told why.
             best.forget();
         }

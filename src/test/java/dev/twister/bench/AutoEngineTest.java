@@ -14,6 +14,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.function.IntConsumer;
@@ -278,6 +279,27 @@ class AutoEngineTest {
                 auto.render(input, frame);
             }
             assertThat(auto.id()).isEqualTo("parallel");
+        }
+    }
+
+    @Test
+    void oneThatNeedsTooMuchMemoryIsGivenUpInSilence() throws InterruptedException {
+        CountingEngine greedy = new CountingEngine("vector", 1);
+        AtomicReference<Optional<Throwable>> complaint = new AtomicReference<>(Optional.empty());
+        AtomicReference<Optional<Thread>> warmUp = new AtomicReference<>(Optional.empty());
+        greedy.pauses = _ -> {
+            Thread.currentThread().setUncaughtExceptionHandler((_, problem) -> complaint.set(Optional.of(problem)));
+            warmUp.set(Optional.of(Thread.currentThread()));
+            throw new OutOfMemoryError("Java heap space");
+        };
+        try (Engine auto = auto(_ -> Optional.of(greedy))) {
+            auto.render(input, frame);
+            greedy.awaitClosed();
+            warmUp.get().orElseThrow().join();
+            auto.render(input, frame);
+
+            assertThat(auto.id()).isEqualTo("parallel");
+            assertThat(complaint.get()).isEmpty();
         }
     }
 

@@ -298,6 +298,14 @@ class FastestEngineTest {
     }
 
     @Test
+    void aTrialThatRunsOutOfMemoryFindsNothing() {
+        EngineOffer greedy = EngineOffer.working("vector", "lanes", "wide", OneFrameEngine::new);
+
+        assertThat(new TimedTrial().frameTime(greedy, Duration.ofHours(1), () -> false))
+                .isEmpty();
+    }
+
+    @Test
     void aTrialThatIsCancelledEndsBeforeItsLimit() {
         EngineOffer stuck = EngineOffer.working("vector", "lanes", "wide", () -> {
             LockSupport.park();
@@ -345,5 +353,34 @@ class FastestEngineTest {
                         "draws",
                         () -> new FakeEngine(id, 0, FrameTimes.onJvm(MILLIS.getOrDefault(id, 1)))))
                 .toList();
+    }
+
+    /** Has the memory for one frame. */
+    private static final class OneFrameEngine implements Engine {
+        private boolean drew;
+
+        @Override
+        public String id() {
+            return "vector";
+        }
+
+        @Override
+        public String device() {
+            return "a device of the test's";
+        }
+
+        @Override
+        public void render(FrameInput input, Frame frame) {
+            if (drew) {
+                throw new OutOfMemoryError("Java heap space");
+            }
+            drew = true;
+            frame.setTimes(FrameTimes.onJvm(1_000_000));
+        }
+
+        @Override
+        public void close() {
+            // Holds nothing.
+        }
     }
 }
