@@ -87,8 +87,12 @@ public final class WholeFile {
         }
     }
 
-    /** Where a file is to be, absolute: links need not lead to one that is there. */
-    private static Path behindLinks(Path target) throws IOException {
+    /**
+     * Where a file that is written is to be, absolute: links need not lead to one that is there.
+     *
+     * @throws IOException where links cannot be followed, because they lead to one another say
+     */
+    public static Path behindLinks(Path target) throws IOException {
         Path place = target.toAbsolutePath();
         for (int links = 0; Files.isSymbolicLink(place); links++) {
             if (links == MOST_LINKS) {

@@ -10,18 +10,17 @@ final class SceneDocument {
     private static final List<String> OPTIONAL =
             List.of("$schema", "name", "description", "shading", "rendering", "physics", "pour");
 
-    /** Looks at the skybox's file, and throws the place's failure if it will not do. */
-    interface SkyboxCheck {
-        void check(Place place, Path file);
+    /** Finds the skybox's file by what the scene calls it, and throws the place's failure if it will not do. */
+    interface SkyboxFinder {
+        Path find(Place place, String name);
     }
 
     private SceneDocument() {}
 
     /**
-     * @param folder what the skybox's path is relative to
      * @throws SceneException if the text is not a valid scene
      */
-    static Scene parse(SourceText source, Path folder, SkyboxCheck skyboxCheck) {
+    static Scene parse(SourceText source, SkyboxFinder skyboxes) {
         Place root = new Place(source, new JsonPath.Root(), LocatedTree.parse(source));
         Fields fields = root.fields();
         // Before the fields' names, which another version may have changed.
@@ -36,7 +35,7 @@ final class SceneDocument {
                 SceneParts.light(fields.get("light")),
                 SceneParts.plane(fields.get("plane")),
                 spheres,
-                skybox(fields.get("skybox"), folder, skyboxCheck),
+                skybox(fields.get("skybox"), skyboxes),
                 fields.find("shading").map(SceneDocument::ambient).orElse(Scene.DEFAULT_AMBIENT),
                 fields.find("rendering").map(SceneParts::settings).orElse(RenderSettings.DEFAULT),
                 fields.find("physics").map(MotionParts::physics).orElse(Physics.DEFAULT),
@@ -61,12 +60,10 @@ final class SceneDocument {
                 .orElse(Scene.DEFAULT_AMBIENT);
     }
 
-    private static Path skybox(Place place, Path folder, SkyboxCheck skyboxCheck) {
+    private static Path skybox(Place place, SkyboxFinder skyboxes) {
         String name = place.text(1, SceneLimits.MAX_PATH_LENGTH);
         try {
-            Path file = folder.resolve(name).normalize();
-            skyboxCheck.check(place, file);
-            return file;
+            return skyboxes.find(place, name);
         } catch (InvalidPathException e) {
             throw place.refused("a file's path, relative to the scene file's folder");
         }

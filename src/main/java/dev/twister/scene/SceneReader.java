@@ -8,7 +8,8 @@ public final class SceneReader {
     private SceneReader() {}
 
     /**
-     * Reads and checks a scene file, JSON in UTF-8 of at most 64 MiB.
+     * Reads and checks a scene file, JSON in UTF-8 of at most 64 MiB. Its skybox is looked for from the folder that the file
+     * was named in, and, where the file is a link, from that of the file it leads to.
      *
      * @return the scene, its skybox as an absolute path without {@code ..}
      * @throws SceneException if the file cannot be read, is not a valid scene, or names a skybox that is not there; the
@@ -16,10 +17,23 @@ public final class SceneReader {
      */
     public static Scene read(Path file) {
         SourceText source = SourceFile.read(file);
-        return SceneDocument.parse(source, file.toAbsolutePath().resolveSibling(""), SceneReader::checkSkybox);
+        return SceneDocument.parse(source, (place, name) -> skybox(place, file, name));
     }
 
-    private static void checkSkybox(Place place, Path file) {
+    private static Path skybox(Place place, Path scene, String name) {
+        Path file = beside(scene.toAbsolutePath(), name);
+        // A link to a scene may be anywhere; its sky is where the scene is.
+        Path behindLink = beside(FilePaths.real(scene), name);
+        Path found = Files.exists(file) || !Files.exists(behindLink) ? file : behindLink;
+        check(place, found);
+        return found;
+    }
+
+    private static Path beside(Path scene, String name) {
+        return FilePaths.walked(scene.resolveSibling(name));
+    }
+
+    private static void check(Place place, Path file) {
         if (Files.isDirectory(file)) {
             throw place.failure("names a folder, but must name a picture: " + Excerpt.ofPath(file.toString()));
         }

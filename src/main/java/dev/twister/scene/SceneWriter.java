@@ -28,10 +28,9 @@ public final class SceneWriter {
         if (Files.exists(file) && !Files.isRegularFile(file)) {
             throw failure(name, "is a folder or a device, but must be a file");
         }
-        Path folder = file.toAbsolutePath().resolveSibling("");
-        String text = SceneText.of(scene, relative(scene.skybox(), folder));
-        check(text, name, folder);
         try {
+            String text = SceneText.of(scene, relative(scene.skybox(), file));
+            check(text, name);
             WholeFile.replace(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
         } catch (NoSuchFileException e) {
             throw failure(name, "there is no folder to write it in");
@@ -41,30 +40,39 @@ public final class SceneWriter {
     }
 
     // The reader has the rules; to ask it is surer than to have them twice.
-    private static void check(String text, String name, Path folder) {
+    private static void check(String text, String name) {
         int bytes = text.getBytes(StandardCharsets.UTF_8).length;
         if (bytes > SourceFile.MAX_BYTES) {
             throw failure(
                     name, "the scene takes " + bytes + " bytes; a scene file may have at most " + SourceFile.MAX_BYTES);
         }
         SourceText source = new SourceText(name + " (not written)", text.toCharArray(), text.length());
-        SceneDocument.parse(source, folder, (_, _) -> {});
+        SceneDocument.parse(source, (_, skybox) -> Path.of(skybox));
     }
 
     // Forward slashes, so that a scene made on one system reads on every other.
-    private static String relative(Path skybox, Path folder) {
-        Path absolute = skybox.toAbsolutePath().normalize();
-        Path shown;
-        try {
-            shown = folder.normalize().relativize(absolute);
-        } catch (IllegalArgumentException e) {
-            // On another drive, which no relative path reaches.
-            shown = absolute;
+    private static String relative(Path skybox, Path file) throws IOException {
+        Path sky = FilePaths.walked(skybox);
+        Path folder = FilePaths.real(WholeFile.behindLinks(file).resolveSibling(""));
+        Path shown = relativized(FilePaths.walked(file.toAbsolutePath().resolveSibling("")), sky);
+        // Links beside the scene, to a folder of skies say, are kept; those on the way to the scene lead elsewhere from
+        // it.
+        if (!FilePaths.real(FilePaths.walked(folder.resolve(shown))).equals(FilePaths.real(sky))) {
+            shown = relativized(folder, FilePaths.real(sky));
         }
         String names = StreamSupport.stream(shown.spliterator(), false)
                 .map(Path::toString)
                 .collect(Collectors.joining("/"));
         return shown.isAbsolute() ? shown.getRoot().toString().replace('\\', '/') + names : names;
+    }
+
+    private static Path relativized(Path folder, Path file) {
+        try {
+            return folder.relativize(file);
+        } catch (IllegalArgumentException e) {
+            // On another drive, which no relative path reaches.
+            return file;
+        }
     }
 
     private static SceneException failure(String name, String what) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
+import dev.twister.Links;
 import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
@@ -148,6 +149,22 @@ class SceneReaderTest {
                         + folder.resolveSibling("noon.hdr"));
         assertThat(message(SampleScene.put(folder, SampleScene.with("sky.hdr", "."))))
                 .endsWith("scene.json:9:13: $.skybox names a folder, but must name a picture: " + folder);
+    }
+
+    @Test
+    void findsTheSkyOfASceneBehindLinks() throws IOException {
+        Path real = folder.resolve("real");
+        Path scene = SampleScene.put(real.resolve("scenes"), SampleScene.with("sky.hdr", "../skies/day.hdr"));
+        Path sky = Files.createFile(Files.createDirectory(real.resolve("skies")).resolve("day.hdr"));
+        Path home = Files.createDirectory(folder.resolve("home"));
+        Path scenes = Links.make(home.resolve("scenes"), real.resolve("scenes"));
+        Path file = Links.make(home.resolve("mine.json"), scene);
+
+        assertThat(SceneReader.read(scene).skybox()).isEqualTo(sky);
+        assertThat(SceneReader.read(scenes.resolve("scene.json")).skybox()).isEqualTo(sky.toRealPath());
+        assertThat(SceneReader.read(file).skybox()).isEqualTo(sky.toRealPath());
+        Files.delete(sky);
+        assertThat(message(file)).endsWith("names a file that is not there: " + folder.resolve("skies/day.hdr"));
     }
 
     @Test

@@ -3,6 +3,7 @@ package dev.twister.scene;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dev.twister.Links;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -73,6 +74,46 @@ class SceneWriterTest {
                 .hasMessage(lost + ": cannot be written: there is no folder to write it in");
     }
 
+    @Test
+    void namesTheSkyAsItIsReachedFromTheScenesRealFolder() throws IOException {
+        Path sky = sky(folder.resolve("skyboxes"));
+        Path deep = Files.createDirectories(folder.resolve("real/deep"));
+        Path file = Links.make(folder.resolve("link"), deep).resolve("out.json");
+
+        SceneWriter.write(sceneUnder(sky), file);
+
+        assertThat(Files.readString(file)).contains("\"skybox\": \"../../skyboxes/day.hdr\"");
+        assertThat(SceneReader.read(file).skybox()).isEqualTo(sky.toRealPath());
+        assertThat(SceneReader.read(deep.resolve("out.json")).skybox()).isEqualTo(sky);
+    }
+
+    @Test
+    void namesTheSkyAsItIsReachedFromTheFileBehindALink() throws IOException {
+        Path sky = sky(folder.resolve("skyboxes"));
+        Path deep = Files.createDirectories(folder.resolve("real/deep"));
+        Path file = Links.make(folder.resolve("out.json"), deep.resolve("out.json"));
+
+        SceneWriter.write(sceneUnder(sky), file);
+
+        assertThat(SceneReader.read(deep.resolve("out.json")).skybox()).isEqualTo(sky);
+        assertThat(SceneReader.read(file).skybox()).isEqualTo(sky.toRealPath());
+    }
+
+    @Test
+    void keepsALinkToAFolderOfSkies() throws IOException {
+        sky(folder.resolve("elsewhere/skies"));
+        Path skies = Links.make(folder.resolve("skies"), folder.resolve("elsewhere/skies"));
+        Path file = folder.resolve("out.json");
+
+        SceneWriter.write(sceneUnder(skies.resolve("day.hdr")), file);
+
+        assertThat(Files.readString(file)).contains("\"skybox\": \"skies/day.hdr\"");
+    }
+
+    private static Path sky(Path skies) throws IOException {
+        return Files.createFile(Files.createDirectories(skies).resolve("day.hdr"));
+    }
+
     private List<String> names() throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
             return files.map(file -> file.getFileName().toString()).toList();
@@ -80,6 +121,14 @@ class SceneWriterTest {
     }
 
     private Scene scene(double reflectivity) {
+        return scene(reflectivity, folder.resolveSibling("skyboxes").resolve("day.hdr"));
+    }
+
+    private static Scene sceneUnder(Path sky) {
+        return scene(24, sky);
+    }
+
+    private static Scene scene(double reflectivity, Path sky) {
         return new Scene(
                 "A \"name\"",
                 "",
@@ -87,7 +136,7 @@ class SceneWriterTest {
                 new Light(new Vector3(0, 0, 0), 0.00001, new Rgb(1, 1, 1)),
                 new Plane(48, -9.75, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32),
                 List.of(new Sphere(new Vector3(-8, -8, 0), 1.75, new Rgb(1, 0.123456789, 1), reflectivity)),
-                folder.resolveSibling("skyboxes").resolve("day.hdr"),
+                sky,
                 0.2,
                 RenderSettings.DEFAULT);
     }
