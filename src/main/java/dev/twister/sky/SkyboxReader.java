@@ -53,7 +53,17 @@ public final class SkyboxReader {
         }
     }
 
-    private static Skybox decode(ByteBuffer content) throws IOException {
+    /** What is in a mapped file, which may be written to meanwhile. */
+    static Skybox decode(ByteBuffer content) throws IOException {
+        try {
+            return decodeByKind(content);
+        } catch (InternalError gone) {
+            // So the JVM says that the file has become shorter than what is mapped of it.
+            throw new IOException("it was changed while it was read; try again", gone);
+        }
+    }
+
+    private static Skybox decodeByKind(ByteBuffer content) throws IOException {
         if (RadianceHeader.startsIn(content)) {
             return RadianceReader.read(content);
         }

@@ -13,10 +13,15 @@ import java.awt.image.ComponentColorModel;
 import java.awt.image.DataBuffer;
 import java.awt.image.IndexColorModel;
 import java.io.IOException;
+import java.lang.foreign.Arena;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -138,6 +143,29 @@ class SkyboxReaderTest {
                 .hasMessage(empty + ": an empty file; Radiance (#?RADIANCE or #?RGBE), PNG and JPEG are read");
         Path text = Files.writeString(folder.resolve("text.hdr"), "hello");
         assertThatThrownBy(() -> SkyboxReader.read(text)).hasMessageContaining("not a panorama by its first bytes");
+    }
+
+    @Test
+    void saysThatTheFileBecameShorterWhileItWasRead() throws IOException {
+        Path file = folder.resolve("sky.hdr");
+        HdrWriter.write(file, 4, 8_000, new float[3 * 4 * 8_000]);
+        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ, StandardOpenOption.WRITE);
+                Arena arena = Arena.ofConfined()) {
+            ByteBuffer content = channel.map(FileChannel.MapMode.READ_ONLY, 0, channel.size(), arena)
+                    .asByteBuffer();
+            truncate(channel);
+            assertThatThrownBy(() -> SkyboxReader.decode(content))
+                    .isInstanceOf(IOException.class)
+                    .hasMessage("it was changed while it was read; try again");
+        }
+    }
+
+    private static void truncate(FileChannel channel) {
+        try {
+            channel.truncate(100);
+        } catch (IOException mapped) {
+            Assumptions.abort("this system makes no mapped file shorter");
+        }
     }
 
     private Path png(BufferedImage image) throws IOException {
