@@ -56,7 +56,7 @@ class RoomsTest {
                         "bench",
                         "gui.drawing",
                         "gui.model"),
-                room("cli", "scene", "sky", "kernel", "world", "physics", "engine", "image", "bench", "gui"));
+                room("cli", "files", "scene", "sky", "kernel", "world", "physics", "engine", "image", "bench", "gui"));
     }
 
     private static Arguments room(String room, String... neighbours) {

@@ -1,5 +1,7 @@
 package dev.twister.cli;
 
+import dev.twister.files.WholeFile;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
@@ -22,6 +24,17 @@ final class OutputFile {
         if (!writable) {
             throw new BadInputException(option + " is " + file + ", but there is no permission to write there");
         }
+    }
+
+    /** Whether what is written to one file is lost when the other one is written; devices and pipes take both. */
+    static boolean replaces(Path one, Path other) throws IOException {
+        if (Files.exists(one) && Files.exists(other)) {
+            return Files.isRegularFile(one) && Files.isSameFile(one, other);
+        }
+        Path place = WholeFile.behindLinks(one);
+        Path otherPlace = WholeFile.behindLinks(other);
+        return place.getFileName().equals(otherPlace.getFileName())
+                && Files.isSameFile(place.resolveSibling(""), otherPlace.resolveSibling(""));
     }
 
     static boolean endsIn(Path file, String ending) {

@@ -20,11 +20,14 @@ record ReportFiles(Optional<Path> json, Optional<Path> csv) {
     /**
      * Looks whether they can be written.
      *
-     * @throws BadInputException where one cannot
+     * @throws BadInputException where one cannot, or would replace the other
      */
-    void check() {
+    void check() throws IOException {
         json.ifPresent(file -> OutputFile.check("--json", file));
         csv.ifPresent(file -> OutputFile.check("--csv", file));
+        if (json.isPresent() && csv.isPresent() && OutputFile.replaces(json.get(), csv.get())) {
+            throw new BadInputException("--json and --csv are both " + csv.get() + ", but must be two files");
+        }
     }
 
     /**
