@@ -171,7 +171,9 @@ final class BenchmarkCommand implements Callable<Integer> {
         BenchmarkPlan plan = plan();
         ReportFiles files = new ReportFiles(json, csv);
         files.check();
-        Scene scene = SceneReader.read(SceneFiles.find(sceneName));
+        Path file = SceneFiles.find(sceneName);
+        Scene scene = SceneReader.read(file);
+        files.checkKeeps(file, scene.skybox());
         BenchmarkReport report = run(plan, scene, files);
         spec.commandLine().getOut().println(ReportTable.of(report));
         files.write(report);

@@ -37,6 +37,21 @@ final class OutputFile {
                 && Files.isSameFile(place.resolveSibling(""), otherPlace.resolveSibling(""));
     }
 
+    /**
+     * Keeps what a result is made from.
+     *
+     * @param inputs files that are there
+     * @throws BadInputException where the result would replace one of them
+     */
+    static void checkKeeps(String option, Path file, Path... inputs) throws IOException {
+        for (Path input : inputs) {
+            if (Files.exists(input) && Files.exists(file) && replaces(input, file)) {
+                throw new BadInputException(
+                        option + " would replace " + file + ", which is read for it; give another file");
+            }
+        }
+    }
+
     static boolean endsIn(Path file, String ending) {
         return file.toString().toLowerCase(Locale.ROOT).endsWith(ending);
     }

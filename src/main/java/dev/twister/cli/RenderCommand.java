@@ -105,10 +105,13 @@ final class RenderCommand implements Callable<Integer> {
         boolean linear = isLinear();
         motion.check(frames);
         OutputFile.check("--output", output);
-        Scene scene = SceneReader.read(SceneFiles.find(sceneName));
+        Path file = SceneFiles.find(sceneName);
+        Scene scene = SceneReader.read(file);
+        Path sky = skybox.orElse(scene.skybox());
+        checkKeeps(file, sky);
         RenderSettings settings = settings(scene.settings());
         PictureMemory.check(new PictureSize(settings.width(), settings.height()), BandedDrawing.bytesPerPixel(linear));
-        World world = World.of(scene, SkyboxReader.read(skybox.orElse(scene.skybox())));
+        World world = World.of(scene, SkyboxReader.read(sky));
         world.setCamera(camera.over(scene.camera()));
         world.setSettings(settings);
         if (motion.isOn()) {
@@ -117,6 +120,17 @@ final class RenderCommand implements Callable<Integer> {
             draw(world, linear);
         }
         return Main.OK;
+    }
+
+    private void checkKeeps(Path... inputs) throws IOException {
+        if (frames.isEmpty()) {
+            OutputFile.checkKeeps("--output", output, inputs);
+        } else {
+            NumberedFiles files = new NumberedFiles(output, frames.get());
+            for (int number = 0; number < frames.get(); number++) {
+                OutputFile.checkKeeps("--output", files.file(number), inputs);
+            }
+        }
     }
 
     private void drawMoving(Scene scene, World world, boolean linear) throws IOException {

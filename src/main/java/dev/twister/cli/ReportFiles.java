@@ -31,6 +31,20 @@ record ReportFiles(Optional<Path> json, Optional<Path> csv) {
     }
 
     /**
+     * Looks whether what is measured stays as it is.
+     *
+     * @throws BadInputException where a report would replace one of these files
+     */
+    void checkKeeps(Path... inputs) throws IOException {
+        if (json.isPresent()) {
+            OutputFile.checkKeeps("--json", json.get(), inputs);
+        }
+        if (csv.isPresent()) {
+            OutputFile.checkKeeps("--csv", csv.get(), inputs);
+        }
+    }
+
+    /**
      * Writes a finished report; unfinished ones are gone then.
      *
      * @throws IOException as {@link JsonReport#write}

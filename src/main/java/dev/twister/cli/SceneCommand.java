@@ -6,6 +6,7 @@ import dev.twister.scene.SceneReader;
 import dev.twister.scene.SceneWriter;
 import dev.twister.sky.ShippedSky;
 import dev.twister.sky.SkyboxReader;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -69,8 +70,8 @@ final class SceneCommand implements Callable<Integer> {
     }
 
     @Override
-    public Integer call() {
-        String done = task.checked.map(SceneCommand::check).orElseGet(() -> generate(task.generation));
+    public Integer call() throws IOException {
+        String done = task.checked.isPresent() ? check(task.checked.get()) : generate(task.generation);
         spec.commandLine().getOut().println(done);
         return Main.OK;
     }
@@ -82,10 +83,11 @@ final class SceneCommand implements Callable<Integer> {
         return file + ": valid, " + spheres(scene);
     }
 
-    private static String generate(Generation wanted) {
+    private static String generate(Generation wanted) throws IOException {
         Ranges.check("--spheres", wanted.count, 1, SceneGenerator.MAX_SPHERES);
         OutputFile.check("--output", wanted.output);
         Path skybox = wanted.skybox.orElseGet(() -> Home.skyboxes().resolve(ShippedSky.DAY.fileName()));
+        OutputFile.checkKeeps("--output", wanted.output, skybox);
         // As --check does: a scene that no command can draw is not to be written.
         SkyboxReader.read(skybox);
         Scene scene = SceneGenerator.spheres(wanted.count, wanted.seed, skybox);

@@ -2,6 +2,9 @@ package dev.twister.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.image.HdrWriter;
+import dev.twister.scene.SceneGenerator;
+import dev.twister.scene.SceneWriter;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -153,5 +156,33 @@ class BadInputTest {
 
         assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
         assertThat(outcome.err()).contains("sky.hdr").hasLineCount(1);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "render benchmark --size 8x8 --skybox FOLDER/a-0000.hdr -o FOLDER/./a-0000.hdr",
+                "render benchmark --size 8x8 --skybox FOLDER/a-0000.hdr -o FOLDER/a.hdr --physics --frames 1",
+                "render FOLDER/scene.hdr --size 8x8 -o FOLDER/scene.hdr",
+                "scene --spheres 3 --skybox FOLDER/a-0000.hdr -o FOLDER/a-0000.hdr",
+                "benchmark FOLDER/scene.hdr --json FOLDER/scene.hdr",
+                "benchmark FOLDER/scene.hdr --csv FOLDER/a-0000.hdr"
+            })
+    void whatIsReadIsNotReplaced(String line) throws IOException {
+        Path sky = folder.resolve("a-0000.hdr");
+        HdrWriter.write(sky, 2, 1, new float[6]);
+        Path scene = folder.resolve("scene.hdr");
+        SceneWriter.write(SceneGenerator.spheres(1, 1, sky), scene);
+        byte[] skyBefore = Files.readAllBytes(sky);
+        byte[] sceneBefore = Files.readAllBytes(scene);
+
+        Outcome outcome = Outcome.of(line.replace("FOLDER", folder.toString()).split(" "));
+
+        assertThat(outcome.err())
+                .contains("would replace " + folder, "give another file")
+                .hasLineCount(1);
+        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(sky).hasBinaryContent(skyBefore);
+        assertThat(scene).hasBinaryContent(sceneBefore);
     }
 }
