@@ -1,5 +1,6 @@
 package dev.twister.cli;
 
+import dev.twister.files.SystemReason;
 import dev.twister.files.WholeFile;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -11,7 +12,7 @@ final class OutputFile {
     private OutputFile() {}
 
     static void check(String option, Path file) {
-        Path folder = file.toAbsolutePath().getParent();
+        Path folder = folderOf(option, file);
         if (folder == null || Files.isDirectory(file)) {
             throw new BadInputException(option + " is " + file + ", but must be a file, not a folder");
         }
@@ -23,6 +24,15 @@ final class OutputFile {
         boolean writable = Files.isWritable(replaced ? folder : file);
         if (!writable) {
             throw new BadInputException(option + " is " + file + ", but there is no permission to write there");
+        }
+    }
+
+    /** The one that is written in: behind links, where the file is one. */
+    private static Path folderOf(String option, Path file) {
+        try {
+            return WholeFile.behindLinks(file).getParent();
+        } catch (IOException problem) {
+            throw new BadInputException(option + " is " + file + ", but " + SystemReason.of(problem));
         }
     }
 

@@ -53,7 +53,7 @@ public final class WholeFile {
             }
             replace(target, content);
         } catch (AccessDeniedException denied) {
-            Path folder = target.toAbsolutePath().getParent();
+            Path folder = behindLinks(target).getParent();
             throw new IOException("cannot write " + target + ": no permission in the folder " + folder, denied);
         } catch (NoSuchFileException refused) {
             // The folder was there: systems say so of folders such as /proc.

@@ -2,6 +2,7 @@ package dev.twister.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.Links;
 import dev.twister.image.HdrWriter;
 import dev.twister.scene.SceneGenerator;
 import dev.twister.scene.SceneWriter;
@@ -184,5 +185,31 @@ class BadInputTest {
         assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
         assertThat(sky).hasBinaryContent(skyBefore);
         assertThat(scene).hasBinaryContent(sceneBefore);
+    }
+
+    @Test
+    void aLinkIntoAFolderThatIsNotThereIsToldBeforeTheWork() {
+        Path missing = folder.resolve("missing");
+        Path link = Links.make(folder.resolve("a.png"), missing.resolve("a.png"));
+
+        Outcome outcome = Outcome.of("render", "none.json", "-o", link.toString());
+
+        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.err())
+                .contains("--output is " + link + ", but there is no folder " + missing)
+                .hasLineCount(1);
+    }
+
+    @Test
+    void linksThatLeadToOneAnotherAreToldBeforeTheWork() {
+        Path link = Links.make(folder.resolve("a.png"), folder.resolve("b.png"));
+        Links.make(folder.resolve("b.png"), link);
+
+        Outcome outcome = Outcome.of("render", "none.json", "-o", link.toString());
+
+        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.err())
+                .contains("--output is " + link + ", but its links lead to one another")
+                .hasLineCount(1);
     }
 }

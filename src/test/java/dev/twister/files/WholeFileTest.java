@@ -145,6 +145,22 @@ class WholeFileTest {
     }
 
     @Test
+    void saysThatThePermissionIsMissingBehindALink() throws IOException {
+        Assumptions.assumeTrue(Files.getFileStore(folder).supportsFileAttributeView("posix"));
+        Path closed = Files.createDirectory(folder.resolve("closed"));
+        Path link = Links.make(folder.resolve("link.txt"), closed.resolve("x.txt"));
+        Files.setPosixFilePermissions(closed, PosixFilePermissions.fromString("r-xr-xr-x"));
+        try {
+            Assumptions.assumeFalse(Files.isWritable(closed), "root may write anywhere");
+            assertThatThrownBy(() -> WholeFile.write(link, out -> out.write(1)))
+                    .isInstanceOf(IOException.class)
+                    .hasMessage("cannot write " + link + ": no permission in the folder " + closed);
+        } finally {
+            Files.setPosixFilePermissions(closed, PosixFilePermissions.fromString("rwxr-xr-x"));
+        }
+    }
+
+    @Test
     void followsLinks() throws IOException {
         Path file = Files.writeString(folder.resolve("real.txt"), "old");
         Links.make(folder.resolve("link.txt"), file);
