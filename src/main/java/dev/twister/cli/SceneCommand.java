@@ -97,6 +97,9 @@ final class SceneCommand implements Callable<Integer> {
 
     private static String spheres(Scene scene) {
         int count = scene.spheres().size();
-        return count + (count == 1 ? " sphere" : " spheres");
+        String poured = scene.pour()
+                .map(pour -> ", " + pour.count() + (pour.count() == 1 ? " more is poured" : " more are poured"))
+                .orElse("");
+        return count + (count == 1 ? " sphere" : " spheres") + poured;
     }
 }

@@ -81,6 +81,12 @@ class CommandsTest {
     }
 
     @Test
+    void tellsOfSpheresThatAreYetToBePoured() {
+        assertThat(Outcome.of("scene", "--check", "pour-1000").out())
+                .contains("valid, 3 spheres, 1000 more are poured");
+    }
+
+    @Test
     void measuresAndReports() {
         Path json = folder.resolve("report.json");
         Path csv = folder.resolve("report.csv");
