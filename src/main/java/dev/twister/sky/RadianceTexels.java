@@ -13,6 +13,9 @@ final class RadianceTexels {
         {0.074724377, -0.251939567, 1.177215190}
     };
 
+    /** So much is beyond a float's range for each texel but black; infinite, it would make NaN of black, and of XYZ. */
+    private static final double LARGEST_SCALE = 1e300;
+
     private final boolean xyz;
     private final double[][] scales;
 
@@ -63,7 +66,7 @@ final class RadianceTexels {
     private static double[] scales(double divisor) {
         double[] scales = new double[256];
         for (int exponent = 1; exponent < 256; exponent++) {
-            scales[exponent] = Math.scalb(1.0, exponent - 136) / divisor;
+            scales[exponent] = Math.min(LARGEST_SCALE, Math.scalb(1.0, exponent - 136) / divisor);
         }
         return scales;
     }

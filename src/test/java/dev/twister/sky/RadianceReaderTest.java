@@ -85,6 +85,22 @@ class RadianceReaderTest {
         assertThat(read(file).radiance()).containsExactly(200 * 16384f, 100 * 16384f, 0);
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"rgbe", "xyze"})
+    void aTinyExposureMakesNothingButVeryBright(String format) throws IOException {
+        String header = "#?RADIANCE\nFORMAT=32-bit_rle_" + format + "\nEXPOSURE=1e-307\n";
+        byte[] texels = {(byte) 128, 0, 0, (byte) 200, (byte) 128, (byte) 128, (byte) 128, (byte) 255};
+
+        float[] radiance = read(RadianceFiles.file(header, "-Y +X", 2, 1, texels, RadianceFiles.Coding.FLAT))
+                .radiance();
+
+        assertThat(radiance[0]).isEqualTo(Float.MAX_VALUE);
+        assertThat(radiance[1]).isZero();
+        for (int channel = 3; channel < 6; channel++) {
+            assertThat(radiance[channel]).isEqualTo(Float.MAX_VALUE);
+        }
+    }
+
     @Test
     void turnsXyzIntoRgbOfTheSameWhite() throws IOException {
         byte[] texels = {(byte) 128, (byte) 128, (byte) 128, (byte) 129, (byte) 132, 68, 6, (byte) 129};
