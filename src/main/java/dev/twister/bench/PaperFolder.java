@@ -45,7 +45,7 @@ public final class PaperFolder {
 
     /**
      * Writes all files, each whole or not at all; the numbers first, so that they are there whatever fails later. Unfinished
-     * numbers are gone then.
+     * numbers, and an older evaluation's plots of what was not measured now, are gone then.
      *
      * @param folder must be there
      * @return the page
@@ -67,6 +67,12 @@ public final class PaperFolder {
             pictures.put(picture, Files.readAllBytes(file));
         }
         Map<String, String> plots = plots(report, folder);
+        for (String name : PaperPlots.names()) {
+            if (!plots.containsKey(name)) {
+                // An older evaluation's would be taken for this one's.
+                Files.deleteIfExists(folder.resolve(name + PLOT_ENDING));
+            }
+        }
         for (Map.Entry<String, String> plot : plots.entrySet()) {
             writeText(folder.resolve(plot.getKey() + PLOT_ENDING), plot.getValue());
         }

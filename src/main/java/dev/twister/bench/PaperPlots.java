@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.ToIntFunction;
+import java.util.stream.Stream;
 import org.knowm.xchart.CategoryChart;
 import org.knowm.xchart.CategoryChartBuilder;
 import org.knowm.xchart.CategorySeries;
@@ -20,6 +21,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /** The evaluation's plots. */
 final class PaperPlots {
+    private static final List<String> BASELINES = List.of(JvmEngines.SEQUENTIAL, JvmEngines.PARALLEL);
     private static final String FPS = "frames a second";
     private static final float LINE_WIDTH = 2.5f;
     private static final int MARKER_SIZE = 9;
@@ -47,13 +49,26 @@ final class PaperPlots {
                     PaperFigure.SHADOW_SAMPLES.id(),
                     plots.lines(PaperFigure.SHADOW_SAMPLES, "shadow samples", PaperSetting::shadowSamples));
             drawn.put(PaperFigure.BOUNCES.id(), plots.lines(PaperFigure.BOUNCES, "bounces", PaperSetting::bounces));
-            for (String baseline : List.of(JvmEngines.SEQUENTIAL, JvmEngines.PARALLEL)) {
+            for (String baseline : BASELINES) {
                 if (report.engines().contains(baseline) && report.engines().size() > 1) {
-                    drawn.put(PaperFigure.SPEEDUP.id() + "-over-" + baseline, plots.speedup(baseline));
+                    drawn.put(speedupName(baseline), plots.speedup(baseline));
                 }
             }
         }
         return drawn;
+    }
+
+    /** The names of all plots that a report may have. */
+    static List<String> names() {
+        return Stream.concat(
+                        Stream.of(PaperFigure.SIZES, PaperFigure.SHADOW_SAMPLES, PaperFigure.BOUNCES)
+                                .map(PaperFigure::id),
+                        BASELINES.stream().map(PaperPlots::speedupName))
+                .toList();
+    }
+
+    private static String speedupName(String baseline) {
+        return PaperFigure.SPEEDUP.id() + "-over-" + baseline;
     }
 
     private String sizes() {

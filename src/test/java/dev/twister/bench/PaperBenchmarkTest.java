@@ -242,6 +242,20 @@ class PaperBenchmarkTest {
     }
 
     @Test
+    void noPlotOfAnOlderReportStays() throws IOException {
+        PaperFolder.write(REPORT, folder);
+        Path own = Files.writeString(folder.resolve("my-own.svg"), "kept");
+        PaperPlan plan =
+                new PaperPlan(List.of("sequential", "<fast>"), PLAN.sizes(), List.of(1, 200), List.of(1), 0, 1, 100);
+
+        PaperFolder.write(run(plan), folder);
+
+        assertThat(folder.resolve("speed-up-over-parallel.svg")).doesNotExist();
+        assertThat(folder.resolve("speed-up-over-sequential.svg")).exists();
+        assertThat(own).exists();
+    }
+
+    @Test
     void withoutAnyMeasurementThereIsStillAPage() throws IOException {
         PaperPlan plan = new PaperPlan(List.of("broken"), PLAN.sizes(), List.of(1), List.of(1), 0, 1, 100);
 
