@@ -91,7 +91,8 @@ final class FileActions {
             // One errand follows the other: then it is known whether there is something to lose.
             errands.run(() -> "", _ -> afterSaving(action), problem -> complain("This cannot be done", problem));
         } else if (studio.editsProperty().get().changed()) {
-            dialogs.askToSave(name(), () -> save(action), action);
+            // While the file is being written the scene can be edited on: that is asked about again.
+            dialogs.askToSave(name(), () -> save(() -> afterSaving(action)), action);
         } else {
             action.run();
         }

@@ -102,15 +102,19 @@ class FilesTest {
         return dialog(id).orElseThrow();
     }
 
-    /** Presses the dialog's button of that name. */
     private static void answer(DialogPane dialog, String button) {
-        driver.run(() -> dialog.getButtonTypes().stream()
+        driver.run(() -> press(dialog, button));
+        driver.await(() -> dialog(dialog.getId()).isEmpty());
+    }
+
+    /** Presses the dialog's button of that name. */
+    private static void press(DialogPane dialog, String button) {
+        dialog.getButtonTypes().stream()
                 .filter(type -> type.getText().equals(button))
                 .map(type -> (Button) dialog.lookupButton(type))
                 .findFirst()
                 .orElseThrow()
-                .fire());
-        driver.await(() -> dialog(dialog.getId()).isEmpty());
+                .fire();
     }
 
     private static void drop(Path file) {
@@ -254,6 +258,26 @@ class FilesTest {
         driver.await(left::isDone);
         assertThat(left.join()).isEqualTo(changed);
         assertThat(dialog("save-question")).isEmpty();
+    }
+
+    @Test
+    void whatIsEditedWhileTheFileIsWrittenIsAskedAboutToo() {
+        Path start = folder.resolve("scenes").resolve("start.json");
+        change();
+        CompletableFuture<Scene> left = new CompletableFuture<>();
+        driver.run(() -> driver.window.workbench().files().afterSaving(() -> left.complete(SceneReader.read(start))));
+        DialogPane first = awaitDialog("save-question");
+        driver.run(() -> {
+            press(first, "Save");
+            // Nothing is told to this thread before it is done here.
+            change();
+        });
+        driver.await(() -> left.isDone() || dialog("save-question").isPresent());
+        assertThat(left).isNotDone();
+        Scene changed = scene();
+        answer(awaitDialog("save-question"), "Save");
+        driver.await(left::isDone);
+        assertThat(left.join()).isEqualTo(changed);
     }
 
     @Test
