@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 
 /** Opens and saves: what the menu, a key, or a file dropped on the window asks for. */
 final class FileActions {
@@ -18,14 +19,27 @@ final class FileActions {
     private final Dialogs dialogs;
     private final SettingsKeeper settings;
     private final Errands errands;
+    private final BooleanSupplier takeTyped;
     private int saving;
 
-    FileActions(Studio studio, FileChoice choice, Dialogs dialogs, SettingsKeeper settings, Errands errands) {
+    /**
+     * Actions on the scene that the studio has.
+     *
+     * @param takeTyped makes an edit of what is typed and not yet entered; false where that is wrong, which it has said
+     */
+    FileActions(
+            Studio studio,
+            FileChoice choice,
+            Dialogs dialogs,
+            SettingsKeeper settings,
+            Errands errands,
+            BooleanSupplier takeTyped) {
         this.studio = studio;
         this.choice = choice;
         this.dialogs = dialogs;
         this.settings = settings;
         this.errands = errands;
+        this.takeTyped = takeTyped;
     }
 
     /** Asks which file, and opens it. */
@@ -78,15 +92,25 @@ final class FileActions {
 
     /** Saves to the scene's own file. */
     void save() {
-        save(() -> {});
+        if (takeTyped.getAsBoolean()) {
+            save(() -> {});
+        }
     }
 
     void saveAs() {
-        saveAs(() -> {});
+        if (takeTyped.getAsBoolean()) {
+            saveAs(() -> {});
+        }
     }
 
-    /** Does that once changes are saved or given up; not at all where the person would rather stay. */
+    /**
+     * Does that once changes are saved or given up; not at all where the person would rather stay, or is typing what cannot
+     * be taken.
+     */
     void afterSaving(Runnable action) {
+        if (!takeTyped.getAsBoolean()) {
+            return;
+        }
         if (saving > 0) {
             // One errand follows the other: then it is known whether there is something to lose.
             errands.run(() -> "", _ -> afterSaving(action), problem -> complain("This cannot be done", problem));
@@ -96,11 +120,6 @@ final class FileActions {
         } else {
             action.run();
         }
-    }
-
-    /** Whether a scene is being written. */
-    boolean isSaving() {
-        return saving > 0;
     }
 
     private void openScene(Path file) {

@@ -95,7 +95,12 @@ final class NumberRow extends PanelRow {
 
     /** Whether a person is at it: what they type, or hold, is not to be changed under their hands. */
     boolean isInHand() {
-        return slider.isPressed() || (field.isFocused() && isTyped());
+        return slider.isPressed() || isBeingTyped();
+    }
+
+    /** Whether a person is at the field, and nothing has been made yet of what they typed. */
+    boolean isBeingTyped() {
+        return field.isFocused() && isTyped();
     }
 
     /** Whether the field has a text of which nothing has been made yet. */
@@ -154,10 +159,11 @@ final class NumberRow extends PanelRow {
                 });
     }
 
-    private void takeTyped() {
+    /** Makes an edit of what was typed; false where that is no number that is allowed, of which it complains. */
+    boolean takeTyped() {
         String typed = field.getText();
         if (!isTyped()) {
-            return;
+            return true;
         }
         Optional<Double> number = setting.parse(typed);
         field.pseudoClassStateChanged(WRONG, number.isEmpty());
@@ -172,6 +178,7 @@ final class NumberRow extends PanelRow {
                 showNumber(shown);
             }
         }
+        return number.isPresent();
     }
 
     private void write(double number) {

@@ -67,6 +67,15 @@ final class Panel extends ScrollPane {
                 .toList();
     }
 
+    /** Makes an edit of a number that is typed and not yet entered; false where it is none that is allowed, which is said. */
+    boolean takeTyped() {
+        return rows().stream()
+                .filter(NumberRow.class::isInstance)
+                .map(NumberRow.class::cast)
+                .filter(NumberRow::isBeingTyped)
+                .allMatch(NumberRow::takeTyped);
+    }
+
     /** Called in every pulse: shows what changes by itself. */
     void pulse(long nanos) {
         if (isVisible()) {

@@ -47,7 +47,7 @@ final class Workbench implements AutoCloseable {
         this.frameTimes = frameTimes;
         settings = new SettingsKeeper(options.settings(), options.found(), studio::notice);
         Dialogs dialogs = new Dialogs(stage);
-        files = new FileActions(studio, options.files(), dialogs, settings, errands);
+        files = new FileActions(studio, options.files(), dialogs, settings, errands, this::takeTyped);
         pictures = new PictureActions(studio, options.files(), dialogs, errands);
         help = new HelpWindows(stage);
         String usualEngine = studio.engineProperty().get().offer().id();
@@ -232,10 +232,12 @@ final class Workbench implements AutoCloseable {
     }
 
     private void closeOnceSaved(WindowEvent event) {
-        if (studio.editsProperty().get().changed() || files.isSaving()) {
-            event.consume();
-            files.afterSaving(stage::hide);
-        }
+        event.consume();
+        files.afterSaving(stage::hide);
+    }
+
+    private boolean takeTyped() {
+        return panel.takeTyped();
     }
 
     private void showTitle() {

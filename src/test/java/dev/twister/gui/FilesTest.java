@@ -23,6 +23,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import javafx.scene.control.Button;
 import javafx.scene.control.DialogPane;
+import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Window;
 import javafx.stage.WindowEvent;
@@ -252,7 +253,6 @@ class FilesTest {
         driver.run(() -> {
             files.save();
             files.afterSaving(() -> left.complete(SceneReader.read(start)));
-            assertThat(files.isSaving()).isTrue();
             assertThat(left).isNotDone();
         });
         driver.await(left::isDone);
@@ -289,6 +289,44 @@ class FilesTest {
         driver.run(() -> driver.stage.fireEvent(new WindowEvent(driver.stage, WindowEvent.WINDOW_CLOSE_REQUEST)));
         answer(awaitDialog("save-question"), "Cancel");
         assertThat(driver.stage.isShowing()).isTrue();
+    }
+
+    @Test
+    void aNumberThatIsTypedAndNotEnteredIsSavedOrAskedAbout() {
+        Path start = folder.resolve("scenes").resolve("start.json");
+        typeExposure("2.5");
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+        driver.await(() -> driver.studio.noticeProperty().get().equals("Saved " + start));
+        assertThat(SceneReader.read(start).settings().exposure()).isEqualTo(2.5);
+        typeExposure("1.5");
+        driver.run(() -> driver.stage.fireEvent(new WindowEvent(driver.stage, WindowEvent.WINDOW_CLOSE_REQUEST)));
+        answer(awaitDialog("save-question"), "Cancel");
+        assertThat(scene().settings().exposure()).isEqualTo(1.5);
+        driver.type(Command.PANEL.keys());
+    }
+
+    @Test
+    void whatIsNoNumberIsNotLeftAlone() {
+        typeExposure("much");
+        driver.typeWith(KeyCode.Q, KeyCode.CONTROL);
+        assertThat(driver.text("notice")).startsWith("Exposure is 'much', but must be a number");
+        assertThat(driver.stage.isShowing()).isTrue();
+        driver.run(() -> driver.studio.notice(""));
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+        assertThat(driver.text("notice")).startsWith("Exposure is 'much', but must be a number");
+        driver.type(KeyCode.ESCAPE);
+        driver.type(Command.PANEL.keys());
+    }
+
+    /** Leaves the field with the text in it as somebody does who has not pressed Enter. */
+    private static void typeExposure(String text) {
+        driver.typeWith(KeyCode.X, KeyCode.ALT);
+        driver.type(KeyCode.TAB);
+        driver.run(() -> {
+            TextField field = (TextField) driver.stage.getScene().getFocusOwner();
+            field.selectAll();
+            field.replaceSelection(text);
+        });
     }
 
     @Test
