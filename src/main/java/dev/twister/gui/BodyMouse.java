@@ -6,6 +6,7 @@ import dev.twister.gui.model.BodyPicker;
 import dev.twister.gui.model.SphereDrag;
 import dev.twister.kernel.Layout;
 import java.util.Optional;
+import javafx.beans.value.ObservableValue;
 import javafx.geometry.Point2D;
 import javafx.scene.Cursor;
 import javafx.scene.input.MouseButton;
@@ -26,16 +27,23 @@ final class BodyMouse {
     }
 
     /** Filters, so that this comes before what else listens to the picture. */
-    static void install(PictureView view, Studio studio) {
+    static void install(PictureView view, Studio studio, ObservableValue<Boolean> windowFocused) {
         BodyMouse mouse = new BodyMouse(view, studio);
         view.addEventFilter(MouseEvent.MOUSE_PRESSED, mouse::pressed);
         view.addEventFilter(MouseEvent.MOUSE_DRAGGED, mouse::dragged);
         view.addEventFilter(MouseEvent.MOUSE_RELEASED, mouse::released);
         view.addEventFilter(MouseEvent.MOUSE_CLICKED, mouse::clicked);
         view.addEventFilter(MouseEvent.MOUSE_MOVED, mouse::moved);
+        windowFocused.subscribe(focused -> {
+            if (!focused) {
+                mouse.letGo();
+            }
+        });
     }
 
     private void pressed(MouseEvent event) {
+        // A button that is let go over another window is not reported.
+        letGo();
         int selected = studio.selectionProperty().get();
         if (event.getButton() == MouseButton.PRIMARY
                 && selected != Layout.NOTHING
@@ -66,9 +74,15 @@ final class BodyMouse {
 
     private void released(MouseEvent event) {
         if (drag.isPresent()) {
+            letGo();
+            event.consume();
+        }
+    }
+
+    private void letGo() {
+        if (drag.isPresent()) {
             drag = Optional.empty();
             studio.endGesture();
-            event.consume();
         }
     }
 

@@ -59,7 +59,7 @@ final class Workbench implements AutoCloseable {
         root.setTop(menu);
         root.setRight(panel);
         picture.addOverlay(new SelectionView(picture, studio));
-        BodyMouse.install(picture, studio);
+        BodyMouse.install(picture, studio, stage.focusedProperty());
         PanelKeys.install(root.getScene(), panel, picture, this::showPanel);
         DropTarget.install(root.getScene(), files);
         errands.run(

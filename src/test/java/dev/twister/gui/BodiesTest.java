@@ -11,12 +11,17 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import java.util.ArrayList;
 import java.util.List;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.event.Event;
+import javafx.event.EventType;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
 import javafx.scene.paint.Color;
 import javafx.scene.shape.Polygon;
+import javafx.stage.Stage;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
@@ -67,12 +72,19 @@ class BodiesTest {
 
     /** Where on the screen a body's middle is seen. */
     private static Point2D seenAt(int body) {
+        return seenAt(body, view());
+    }
+
+    private static PictureView view() {
+        return driver.find(".picture", PictureView.class);
+    }
+
+    private static Point2D seenAt(int body, PictureView view) {
         return WindowDriver.call(() -> {
             DrawnPicture picture = driver.studio.pictureProperty().get().orElseThrow();
             double[] corners = SphereOutline.corners(picture.input(), body, 4);
             double x = (corners[0] + corners[2] + corners[4] + corners[6]) / 4;
             double y = (corners[1] + corners[3] + corners[5] + corners[7]) / 4;
-            PictureView view = (PictureView) driver.stage.getScene().getRoot().lookup(".picture");
             return view.localToScreen(view.place().toView(x, y));
         });
     }
@@ -147,6 +159,75 @@ class BodiesTest {
         assertThat(end.getY() - start.getY()).isCloseTo(-30, within(6.0));
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
         assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+    }
+
+    @Test
+    void aDragWhoseEndIsNotReportedEndsWithTheNext() {
+        Point2D start = seenAt(MIDDLE);
+        click(start);
+        fire(MouseEvent.MOUSE_PRESSED, start, view());
+        fire(MouseEvent.MOUSE_DRAGGED, start.add(20, 0), view());
+        Scene moved = scene();
+        Bounds picture = driver.pictureOnScreen();
+        Point2D plane = new Point2D(picture.getCenterX() + 60, picture.getMinY() + 130);
+        fire(MouseEvent.MOUSE_PRESSED, plane, view());
+        fire(MouseEvent.MOUSE_DRAGGED, plane.add(50, 0), view());
+        fire(MouseEvent.MOUSE_RELEASED, plane.add(50, 0), view());
+        assertThat(moved).isNotEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene().spheres()).isEqualTo(moved.spheres());
+    }
+
+    @Test
+    void aDragEndsWhenTheWindowLosesTheFocus() {
+        driver.run(() -> driver.studio.select(MIDDLE));
+        SimpleBooleanProperty focused = new SimpleBooleanProperty(true);
+        Stage other = WindowDriver.call(Stage::new);
+        PictureView view = WindowDriver.call(() -> new PictureView(driver.studio));
+        driver.run(() -> {
+            BodyMouse.install(view, driver.studio, focused);
+            other.setScene(new javafx.scene.Scene(view, 320, 240));
+            // Beside the window of the other tests, which look at its pixels.
+            other.setX(driver.stage.getWidth());
+            other.setY(0);
+            other.show();
+        });
+        driver.pulse();
+        Point2D start = seenAt(MIDDLE, view);
+        fire(MouseEvent.MOUSE_PRESSED, start, view);
+        fire(MouseEvent.MOUSE_DRAGGED, start.add(20, 0), view);
+        Scene moved = scene();
+        driver.run(() -> focused.set(false));
+        fire(MouseEvent.MOUSE_DRAGGED, start.add(70, 0), view);
+        driver.run(other::hide);
+        assertThat(moved).isNotEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(moved);
+    }
+
+    /** As the system reports it, and no more of it than that. */
+    private static void fire(EventType<MouseEvent> type, Point2D place, PictureView view) {
+        driver.run(() -> {
+            Point2D inScene = view.localToScene(view.screenToLocal(place));
+            MouseEvent event = new MouseEvent(
+                    type,
+                    inScene.getX(),
+                    inScene.getY(),
+                    place.getX(),
+                    place.getY(),
+                    MouseButton.PRIMARY,
+                    1,
+                    false,
+                    false,
+                    false,
+                    false,
+                    true,
+                    false,
+                    false,
+                    false,
+                    false,
+                    type.equals(MouseEvent.MOUSE_CLICKED),
+                    null);
+            Event.fireEvent(view, event);
+        });
     }
 
     @Test
