@@ -99,6 +99,7 @@ final class BodyMouse {
         view.setCursor(over ? Cursor.MOVE : Cursor.DEFAULT);
     }
 
+    /** The scene's body that is seen there. */
     private Optional<Integer> bodyAt(MouseEvent event) {
         return studio.pictureProperty()
                 .get()
@@ -106,7 +107,8 @@ final class BodyMouse {
                 .map(picture -> {
                     Point2D place = place(event);
                     return BodyPicker.bodyAt(picture.input(), place.getX(), place.getY());
-                });
+                })
+                .flatMap(body -> studio.picturedBodies().map(bodies -> bodies.inScene(body)));
     }
 
     private Point2D place(MouseEvent event) {

@@ -41,13 +41,12 @@ final class SelectionView extends Pane {
     }
 
     private void refresh() {
-        int body = studio.selectionProperty().get();
-        List<Double> points = studio.pictureProperty()
-                .get()
-                // A picture of the time before the body was there.
-                .filter(picture ->
-                        body != Layout.NOTHING && body < picture.input().bodies())
-                .map(picture -> points(picture, body))
+        int selected = studio.selectionProperty().get();
+        List<Double> points = studio.picturedBodies()
+                .map(bodies -> bodies.inPicture(selected))
+                // Nothing is selected, or the picture is of the time before the body was there.
+                .filter(body -> body != Layout.NOTHING)
+                .flatMap(body -> studio.pictureProperty().get().map(picture -> points(picture, body)))
                 .orElse(List.of());
         // Told the same points, JavaFX would paint anew.
         if (!line.getPoints().equals(points)) {

@@ -78,6 +78,9 @@ public final class Studio implements AutoCloseable {
     private double viewHeight;
     private long requests;
 
+    /** The first request for a picture of this scene, however edited; those before were for the one that was shown before it. */
+    private long firstRequest;
+
     private Studio(GuiOptions options, SkyShelf skies, DrawingLoop loop) {
         this.skies = skies;
         this.loop = loop;
@@ -115,6 +118,15 @@ public final class Studio implements AutoCloseable {
     /** The picture to show; empty until the first is finished. */
     public ReadOnlyObjectProperty<Optional<DrawnPicture>> pictureProperty() {
         return picture.getReadOnlyProperty();
+    }
+
+    /** Which body of the picture that is shown is which of the scene's; empty while it is a picture of the scene before. */
+    Optional<PictureBodies> picturedBodies() {
+        return picture.get()
+                .map(DrawnPicture::request)
+                .filter(request -> request.number() >= firstRequest)
+                .map(request ->
+                        new PictureBodies(request.scene().spheres(), scene.get().spheres()));
     }
 
     /** What the drawing thread has to say. */
@@ -336,6 +348,7 @@ public final class Studio implements AutoCloseable {
     /** Shows another scene, and forgets the old one with its edits. */
     public void show(OpenedScene opened) {
         document = new SceneHistory(opened.scene());
+        firstRequest = requests + 1;
         original.set(opened.scene());
         file.set(Optional.of(opened.file()));
         selection.set(Layout.NOTHING);

@@ -9,6 +9,7 @@ import dev.twister.gui.model.SphereOutline;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -239,6 +240,39 @@ class BodiesTest {
         assertThat(scene().spheres())
                 .isEqualTo(WindowDriver.call(driver.studio::original).spheres());
         assertThat(selected()).isEqualTo(MIDDLE);
+    }
+
+    @Test
+    void aClickInAPictureOfBeforeAnEditSelectsWhatIsSeen() {
+        Point2D first = seenAt(Layout.FIRST_SPHERE);
+        Point2D middle = seenAt(MIDDLE);
+        Polygon outline = driver.find("#outline", Polygon.class);
+        driver.run(() -> {
+            // The picture is the old one as long as this thread is busy here.
+            driver.studio.edit("delete sphere", scene -> BodyEdits.deleted(scene, Layout.FIRST_SPHERE));
+            fire(MouseEvent.MOUSE_CLICKED, middle, view());
+            assertThat(selected()).isEqualTo(MIDDLE - 1);
+            assertThat(outline.localToScreen(outline.getLayoutBounds()).contains(middle))
+                    .isTrue();
+            fire(MouseEvent.MOUSE_CLICKED, first, view());
+            assertThat(selected()).isEqualTo(Layout.NOTHING);
+        });
+        // So that the next test does not take the picture of before the edit for its own.
+        awaitRest();
+    }
+
+    @Test
+    void aPictureOfTheSceneBeforeSelectsAndOutlinesNothing() {
+        Point2D middle = seenAt(MIDDLE);
+        Polygon outline = driver.find("#outline", Polygon.class);
+        driver.run(() -> {
+            driver.studio.show(new OpenedScene(Path.of("test.json"), driver.studio.original()));
+            fire(MouseEvent.MOUSE_CLICKED, middle, view());
+            assertThat(selected()).isEqualTo(Layout.NOTHING);
+            driver.studio.select(MIDDLE);
+            assertThat(outline.getPoints()).isEmpty();
+        });
+        driver.await(() -> !outline.getPoints().isEmpty());
     }
 
     @Test

@@ -1,0 +1,35 @@
+package dev.twister.gui;
+
+import dev.twister.kernel.Layout;
+import dev.twister.physics.SameSpheres;
+import dev.twister.scene.Sphere;
+import java.util.List;
+
+/**
+ * Which body of a picture is which one of the scene, which may have been edited since the picture was asked for. Bodies are
+ * numbered as the kernel has them, {@link Layout#NOTHING} where there is none.
+ *
+ * @param pictured the spheres that the picture shows
+ * @param standing the spheres that the scene has now
+ */
+record PictureBodies(List<Sphere> pictured, List<Sphere> standing) {
+    /** The scene's body that is this one of the picture. */
+    int inScene(int body) {
+        return same(standing, pictured, body);
+    }
+
+    /** The picture's body that is this one of the scene. */
+    int inPicture(int body) {
+        return same(pictured, standing, body);
+    }
+
+    private static int same(List<Sphere> wanted, List<Sphere> given, int body) {
+        // As long as spheres neither come nor go, each keeps its number; half a million need not be counted for each
+        // picture.
+        if (body < Layout.FIRST_SPHERE || wanted.size() == given.size()) {
+            return body;
+        }
+        int index = SameSpheres.of(wanted, given)[body - Layout.FIRST_SPHERE];
+        return index == SameSpheres.NONE ? Layout.NOTHING : Layout.FIRST_SPHERE + index;
+    }
+}
