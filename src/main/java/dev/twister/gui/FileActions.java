@@ -78,8 +78,16 @@ final class FileActions {
                 .ifPresent(this::useSky);
     }
 
-    /** Makes a panorama the sky, once it has been read; the old one stays where that fails. */
-    void useSky(Path panorama) {
+    private void useSky(Path panorama) {
+        useSky(panorama, () -> {});
+    }
+
+    /**
+     * Makes a panorama the sky, once it has been read; the old one stays where that fails.
+     *
+     * @param refused called in that case
+     */
+    void useSky(Path panorama, Runnable refused) {
         Path file = panorama.toAbsolutePath().normalize();
         errands.run(
                 () -> {
@@ -87,7 +95,10 @@ final class FileActions {
                     return file;
                 },
                 studio::useSky,
-                problem -> complain("This sky cannot be used", problem));
+                problem -> {
+                    refused.run();
+                    complain("This sky cannot be used", problem);
+                });
     }
 
     /** Saves to the scene's own file. */

@@ -20,7 +20,7 @@ final class SkySection {
                 "The panorama behind everything, which mirrors show too. A file can be dropped on the window.",
                 "Alt+K",
                 file -> new Look(SkyList.label(file), SkyList.label(file), file.toString(), Optional.empty()),
-                files::useSky,
+                file -> files.useSky(file, this::refresh),
                 studio::notice);
         other.setId("other-sky");
         other.setTooltip(PanelRow.tooltip("Chooses a panorama's file: .hdr, .png or .jpg."));

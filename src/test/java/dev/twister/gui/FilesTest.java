@@ -22,6 +22,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import javafx.scene.control.Button;
+import javafx.scene.control.ComboBox;
 import javafx.scene.control.DialogPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
@@ -350,6 +351,23 @@ class FilesTest {
         assertThat(driver.awaitCurrentPicture().frame().argb()).isNotEqualTo(before);
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
         assertThat(scene().skybox().getFileName()).hasToString("day.hdr");
+    }
+
+    @Test
+    void aSkyThatIsRefusedDoesNotStayInItsBox() throws IOException {
+        Path broken = Files.writeString(folder.resolve("aaa.hdr"), "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 9");
+        ComboBox<?> box = WindowDriver.call(() -> {
+            Panel panel = driver.window.workbench().panel();
+            panel.offerSkies(List.of(broken));
+            return (ComboBox<?>) panel.rows().stream()
+                    .filter(row -> row.name().equals("Sky"))
+                    .findFirst()
+                    .orElseThrow()
+                    .firstControl();
+        });
+        driver.run(() -> box.getSelectionModel().select(box.getItems().indexOf(broken)));
+        answer(awaitDialog("complaint"), "OK");
+        assertThat((Path) WindowDriver.call(box::getValue)).isEqualTo(scene().skybox());
     }
 
     @Test
