@@ -126,6 +126,7 @@ class FilesTest {
     /** What can be dropped on a window that is neither a scene nor a sky. */
     enum Hostile {
         MISSING(folder -> folder.resolve("missing.json")),
+        MISSING_SKY(folder -> folder.resolve("missing.hdr")),
         A_FOLDER(folder -> Files.createDirectory(folder.resolve("folder.json"))),
         EMPTY(folder -> Files.createFile(folder.resolve("empty.json"))),
         BINARY_SCENE(folder -> Files.write(folder.resolve("binary.json"), new byte[] {0, -1, -2, 0, 7})),
@@ -186,10 +187,12 @@ class FilesTest {
         Scene before = scene();
         drop(file);
         DialogPane dialog = awaitDialog("complaint");
-        if (Files.isRegularFile(file) && hostile != Hostile.BINARY) {
-            assertThat(dialog.getContentText()).isEqualTo(commandLinesMessage(file));
-        } else {
-            assertThat(dialog.getContentText()).startsWith(file.toString()).contains("neither a scene");
+        switch (hostile) {
+            case A_FOLDER ->
+                assertThat(dialog.getContentText()).startsWith(file.toString()).contains("is a folder");
+            case BINARY ->
+                assertThat(dialog.getContentText()).startsWith(file.toString()).contains("neither a scene");
+            default -> assertThat(dialog.getContentText()).isEqualTo(commandLinesMessage(file));
         }
         assertThat(dialog.getContentText().lines()).hasSize(1);
         assertThat(scene()).isEqualTo(before);

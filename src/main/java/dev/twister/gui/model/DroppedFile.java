@@ -15,15 +15,15 @@ public final class DroppedFile {
     public enum Kind {
         SCENE,
         SKYBOX,
-        /** A folder, a device, nothing at all, or a file that starts like neither. */
+        /** A folder, a device, or what neither ends nor starts like one of them. */
         NEITHER
     }
 
     private DroppedFile() {}
 
-    /** Reads at most the first {@value #LOOKED_AT} bytes. */
+    /** Reads at most the first {@value #LOOKED_AT} bytes. A file that is gone is what its name says. */
     public static Kind kind(Path file) {
-        if (!Files.isRegularFile(file)) {
+        if (Files.exists(file) && !Files.isRegularFile(file)) {
             return Kind.NEITHER;
         }
         String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
@@ -38,7 +38,13 @@ public final class DroppedFile {
 
     /** What to say of a file that is neither. */
     public static String complaint(Path file) {
-        return file + ": neither a scene (.json) nor a panorama (.hdr, .png, .jpg)";
+        if (Files.isDirectory(file)) {
+            return file + ": is a folder, but must be a scene (.json) or a panorama (.hdr, .png, .jpg)";
+        }
+        return file
+                + (Files.exists(file)
+                        ? ": neither a scene (.json) nor a panorama (.hdr, .png, .jpg)"
+                        : ": there is no such file");
     }
 
     private static Kind kindByContent(Path file) {

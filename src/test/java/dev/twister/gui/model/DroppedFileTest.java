@@ -36,9 +36,18 @@ class DroppedFileTest {
 
     @Test
     void aFolderIsNeither() throws IOException {
-        assertThat(DroppedFile.kind(Files.createDirectory(folder.resolve("scene.json"))))
-                .isEqualTo(Kind.NEITHER);
-        assertThat(DroppedFile.kind(folder.resolve("gone.json"))).isEqualTo(Kind.NEITHER);
+        Path scene = Files.createDirectory(folder.resolve("scene.json"));
+        assertThat(DroppedFile.kind(scene)).isEqualTo(Kind.NEITHER);
+        assertThat(DroppedFile.complaint(scene)).startsWith(scene + ": is a folder");
+    }
+
+    @Test
+    void whatIsGoneIsWhatItsNameSays() {
+        assertThat(DroppedFile.kind(folder.resolve("gone.json"))).isEqualTo(Kind.SCENE);
+        assertThat(DroppedFile.kind(folder.resolve("gone.hdr"))).isEqualTo(Kind.SKYBOX);
+        Path gone = folder.resolve("gone");
+        assertThat(DroppedFile.kind(gone)).isEqualTo(Kind.NEITHER);
+        assertThat(DroppedFile.complaint(gone)).isEqualTo(gone + ": there is no such file");
     }
 
     @Test
