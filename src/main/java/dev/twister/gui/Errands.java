@@ -1,6 +1,9 @@
 package dev.twister.gui;
 
+import java.util.Collection;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -15,6 +18,10 @@ final class Errands implements AutoCloseable {
     private final ExecutorService thread = Executors.newSingleThreadExecutor(
             Thread.ofPlatform().daemon().name("errands").factory());
     private final AtomicInteger toKeep = new AtomicInteger();
+
+    /** Each done as soon as an errand that is to be kept is with the thread. */
+    private final Collection<CompletableFuture<?>> handedOver = new ConcurrentLinkedQueue<>();
+
     private volatile boolean closed;
 
     /**
@@ -35,14 +42,23 @@ final class Errands implements AutoCloseable {
 
     /** Does what a person wants to keep: the window is not closed before. */
     <T> void keep(Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
+        keepOnce(CompletableFuture.completedFuture(""), errand, done, failed);
+    }
+
+    /** The same, begun when what it needs is there or has failed; until then it holds up no other errand. */
+    <T> void keepOnce(CompletableFuture<?> needed, Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
         toKeep.incrementAndGet();
-        thread.execute(() -> {
-            try {
-                doNow(errand, done, failed);
-            } finally {
-                toKeep.decrementAndGet();
-            }
-        });
+        handedOver.removeIf(CompletableFuture::isDone);
+        handedOver.add(needed.handle((_, _) -> {
+            thread.execute(() -> {
+                try {
+                    doNow(errand, done, failed);
+                } finally {
+                    toKeep.decrementAndGet();
+                }
+            });
+            return "";
+        }));
     }
 
     private static <T> void doNow(Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
@@ -58,13 +74,14 @@ final class Errands implements AutoCloseable {
     /** From now on only what is to be kept is begun. Returns at once. */
     void finish() {
         closed = true;
-        thread.shutdown();
     }
 
     /** Waits for what is to be kept; called by any thread. */
     @Override
     public void close() {
         finish();
+        handedOver.forEach(CompletableFuture::join);
+        thread.shutdown();
         if (toKeep.get() > 0) {
             thread.close();
         }

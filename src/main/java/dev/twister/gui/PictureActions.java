@@ -60,7 +60,9 @@ final class PictureActions implements AutoCloseable {
                 .ifPresent(file -> {
                     lastFolder = Optional.ofNullable(file.toAbsolutePath().getParent())
                             .orElse(lastFolder);
-                    errands.keep(
+                    errands.keepOnce(
+                            // The window's engine may be long at a picture before it tells.
+                            PictureFile.isLinear(file) ? gathered : CompletableFuture.completedFuture(""),
                             () -> {
                                 write(file, frame.width(), frame.height(), argb, input, gathered);
                                 return file;

@@ -3,6 +3,7 @@ package dev.twister.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
@@ -33,6 +34,33 @@ class ErrandsTest {
             closing.join();
 
             assertThat(done).containsExactly("begun before", "kept");
+        }
+    }
+
+    @Test
+    void whatNeedsSomethingHoldsUpNothingAndIsWaitedFor() throws InterruptedException {
+        try (WindowDriver _ = WindowDriver.open()) {
+            Errands errands = new Errands();
+            CompletableFuture<String> needed = new CompletableFuture<>();
+            CountDownLatch saved = new CountDownLatch(1);
+            errands.keepOnce(needed, () -> done.add("with what it needs"), _ -> {}, _ -> {});
+            errands.keep(
+                    () -> {
+                        done.add("at once");
+                        saved.countDown();
+                        return "";
+                    },
+                    _ -> {},
+                    _ -> {});
+            saved.await();
+            Thread closing = Thread.ofPlatform().start(errands::close);
+            while (closing.getState() != Thread.State.WAITING) {
+                Thread.sleep(1);
+            }
+            needed.complete("");
+            closing.join();
+
+            assertThat(done).containsExactly("at once", "with what it needs");
         }
     }
 

@@ -21,6 +21,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
 import javafx.scene.control.Button;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.DialogPane;
@@ -415,6 +416,33 @@ class FilesTest {
             // A Radiance file has 8 bits for the largest channel, and fewer for the others.
             assertThat(green).isCloseTo(argb[pixel] >> 8 & 0xFF, within(3));
         }
+    }
+
+    @Test
+    void aSceneIsSavedWhileAnHdrScreenshotWaitsForTheEngine() {
+        Path start = folder.resolve("scenes").resolve("start.json");
+        Path hdr = folder.resolve("waiting.hdr");
+        CountDownLatch drawing = new CountDownLatch(1);
+        CompletableFuture<String> drawn = new CompletableFuture<>();
+        driver.run(() -> driver.studio.watch(_ -> {
+            drawing.countDown();
+            drawn.join();
+        }));
+        change();
+        try {
+            driver.await(() -> drawing.getCount() == 0);
+            driver.files.choose(hdr);
+            driver.type(KeyCode.F12);
+            driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+            driver.await(() -> !driver.studio.editsProperty().get().changed());
+            assertThat(hdr).doesNotExist();
+        } finally {
+            driver.run(driver.studio::unwatch);
+            drawn.complete("");
+        }
+        driver.await(() -> driver.studio.noticeProperty().get().equals("Saved " + hdr));
+        assertThat(SceneReader.read(start)).isEqualTo(scene());
+        assertThat(hdr).exists();
     }
 
     @Test
