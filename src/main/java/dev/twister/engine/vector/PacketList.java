@@ -7,6 +7,14 @@ final class PacketList {
 
     int count;
 
+    /** All packets of a tile. */
+    void addAll() {
+        for (int packet = 0; packet < places.length; packet++) {
+            places[packet] = packet * Lanes.COUNT;
+        }
+        count = places.length;
+    }
+
     void clear() {
         count = 0;
     }

@@ -136,12 +136,16 @@ final class TileRenderer {
         Stage.runAll(drawing.frame.isLinear() ? FINISH_RADIANCE : FINISH_PIXELS, tile, drawing);
     }
 
-    /** Lists the packets with a pixel of the frame in them. */
+    /** Lists the packets with a pixel of the frame in them: all of most tiles. */
     private void listInside(Drawing drawing) {
-        tile.live.clear();
-        for (int at = 0; at < Tile.SIZE; at += Lanes.COUNT) {
-            if (tile.left + Tile.column(at) < drawing.width && tile.top + Tile.row(at) < drawing.rows) {
-                tile.live.add(at);
+        if (tile.left + Tile.SIDE <= drawing.width && tile.top + Tile.SIDE <= drawing.rows) {
+            tile.live.addAll();
+        } else {
+            tile.live.clear();
+            for (int at = 0; at < Tile.SIZE; at += Lanes.COUNT) {
+                if (tile.left + Tile.column(at) < drawing.width && tile.top + Tile.row(at) < drawing.rows) {
+                    tile.live.add(at);
+                }
             }
         }
     }
