@@ -115,10 +115,11 @@ final class Panel extends ScrollPane {
 
     /** Engine, resolution, scene and refinement as they were at first. */
     static void resetAll(Studio studio, EngineList engines, String usualEngine) {
+        // First, as an edit of moving bodies keeps where it found them.
+        studio.setMoving(false);
         studio.edit("everything", scene -> studio.original().withCamera(scene.camera()));
         studio.endGesture();
         studio.goHome();
-        studio.setMoving(false);
         studio.setResolution(ResolutionMode.WINDOW);
         studio.refiningProperty().set(true);
         if (!studio.engineProperty().get().offer().id().equals(usualEngine)) {

@@ -12,6 +12,7 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import java.util.ArrayList;
 import java.util.List;
 import javafx.scene.control.Button;
 import javafx.scene.control.TextField;
@@ -199,6 +200,28 @@ class PhysicsTest {
         });
         long steps = motion().steps();
         return driver.awaitPicture(picture -> picture.request().motion().steps() == steps);
+    }
+
+    @Test
+    void aResetWhileBodiesMoveIsTakenBackToWhereTheyStarted() {
+        driver.run(() -> {
+            List<Sphere> spheres = new ArrayList<>(driver.studio.original().spheres());
+            spheres.set(0, high(spheres.getFirst()));
+            driver.studio.edit("as many as at first", scene -> scene.withSpheres(spheres));
+            driver.studio.endGesture();
+        });
+        Scene before = scene();
+        awaitSteps(20);
+        driver.type(Command.RESET.keys());
+        Scene reset = scene();
+        assertThat(reset).isEqualTo(WindowDriver.call(driver.studio::original));
+
+        driver.type(Command.UNDO.keys());
+        assertThat(scene()).isEqualTo(before);
+        driver.type(Command.REDO.keys());
+        assertThat(scene()).isEqualTo(reset);
+        driver.type(Command.UNDO.keys());
+        assertThat(scene()).isEqualTo(before);
     }
 
     @Test
