@@ -41,6 +41,12 @@ final class ColorRow extends PanelRow {
                 write(new Rgb(color.getRed(), color.getGreen(), color.getBlue()));
             }
         });
+        // While it is open, a drag in the dialog of custom colours sets one value after the other.
+        picker.showingProperty().subscribe(open -> {
+            if (!open) {
+                edit.endGesture();
+            }
+        });
         DropDownKeys.install(picker);
         addControls(picker);
     }
@@ -66,6 +72,8 @@ final class ColorRow extends PanelRow {
 
     private void write(Rgb rgb) {
         edit.apply(what, scene -> writer.apply(scene, rgb));
-        edit.endGesture();
+        if (!picker.isShowing()) {
+            edit.endGesture();
+        }
     }
 }

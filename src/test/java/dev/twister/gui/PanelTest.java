@@ -12,14 +12,17 @@ import dev.twister.kernel.Layout;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import javafx.geometry.Bounds;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.ColorPicker;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.ComboBoxBase;
+import javafx.scene.control.Hyperlink;
 import javafx.scene.control.Label;
 import javafx.scene.control.TextField;
 import javafx.scene.control.Tooltip;
@@ -411,6 +414,45 @@ class PanelTest {
             driver.click(in(row, ".reset", Button.class));
             assertThat(scene()).as(label).isEqualTo(before);
         }
+    }
+
+    @Test
+    void aDragInTheDialogOfCustomColoursIsOneEdit() {
+        PanelRow row = row("Light colour");
+        ColorPicker picker = (ColorPicker) row.firstControl();
+        Scene before = scene();
+        driver.type(row.keys());
+        driver.type(KeyCode.F4);
+        driver.await(picker::isShowing);
+        driver.pulse();
+        driver.run(() -> inOpenWindows(".hyperlink", Hyperlink.class).fire());
+        driver.pulse();
+        Node colors = WindowDriver.call(() -> inOpenWindows(".color-rect-border", Node.class));
+        Bounds place = WindowDriver.call(() -> colors.localToScreen(colors.getLayoutBounds()));
+        List<Scene> seen = new ArrayList<>();
+        driver.withRobot(hand -> hand.mouseMove(place.getCenterX(), place.getCenterY()));
+        driver.withRobot(hand -> hand.mousePress(MouseButton.PRIMARY));
+        for (int step = 1; step <= 3; step++) {
+            double away = 10.0 * step;
+            driver.withRobot(hand -> hand.mouseMove(place.getCenterX() + away, place.getCenterY() - away));
+            seen.add(scene());
+        }
+        driver.withRobot(hand -> hand.mouseRelease(MouseButton.PRIMARY));
+        driver.run(() -> colors.getScene().getWindow().hide());
+        driver.run(picker::hide);
+
+        assertThat(seen).doesNotHaveDuplicates().doesNotContain(before);
+        driver.type(Command.UNDO.keys());
+        assertThat(scene()).isEqualTo(before);
+    }
+
+    private static <T extends Node> T inOpenWindows(String selector, Class<T> kind) {
+        return Window.getWindows().stream()
+                .filter(Window::isShowing)
+                .flatMap(window -> window.getScene().getRoot().lookupAll(selector).stream())
+                .map(kind::cast)
+                .findFirst()
+                .orElseThrow();
     }
 
     @Test
