@@ -69,6 +69,7 @@ public final class Studio implements AutoCloseable {
     private long starts;
     private final ReadOnlyStringWrapper notice = new ReadOnlyStringWrapper("");
     private SceneHistory document;
+    private long documents;
     private final ReadOnlyObjectWrapper<Scene> original;
     private Walk walk = Walk.STILL;
     private Turn turn = Turn.STILL;
@@ -347,6 +348,7 @@ public final class Studio implements AutoCloseable {
 
     /** Shows another scene, and forgets the old one with its edits. */
     public void show(OpenedScene opened) {
+        documents++;
         document = new SceneHistory(opened.scene());
         firstRequest = requests + 1;
         original.set(opened.scene());
@@ -463,7 +465,14 @@ public final class Studio implements AutoCloseable {
             int refineTo =
                     refining.get() ? Math.max(REFINE_TO, scene.get().settings().samplesPerPixel()) : 0;
             loop.request(new DrawingRequest(
-                    requests, scene.get(), size.width(), size.height(), engine.get(), refineTo, motion.get()));
+                    requests,
+                    documents,
+                    scene.get(),
+                    size.width(),
+                    size.height(),
+                    engine.get(),
+                    refineTo,
+                    motion.get()));
         }
     }
 }

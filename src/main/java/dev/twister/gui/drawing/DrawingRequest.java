@@ -6,6 +6,7 @@ import dev.twister.scene.Scene;
  * What is to be drawn from now on.
  *
  * @param number counts the requests up; a picture tells which one it answers
+ * @param document counts up with each scene that is opened; its edits have the same
  * @param scene what is seen; its settings' width and height do not count
  * @param width of the picture in pixels, 1 or more
  * @param height of the picture in pixels, 1 or more
@@ -15,16 +16,34 @@ import dev.twister.scene.Scene;
  * @param motion whether and how bodies move
  */
 public record DrawingRequest(
-        long number, Scene scene, int width, int height, EngineChoice engine, int refineTo, Motion motion) {
-    /** A request for a picture of bodies that stand where the scene has them. */
+        long number,
+        long document,
+        Scene scene,
+        int width,
+        int height,
+        EngineChoice engine,
+        int refineTo,
+        Motion motion) {
+    /** A request for a picture of the first scene, its bodies where it has them. */
     public DrawingRequest(long number, Scene scene, int width, int height, EngineChoice engine, int refineTo) {
-        this(number, scene, width, height, engine, refineTo, Motion.NONE);
+        this(number, 0, scene, width, height, engine, refineTo, Motion.NONE);
     }
 
     /** Whether the other one asks for the same picture, of whatever engine. */
     boolean asksForThePictureOf(DrawingRequest other) {
         return equals(new DrawingRequest(
-                number, other.scene(), other.width(), other.height(), engine, refineTo, other.motion()));
+                number, document, other.scene(), other.width(), other.height(), engine, refineTo, other.motion()));
+    }
+
+    /**
+     * Whether a picture of the one is worth something to who waits for the other: the same place is seen, if from elsewhere
+     * or its bodies moved, under the same sky and settings.
+     */
+    boolean showsThePlaceOf(DrawingRequest other) {
+        return document == other.document()
+                && motion.start() == other.motion().start()
+                && scene.skybox().equals(other.scene().skybox())
+                && scene.settings().equals(other.scene().settings());
     }
 
     /** Whether one picture follows the other, though nothing is asked for. */

@@ -187,7 +187,8 @@ final class PictureWork implements AutoCloseable {
 
     /**
      * Whether the rest of a picture is not worth its time: another engine is to draw, or is ready to, or another size is
-     * asked for, or other settings and it takes long. Not so for a camera that moves: that shall be seen now and then.
+     * asked for, or what looks all different and it takes long. Not so for a camera that moves, or a body that is dragged:
+     * that shall be seen now and then.
      */
     private boolean isInVain(DrawingRequest wanted, long nanosLeft) {
         return seat.isReady()
@@ -195,10 +196,7 @@ final class PictureWork implements AutoCloseable {
                         .filter(request -> request.engine().equals(wanted.engine())
                                 && request.width() == wanted.width()
                                 && request.height() == wanted.height()
-                                && (nanosLeft < SLOW_NANOS
-                                        || request.scene()
-                                                .settings()
-                                                .equals(wanted.scene().settings())))
+                                && (nanosLeft < SLOW_NANOS || request.showsThePlaceOf(wanted)))
                         .isEmpty();
     }
 

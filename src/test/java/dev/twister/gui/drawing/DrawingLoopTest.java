@@ -431,13 +431,52 @@ class DrawingLoopTest {
         assertThat(answered).contains(first);
     }
 
+    @Test
+    void aSlowPictureIsLeftForAnotherSceneThatWasOpened() {
+        assertLeftFor(large(1, scene, Motion.NONE));
+    }
+
+    @Test
+    void aSlowPictureIsLeftForBodiesThatBeginToMove() {
+        assertLeftFor(large(0, scene, new Motion(1, true, 0)));
+    }
+
+    @Test
+    void aSlowPictureIsLeftForAnotherSky() {
+        assertLeftFor(large(0, scene.withSkybox(Path.of("another.hdr").toAbsolutePath()), Motion.NONE));
+    }
+
+    private void assertLeftFor(DrawingRequest other) {
+        beSlow(green);
+        requestLarge(scene, 1);
+        awaitPicture(drawnBy(green));
+        awaitQuiet();
+        List<Long> answered = new CopyOnWriteArrayList<>();
+        loop.watch(picture -> answered.add(picture.request().number()));
+        green.hold();
+        requestLarge(scene.withCamera(WindowScenes.shipped("benchmark").camera()), 1);
+        int before = green.frames.get();
+        green.allow(1);
+        await(() -> green.frames.get() > before);
+        loop.request(other);
+        green.allowAll();
+
+        await(() -> !answered.isEmpty());
+        assertThat(answered.getFirst()).isEqualTo(other.number());
+    }
+
+    /** To follow all others. */
+    private DrawingRequest large(long document, Scene wanted, Motion motion) {
+        return new DrawingRequest(Long.MAX_VALUE, document, wanted, LARGE_WIDTH, LARGE_HEIGHT, chosen, 1, motion);
+    }
+
     private void beSlow(TestEngine.Kind kind) {
         kind.onFrame = () -> nanos.addAndGet(TimeUnit.MINUTES.toNanos(1));
     }
 
     private void requestLarge(Scene wanted, int refineTo) {
         requests++;
-        loop.request(new DrawingRequest(requests, wanted, LARGE_WIDTH, LARGE_HEIGHT, chosen, refineTo, Motion.NONE));
+        loop.request(new DrawingRequest(requests, wanted, LARGE_WIDTH, LARGE_HEIGHT, chosen, refineTo));
     }
 
     @Test
@@ -488,7 +527,7 @@ class DrawingLoopTest {
         request(scene, 0);
         awaitPicture(drawnBy(green));
         requests++;
-        loop.request(new DrawingRequest(requests, scene, 0, HEIGHT, chosen, 0, Motion.NONE));
+        loop.request(new DrawingRequest(requests, scene, 0, HEIGHT, chosen, 0));
         await(() -> loop.status().sceneFailure().isPresent());
 
         request(scene, 0);
@@ -507,7 +546,7 @@ class DrawingLoopTest {
 
     private void request(Scene wanted, int refineTo, Motion motion) {
         requests++;
-        loop.request(new DrawingRequest(requests, wanted, WIDTH, HEIGHT, chosen, refineTo, motion));
+        loop.request(new DrawingRequest(requests, 0, wanted, WIDTH, HEIGHT, chosen, refineTo, motion));
     }
 
     private DrawnPicture awaitAnswer() {

@@ -1,0 +1,60 @@
+package dev.twister.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.engine.JvmEngines;
+import dev.twister.gui.drawing.DrawingRequest;
+import dev.twister.scene.Scene;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** The studio without a window. */
+class StudioTest {
+    private static final Path FILE = Path.of("test.json");
+    private static final int SIDE = 32;
+
+    private final Scene scene = WindowScenes.tiny();
+    private final Studio studio = start(scene);
+
+    private static Studio start(Scene scene) {
+        return Studio.start(new GuiOptions(scene, FILE, JvmEngines.parallel()));
+    }
+
+    @AfterEach
+    void close() {
+        studio.close();
+    }
+
+    @Test
+    void aSceneThatIsOpenedIsDrawnAsAnotherOneAndAnEditAsTheSame() {
+        studio.setViewSize(SIDE, SIDE);
+        DrawingRequest first = awaitRequest(_ -> true);
+
+        Scene shadowed = scene.withSettings(scene.settings().withShadows(2));
+        studio.edit("shadows", _ -> shadowed);
+        DrawingRequest edited = awaitRequest(request -> request.scene().equals(shadowed));
+        assertThat(edited.document()).isEqualTo(first.document());
+
+        studio.show(new OpenedScene(FILE, scene));
+        DrawingRequest opened = awaitRequest(request -> request.scene().equals(scene));
+        assertThat(opened.document()).isNotEqualTo(first.document());
+    }
+
+    private DrawingRequest awaitRequest(Predicate<DrawingRequest> wanted) {
+        long end = System.nanoTime() + TimeUnit.MINUTES.toNanos(1);
+        studio.pulse(System.nanoTime());
+        while (studio.pictureProperty()
+                .get()
+                .filter(picture -> wanted.test(picture.request()))
+                .isEmpty()) {
+            assertThat(System.nanoTime()).as("the time is over").isLessThan(end);
+            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(1));
+            studio.pulse(System.nanoTime());
+        }
+        return studio.pictureProperty().get().orElseThrow().request();
+    }
+}
