@@ -6,43 +6,74 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Spheres in a grid whose cells are as wide as the largest of them, so that only neighbours can touch. */
+/**
+ * Spheres of which the larger ones come first, in grids, each for spheres of about one size: in that of a large one there would
+ * be room for thousands of small ones in a cell.
+ */
 final class SpherePacking {
-    private final Map<Cell, List<Placed>> cells = new HashMap<>();
-    private final double side;
+    private final List<Grid> grids = new ArrayList<>();
 
     private record Cell(long x, long y, long z) {}
 
     private record Placed(Vector3 center, double radius) {}
 
     /**
-     * An empty packing.
+     * A packing with one body in it.
      *
      * @param largest no sphere's radius is larger
      */
-    SpherePacking(double largest) {
-        side = 2 * largest;
+    SpherePacking(Vector3 center, double radius, double largest) {
+        grids.add(new Grid(Math.max(largest, radius)));
+        grids.getFirst().add(new Placed(center, radius));
     }
 
+    /** Adds a sphere that is no larger than those that were added before. */
     void add(Vector3 center, double radius) {
-        cells.computeIfAbsent(cell(center), _ -> new ArrayList<>()).add(new Placed(center, radius));
+        if (2 * radius < grids.getLast().largest) {
+            grids.add(new Grid(radius));
+        }
+        grids.getLast().add(new Placed(center, radius));
     }
 
     /** Whether a sphere there would touch none. */
     boolean isFree(Vector3 center, double radius) {
-        Cell middle = cell(center);
-        for (long x = middle.x() - 1; x <= middle.x() + 1; x++) {
-            for (long y = middle.y() - 1; y <= middle.y() + 1; y++) {
-                for (long z = middle.z() - 1; z <= middle.z() + 1; z++) {
-                    for (Placed other : cells.getOrDefault(new Cell(x, y, z), List.of())) {
-                        if (touches(other, center, radius)) {
-                            return false;
+        return grids.stream().noneMatch(grid -> grid.touches(center, radius));
+    }
+
+    /** Its cells are as wide as its largest sphere, so that only neighbours can touch. */
+    private static final class Grid {
+        private final Map<Cell, List<Placed>> cells = new HashMap<>();
+        private final double largest;
+
+        Grid(double largest) {
+            this.largest = largest;
+        }
+
+        void add(Placed sphere) {
+            Vector3 center = sphere.center();
+            Cell cell = new Cell(cell(center.x()), cell(center.y()), cell(center.z()));
+            cells.computeIfAbsent(cell, _ -> new ArrayList<>()).add(sphere);
+        }
+
+        boolean touches(Vector3 center, double radius) {
+            double reach = largest + radius;
+            for (long x = cell(center.x() - reach); x <= cell(center.x() + reach); x++) {
+                for (long y = cell(center.y() - reach); y <= cell(center.y() + reach); y++) {
+                    for (long z = cell(center.z() - reach); z <= cell(center.z() + reach); z++) {
+                        for (Placed other : cells.getOrDefault(new Cell(x, y, z), List.of())) {
+                            if (SpherePacking.touches(other, center, radius)) {
+                                return true;
+                            }
                         }
                     }
                 }
             }
+            return false;
         }
-        return true;
+
+        private long cell(double place) {
+            return (long) Math.floor(place / (2 * largest));
+        }
     }
 
     private static boolean touches(Placed other, Vector3 center, double radius) {
@@ -51,10 +82,5 @@ final class SpherePacking {
         double z = other.center().z() - center.z();
         double reach = other.radius() + radius;
         return x * x + y * y + z * z <= reach * reach;
-    }
-
-    private Cell cell(Vector3 place) {
-        return new Cell((long) Math.floor(place.x() / side), (long) Math.floor(place.y() / side), (long)
-                Math.floor(place.z() / side));
     }
 }

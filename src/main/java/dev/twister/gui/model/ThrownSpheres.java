@@ -1,7 +1,7 @@
 package dev.twister.gui.model;
 
-import dev.twister.scene.Plane;
 import dev.twister.scene.Scene;
+import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import java.util.Comparator;
@@ -16,11 +16,15 @@ public final class ThrownSpheres {
     /** How many places are tried for a sphere before it goes higher. */
     private static final int TRIES = 8;
 
+    /** How much higher it goes then. */
+    private static final double GROWTH = 1.5;
+
     private ThrownSpheres() {}
 
     /**
      * The scene with its spheres elsewhere: over the middle of the plane, each clear of the plane, the light and those
-     * that were placed before it.
+     * that were placed before it. Only spheres so large that there is no such place in all that a scene may span are in
+     * others.
      *
      * @param seed another one gives other places
      */
@@ -29,26 +33,44 @@ public final class ThrownSpheres {
         List<Sphere> spheres = scene.spheres();
         double largest = spheres.stream().mapToDouble(Sphere::radius).max().orElse(1);
         SpherePacking packing =
-                new SpherePacking(Math.max(largest, scene.light().radius()));
-        packing.add(scene.light().position(), scene.light().radius());
+                new SpherePacking(scene.light().position(), scene.light().radius(), largest);
         Sphere[] thrown = new Sphere[spheres.size()];
-        Plane plane = scene.plane();
-        double low = plane.height();
-        // On a plane that is too small for them they would pile up to the sky.
-        double half = Math.max(SHARE_OF_PLANE * plane.size() / 2, 2 * largest * Math.cbrt(spheres.size()));
+        double half = half(scene);
+        double top = 0;
         // The large ones first: they find no room between small ones.
         for (int index : order(spheres)) {
             Sphere sphere = spheres.get(index);
-            double top = 4 * largest;
-            Vector3 place = place(random, half, low + sphere.radius(), top);
+            double low = SceneLimits.POSITION.clamp(scene.plane().height() + sphere.radius());
+            double highest = SceneLimits.POSITION.max() - low;
+            // Where it was too crowded for the one before, all of it need not be tried again.
+            top = Math.min(Math.max(4 * largest, top / GROWTH), highest);
+            Vector3 place = place(random, half, low, top);
             for (int tries = 1; !packing.isFree(place, sphere.radius()); tries++) {
-                top = tries % TRIES == 0 ? top * 1.5 : top;
-                place = place(random, half, low + sphere.radius(), top);
+                if (tries % TRIES == 0) {
+                    if (top == highest) {
+                        break;
+                    }
+                    top = Math.min(GROWTH * top, highest);
+                }
+                place = place(random, half, low, top);
             }
             packing.add(place, sphere.radius());
-            thrown[index] = new Sphere(place, sphere.radius(), sphere.color(), sphere.reflectivity());
+            thrown[index] = at(place, sphere);
         }
         return scene.withSpheres(List.of(thrown));
+    }
+
+    private static Sphere at(Vector3 place, Sphere sphere) {
+        return new Sphere(place, sphere.radius(), sphere.color(), sphere.reflectivity());
+    }
+
+    /** Half the width of where they are thrown: on a plane that is too small for all they would pile up to the sky. */
+    private static double half(Scene scene) {
+        double cubes = scene.spheres().stream()
+                .mapToDouble(sphere -> Math.pow(sphere.radius(), 3))
+                .sum();
+        return SceneLimits.POSITION.clamp(
+                Math.max(SHARE_OF_PLANE * scene.plane().size() / 2, 2 * Math.cbrt(cubes)));
     }
 
     private static List<Integer> order(List<Sphere> spheres) {

@@ -2,10 +2,14 @@ package dev.twister.gui.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.scene.Light;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -21,15 +25,62 @@ class ThrownSpheresTest {
 
     @Test
     void noneIsInAnotherOrInThePlane() {
-        Scene thrown = ThrownSpheres.of(many(300), 7);
+        assertAllAreClear(ThrownSpheres.of(many(300), 7));
+    }
+
+    @Test
+    void aFewLargeOnesDoNotThrowTheSmallOnesBesideThePlane() {
+        Scene mixed = withOneOf(4, many(2000));
+
+        Scene thrown = ThrownSpheres.of(mixed, 7);
+
+        assertAllAreClear(thrown);
+        double half = thrown.plane().size() / 2;
+        assertThat(thrown.spheres()).allSatisfy(sphere -> {
+            assertThat(sphere.position().x()).isBetween(-half, half);
+            assertThat(sphere.position().z()).isBetween(-half, half);
+        });
+    }
+
+    @Test
+    void spheresOfAllSizesAreClearOfALightOfAnySize() {
+        Scene mixed = withOneOf(1, withOneOf(0.001, many(100)));
+        for (double radius : new double[] {0.01, 0.5, 5}) {
+            Light light = mixed.light();
+            assertAllAreClear(ThrownSpheres.of(mixed.withLight(new Light(light.position(), radius, light.color())), 7));
+        }
+    }
+
+    @Test
+    void noneIsWhereNoSceneCanHaveIt() {
+        Scene huge = many(0).withSpheres(
+                        Collections.nCopies(20, new Sphere(new Vector3(0, 0, 0), 290_000, new Rgb(0.5, 0.5, 0.5), 0)));
+        for (long seed = 0; seed < 20; seed++) {
+            assertThat(ThrownSpheres.of(huge, seed).spheres()).allSatisfy(sphere -> {
+                assertThat(SceneLimits.POSITION.contains(sphere.position().x())).isTrue();
+                assertThat(SceneLimits.POSITION.contains(sphere.position().y())).isTrue();
+                assertThat(SceneLimits.POSITION.contains(sphere.position().z())).isTrue();
+            });
+        }
+    }
+
+    private static Scene withOneOf(double radius, Scene scene) {
+        List<Sphere> spheres = new ArrayList<>(scene.spheres());
+        spheres.add(new Sphere(new Vector3(0, 0, 0), radius, new Rgb(0.5, 0.5, 0.5), 0));
+        return scene.withSpheres(spheres);
+    }
+
+    private static void assertAllAreClear(Scene thrown) {
         List<Sphere> spheres = thrown.spheres();
+        Light light = thrown.light();
         for (int i = 0; i < spheres.size(); i++) {
-            assertThat(spheres.get(i).position().y())
-                    .isGreaterThanOrEqualTo(
-                            thrown.plane().height() + spheres.get(i).radius());
+            Sphere sphere = spheres.get(i);
+            assertThat(sphere.position().y())
+                    .isGreaterThanOrEqualTo(thrown.plane().height() + sphere.radius());
+            assertThat(distance(sphere.position(), light.position())).isGreaterThan(sphere.radius() + light.radius());
             for (int j = 0; j < i; j++) {
-                assertThat(distance(spheres.get(i).position(), spheres.get(j).position()))
-                        .isGreaterThan(spheres.get(i).radius() + spheres.get(j).radius());
+                assertThat(distance(sphere.position(), spheres.get(j).position()))
+                        .isGreaterThan(sphere.radius() + spheres.get(j).radius());
             }
         }
     }
