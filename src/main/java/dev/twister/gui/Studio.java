@@ -369,6 +369,11 @@ public final class Studio implements AutoCloseable {
         show(read(scenesFile));
     }
 
+    /** Which one of the scenes that were opened this is; its edits have the same number. */
+    long document() {
+        return documents;
+    }
+
     /** The scene as it is to be written, the camera where it is now; to be told of by {@link #saved}. */
     public SceneHistory.Version toSave() {
         document.endGesture();

@@ -193,18 +193,27 @@ final class Workbench implements AutoCloseable {
         help.showControls(panel.rows());
     }
 
-    /** Half a million spheres take a while to place. */
+    /** Half a million spheres take a while to place, and may be edited meanwhile. */
     private void randomise() {
         Scene before = studio.scene();
+        long document = studio.document();
         errands.run(
                 () -> ThrownSpheres.of(before, System.nanoTime()),
                 thrown -> {
-                    if (studio.scene().spheres().size() == thrown.spheres().size()) {
-                        studio.edit("randomise", scene -> scene.withSpheres(thrown.spheres()));
-                        studio.endGesture();
+                    if (studio.document() == document) {
+                        place(thrown);
                     }
                 },
                 problem -> studio.notice(FileActions.explain(problem)));
+    }
+
+    private void place(Scene thrown) {
+        if (ThrownSpheres.fit(thrown, studio.scene())) {
+            studio.edit("randomise", scene -> ThrownSpheres.placed(thrown, scene));
+            studio.endGesture();
+        } else {
+            randomise();
+        }
     }
 
     private void insert() {

@@ -12,8 +12,10 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.UnaryOperator;
 import javafx.scene.control.Button;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
@@ -247,5 +249,66 @@ class PhysicsTest {
         driver.awaitCurrentPicture();
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
         assertThat(scene()).isEqualTo(before);
+    }
+
+    @Test
+    void anEditWhileSpheresAreThrownStaysAsItIs() {
+        Rgb green = new Rgb(0, 1, 0);
+        Sphere before = editWhileSpheresAreThrown(scene -> BodyEdits.colored(scene, Layout.FIRST_SPHERE, green))
+                .spheres()
+                .getFirst();
+
+        driver.await(() -> isThrown(before));
+        assertThat(scene().spheres().getFirst().color()).isEqualTo(green);
+        driver.type(Command.UNDO.keys());
+        assertThat(scene().spheres()).containsExactly(before);
+    }
+
+    @Test
+    void spheresThatWereEditedWhileTheyWereThrownAreThrownAgain() {
+        Scene before = editWhileSpheresAreThrown(scene -> {
+            Scene larger = BodyEdits.radiusOf(Layout.FIRST_SPHERE).write(scene, 2);
+            return BodyEdits.inserted(larger, larger.spheres().getFirst());
+        });
+        assertThat(before.spheres()).hasSize(2);
+
+        driver.await(() -> isThrown(before.spheres().getFirst()));
+        assertThat(scene().spheres())
+                .hasSize(2)
+                .allSatisfy(sphere -> assertThat(sphere.radius()).isEqualTo(2));
+        driver.type(Command.UNDO.keys());
+        assertThat(scene()).isEqualTo(before);
+    }
+
+    /** JavaFX's thread shows what was thrown, and is busy with the edit until then. */
+    private static Scene editWhileSpheresAreThrown(UnaryOperator<Scene> edit) {
+        return WindowDriver.call(() -> {
+            driver.find("#randomise", Button.class).fire();
+            driver.studio.edit("meanwhile", edit);
+            driver.studio.endGesture();
+            return driver.studio.scene();
+        });
+    }
+
+    private static boolean isThrown(Sphere before) {
+        return !driver.studio.scene().spheres().getFirst().position().equals(before.position());
+    }
+
+    @Test
+    void aSceneThatIsOpenedWhileAnothersSpheresAreThrownKeepsItsOwn() {
+        Scene opened = scene();
+        driver.run(() -> {
+            Button randomise = driver.find("#randomise", Button.class);
+            randomise.fire();
+            driver.studio.show(new OpenedScene(Path.of("test.json"), opened));
+            // What is done after it tells that it is done.
+            randomise.fire();
+        });
+        driver.await(() -> isThrown(opened.spheres().getFirst()));
+
+        driver.type(Command.UNDO.keys());
+        assertThat(scene()).isEqualTo(opened);
+        Scene original = WindowScenes.tiny();
+        driver.run(() -> driver.studio.show(new OpenedScene(Path.of("test.json"), original)));
     }
 }

@@ -4,6 +4,7 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -58,6 +59,23 @@ public final class ThrownSpheres {
             thrown[index] = at(place, sphere);
         }
         return scene.withSpheres(List.of(thrown));
+    }
+
+    /** Whether a scene that was edited while its spheres were thrown can have the places that were found. */
+    public static boolean fit(Scene thrown, Scene edited) {
+        return Arrays.equals(radii(thrown), radii(edited));
+    }
+
+    /** The edited scene with the places that were found for its spheres; only where they {@link #fit}. */
+    public static Scene placed(Scene thrown, Scene edited) {
+        List<Sphere> spheres = edited.spheres();
+        return edited.withSpheres(IntStream.range(0, spheres.size())
+                .mapToObj(index -> at(thrown.spheres().get(index).position(), spheres.get(index)))
+                .toList());
+    }
+
+    private static double[] radii(Scene scene) {
+        return scene.spheres().stream().mapToDouble(Sphere::radius).toArray();
     }
 
     private static Sphere at(Vector3 place, Sphere sphere) {

@@ -2,6 +2,7 @@ package dev.twister.gui.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.kernel.Layout;
 import dev.twister.scene.Light;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
@@ -99,6 +100,21 @@ class ThrownSpheresTest {
             assertThat(is).isEqualTo(new Sphere(is.position(), was.radius(), was.color(), was.reflectivity()));
         }
         assertThat(thrown.withSpheres(before.spheres())).isEqualTo(before);
+    }
+
+    @Test
+    void aSceneThatWasEditedMeanwhileKeepsAllButThePlaces() {
+        Scene before = many(20);
+        Scene thrown = ThrownSpheres.of(before, 7);
+        Scene colored = BodyEdits.colored(before, Layout.FIRST_SPHERE, new Rgb(0, 1, 0));
+        assertThat(ThrownSpheres.fit(thrown, colored)).isTrue();
+        assertThat(ThrownSpheres.placed(thrown, colored))
+                .isEqualTo(BodyEdits.colored(thrown, Layout.FIRST_SPHERE, new Rgb(0, 1, 0)));
+
+        assertThat(ThrownSpheres.fit(thrown, many(21))).isFalse();
+        assertThat(ThrownSpheres.fit(
+                        thrown, BodyEdits.radiusOf(Layout.FIRST_SPHERE).write(before, 2)))
+                .isFalse();
     }
 
     @Test
