@@ -85,10 +85,11 @@ public final class Studio implements AutoCloseable {
     private Studio(GuiOptions options, SkyShelf skies, DrawingLoop loop) {
         this.skies = skies;
         this.loop = loop;
-        scene = new ReadOnlyObjectWrapper<>(options.scene());
+        Scene first = withCameraAbovePlane(options.scene());
+        scene = new ReadOnlyObjectWrapper<>(first);
         engine = new ReadOnlyObjectWrapper<>(new EngineChoice(0, options.engine()));
         file = new ReadOnlyObjectWrapper<>(Optional.of(options.file()));
-        document = new SceneHistory(options.scene());
+        document = new SceneHistory(first);
         original = new ReadOnlyObjectWrapper<>(options.scene());
         refining.subscribe(_ -> request());
     }
@@ -450,8 +451,7 @@ public final class Studio implements AutoCloseable {
     }
 
     private void show() {
-        Scene now = document.present();
-        document.carryOn(now.withCamera(CameraMotion.above(now.camera(), now.plane())));
+        document.carryOn(withCameraAbovePlane(document.present()));
         edits.set(EditState.of(document));
         if (!document.present().equals(scene.get())) {
             boolean sameSpheres =
@@ -461,6 +461,10 @@ public final class Studio implements AutoCloseable {
             select(sameSpheres ? selection.get() : Layout.NOTHING);
             request();
         }
+    }
+
+    private static Scene withCameraAbovePlane(Scene scene) {
+        return scene.withCamera(CameraMotion.above(scene.camera(), scene.plane()));
     }
 
     private void request() {

@@ -4,7 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.drawing.DrawingRequest;
+import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
+import dev.twister.world.CameraMotion;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
@@ -42,6 +45,21 @@ class StudioTest {
         studio.show(new OpenedScene(FILE, scene));
         DrawingRequest opened = awaitRequest(request -> request.scene().equals(scene));
         assertThat(opened.document()).isNotEqualTo(first.document());
+    }
+
+    @Test
+    void theCameraOfTheFirstSceneAndOfOneThatIsOpenedIsLiftedOverThePlane() {
+        Camera usual = scene.camera();
+        Scene buried = scene.withCamera(new Camera(new Vector3(0, -5, -8), 0, 0, usual.fieldOfViewDegrees()));
+        double lowest = scene.plane().height() + CameraMotion.CLEARANCE_METRES;
+        try (Studio first = start(buried)) {
+            assertThat(first.scene().camera().position()).isEqualTo(new Vector3(0, lowest, -8));
+            assertThat(first.toSave().scene()).isEqualTo(first.scene());
+            assertThat(first.editsProperty().get().changed()).isFalse();
+        }
+
+        studio.show(new OpenedScene(FILE, buried));
+        assertThat(studio.scene().camera().position()).isEqualTo(new Vector3(0, lowest, -8));
     }
 
     private DrawingRequest awaitRequest(Predicate<DrawingRequest> wanted) {
