@@ -3,6 +3,7 @@ package dev.twister.gui;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.gui.drawing.DrawnPicture;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -66,8 +67,16 @@ final class EngineList {
         if (due && !looked && studio.drawingProperty().get().opening().isEmpty()) {
             looked = true;
             waiting.unsubscribe();
-            errands.run(Engines::offers, offers::set, problem -> studio.notice(problem.toString()));
+            errands.run(
+                    () -> workableFirst(Engines.offers()), offers::set, problem -> studio.notice(problem.toString()));
         }
+    }
+
+    /** The arrow keys lead past none that cannot be had. */
+    static List<EngineOffer> workableFirst(List<EngineOffer> offers) {
+        return offers.stream()
+                .sorted(Comparator.comparing(offer -> offer.obstacle().isPresent()))
+                .toList();
     }
 
     private static boolean rests(DrawnPicture picture) {
