@@ -134,6 +134,8 @@ final class Workbench implements AutoCloseable {
                 .on(Command.REDO_ALSO, studio::redo)
                 .on(Command.INSERT, this::insert)
                 .on(Command.DELETE, this::delete)
+                .on(Command.NEXT, () -> selectAlong(1))
+                .on(Command.PREVIOUS, () -> selectAlong(-1))
                 .on(Command.DESELECT, this::backToThePicture)
                 .on(Command.RESET, resetAll)
                 .on(Command.PANEL, () -> showPanel(!isPanelShown()))
@@ -230,6 +232,10 @@ final class Workbench implements AutoCloseable {
             studio.edit("delete sphere", scene -> BodyEdits.deleted(scene, body));
             studio.endGesture();
         }
+    }
+
+    private void selectAlong(int steps) {
+        studio.select(BodyEdits.along(studio.scene(), studio.selectionProperty().get(), steps));
     }
 
     private void backToThePicture() {

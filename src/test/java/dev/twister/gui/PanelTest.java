@@ -557,4 +557,28 @@ class PanelTest {
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
         assertThat(scene()).isEqualTo(edited);
     }
+
+    @Test
+    void theLightAndEverySphereAreSelectedByKeys() {
+        driver.run(() -> driver.studio.select(Layout.NOTHING));
+        int spheres = scene().spheres().size();
+        List<Integer> round = new ArrayList<>(List.of(Layout.LIGHT));
+        for (int sphere = 0; sphere < spheres; sphere++) {
+            round.add(Layout.FIRST_SPHERE + sphere);
+        }
+        round.add(Layout.NOTHING);
+
+        for (int body : round) {
+            driver.type(Command.NEXT.keys());
+            assertThat(WindowDriver.call(driver.studio.selectionProperty()::get))
+                    .isEqualTo(body);
+        }
+        for (int body : round.subList(0, round.size() - 1).reversed()) {
+            driver.type(Command.PREVIOUS.keys());
+            assertThat(WindowDriver.call(driver.studio.selectionProperty()::get))
+                    .isEqualTo(body);
+        }
+        driver.type(Command.PREVIOUS.keys());
+        assertThat(WindowDriver.call(driver.studio.selectionProperty()::get)).isEqualTo(Layout.NOTHING);
+    }
 }

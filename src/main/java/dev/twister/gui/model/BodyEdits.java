@@ -30,6 +30,26 @@ public final class BodyEdits {
         return body == Layout.LIGHT || isSphere(scene, body);
     }
 
+    /**
+     * The body so many steps on in the round of nothing, the light, and all spheres in their order.
+     *
+     * @param body where the round begins: {@link Layout#NOTHING} or a movable body
+     * @param steps back where they are negative
+     */
+    public static int along(Scene scene, int body, int steps) {
+        int place = switch (body) {
+            case Layout.NOTHING -> 0;
+            case Layout.LIGHT -> 1;
+            default -> body - Layout.FIRST_SPHERE + 2;
+        };
+        int next = Math.floorMod(place + steps, scene.spheres().size() + 2);
+        return switch (next) {
+            case 0 -> Layout.NOTHING;
+            case 1 -> Layout.LIGHT;
+            default -> Layout.FIRST_SPHERE + next - 2;
+        };
+    }
+
     public static Sphere sphere(Scene scene, int body) {
         return scene.spheres().get(body - Layout.FIRST_SPHERE);
     }
