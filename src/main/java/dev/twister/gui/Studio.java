@@ -79,9 +79,6 @@ public final class Studio implements AutoCloseable {
     private double viewHeight;
     private long requests;
 
-    /** The first request for a picture of this scene, however edited; those before were for the one that was shown before it. */
-    private long firstRequest;
-
     private Studio(GuiOptions options, SkyShelf skies, DrawingLoop loop) {
         this.skies = skies;
         this.loop = loop;
@@ -126,7 +123,7 @@ public final class Studio implements AutoCloseable {
     Optional<PictureBodies> picturedBodies() {
         return picture.get()
                 .map(DrawnPicture::request)
-                .filter(request -> request.number() >= firstRequest)
+                .filter(request -> request.document() == documents)
                 .map(request ->
                         new PictureBodies(request.scene().spheres(), scene.get().spheres()));
     }
@@ -351,7 +348,6 @@ public final class Studio implements AutoCloseable {
     public void show(OpenedScene opened) {
         documents++;
         document = new SceneHistory(opened.scene());
-        firstRequest = requests + 1;
         original.set(opened.scene());
         file.set(Optional.of(opened.file()));
         selection.set(Layout.NOTHING);
