@@ -56,7 +56,7 @@ final class SelectionSection extends VBox {
         hint.setText(
                 switch (body) {
                     case Layout.NOTHING ->
-                        "Click a sphere or the light in the picture to select it; drag the selected one to move it.";
+                        "Click a sphere or the light in the picture to select it, or press F2; drag the selected one to move it.";
                     case Layout.LIGHT -> "The light is selected; its controls are above.";
                     default ->
                         "Sphere " + (body - Layout.FIRST_SPHERE + 1) + " of "

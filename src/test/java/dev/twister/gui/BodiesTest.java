@@ -10,8 +10,6 @@ import dev.twister.kernel.Layout;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.event.Event;
 import javafx.event.EventType;
@@ -126,14 +124,20 @@ class BodiesTest {
         Polygon outline = driver.find("#outline", Polygon.class);
         Point2D corner = WindowDriver.call(() -> outline.localToScreen(
                 outline.getPoints().get(0), outline.getPoints().get(1)));
+        // A picture that is painted meanwhile may come before it.
+        driver.await(() -> isOutlined(corner));
+    }
+
+    private boolean isOutlined(Point2D place) {
+        boolean outlined = false;
         // A line between pixels is spread over several.
-        List<Color> around = new ArrayList<>();
         for (int x = -1; x <= 1; x++) {
             for (int y = -1; y <= 1; y++) {
-                around.add(driver.pixel(Math.floor(corner.getX()) + x, Math.floor(corner.getY()) + y));
+                Color seen = driver.pixel(Math.floor(place.getX()) + x, Math.floor(place.getY()) + y);
+                outlined |= seen.getRed() > 0.7 && seen.getBlue() < 0.6;
             }
         }
-        assertThat(around).anyMatch(seen -> seen.getRed() > 0.7 && seen.getBlue() < 0.6);
+        return outlined;
     }
 
     @Test
