@@ -44,15 +44,10 @@ public final class Crew implements AutoCloseable {
      *
      * @throws IllegalStateException where the job fails on any of them, or the crew is closed
      */
-    @SuppressWarnings("NonAtomicVolatileUpdate") // only the caller writes it
     public void work() {
-        if (closed) {
-            throw new IllegalStateException("closed");
-        }
         failure = null;
         caller = Thread.currentThread();
-        working.set(helpers.size());
-        round = round + 1;
+        begin();
         for (int helper = 0; helper < helpers.size(); helper++) {
             LockSupport.unpark(helpers.get(helper));
         }
@@ -63,6 +58,15 @@ public final class Crew implements AutoCloseable {
         if (failure != null) {
             throw new IllegalStateException("the work failed: " + failure, failure);
         }
+    }
+
+    /** A helper that sees the crew closed looks for a last round; so none begins after that. */
+    private synchronized void begin() {
+        if (closed) {
+            throw new IllegalStateException("closed");
+        }
+        working.set(helpers.size());
+        round++;
     }
 
     private void help(int number) {
@@ -102,7 +106,9 @@ public final class Crew implements AutoCloseable {
 
     @Override
     public void close() {
-        closed = true;
+        synchronized (this) {
+            closed = true;
+        }
         helpers.forEach(LockSupport::unpark);
     }
 }
