@@ -34,6 +34,7 @@ final class Successor implements AutoCloseable {
     private long framesToBeat;
     private volatile boolean closed;
     private boolean over;
+    private boolean started;
     private volatile Optional<FrameInput> newest = Optional.empty();
     private long waitedNanos;
     private Optional<Engine> ready = Optional.empty();
@@ -66,12 +67,12 @@ final class Successor implements AutoCloseable {
      * @param input of the frame that is drawn now
      */
     synchronized void follow(FrameInput input) {
-        boolean started = newest.isPresent();
         if (newest.filter(old -> !Work.of(old).equals(Work.of(input))).isPresent()) {
             framesToBeat = 0;
         }
         newest = Optional.of(input);
         if (!started) {
+            started = true;
             Thread.ofPlatform().daemon().name("twister-warm-up").start(this::warm);
         }
     }
@@ -100,7 +101,7 @@ final class Successor implements AutoCloseable {
     /** Waits for the engine a little, where there is patience left. */
     synchronized void await() {
         long start = System.nanoTime();
-        long pauseNanos = newest.isPresent() ? Math.min(PAUSE_NANOS, patience.toNanos() - waitedNanos) : 0;
+        long pauseNanos = started ? Math.min(PAUSE_NANOS, patience.toNanos() - waitedNanos) : 0;
         try {
             long leftNanos = pauseNanos;
             while (ready.isEmpty() && !over && !closed && leftNanos > 0) {
@@ -122,6 +123,10 @@ final class Successor implements AutoCloseable {
     synchronized Optional<Engine> take() {
         Optional<Engine> taken = ready;
         ready = Optional.empty();
+        if (taken.isPresent()) {
+            // Skies are large.
+            newest = Optional.empty();
+        }
         return taken;
     }
 
