@@ -5,7 +5,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Objects;
 
-/** Paths as the system follows them: behind a symbolic link, {@code ..} is the folder above what the link leads to. */
+/**
+ * Paths as POSIX systems follow them: behind a symbolic link, {@code ..} is the folder above what the link leads to. The same
+ * on Windows, so that a scene names its sky alike everywhere.
+ */
 final class FilePaths {
     private FilePaths() {}
 

@@ -2,6 +2,7 @@ package dev.twister.scene;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.Stream;
 
 /** Reads scene files; {@code scenes/scene.schema.json} says what one holds. */
 public final class SceneReader {
@@ -22,9 +23,15 @@ public final class SceneReader {
 
     private static Path skybox(Place place, Path scene, String name) {
         Path file = beside(scene.toAbsolutePath(), name);
-        // A link to a scene may be anywhere; its sky is where the scene is.
-        Path behindLink = beside(FilePaths.real(scene), name);
-        Path found = Files.exists(file) || !Files.exists(behindLink) ? file : behindLink;
+        Path found = Stream.of(
+                        file,
+                        // A link to a scene may be anywhere; its sky is where the scene is.
+                        beside(FilePaths.real(scene), name),
+                        // As Windows goes by names, and as scenes were written in linked folders before.
+                        scene.toAbsolutePath().resolveSibling(name).normalize())
+                .filter(Files::exists)
+                .findFirst()
+                .orElse(file);
         check(place, found);
         return found;
     }

@@ -163,6 +163,13 @@ class SceneReaderTest {
         assertThat(SceneReader.read(scene).skybox()).isEqualTo(sky);
         assertThat(SceneReader.read(scenes.resolve("scene.json")).skybox()).isEqualTo(sky.toRealPath());
         assertThat(SceneReader.read(file).skybox()).isEqualTo(sky.toRealPath());
+
+        // Written by the names of linked folders, as scenes once were.
+        Path named = SampleScene.put(scenes, SampleScene.with("sky.hdr", "../near.hdr"));
+        Path near = Files.createFile(home.resolve("near.hdr"));
+        assertThat(SceneReader.read(named).skybox()).isEqualTo(near);
+
+        SampleScene.put(scenes, SampleScene.with("sky.hdr", "../skies/day.hdr"));
         Files.delete(sky);
         assertThat(message(file)).endsWith("names a file that is not there: " + folder.resolve("skies/day.hdr"));
     }
