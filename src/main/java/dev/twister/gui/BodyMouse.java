@@ -42,8 +42,10 @@ final class BodyMouse {
     }
 
     private void pressed(MouseEvent event) {
-        // A button that is let go over another window is not reported.
-        letGo();
+        if (event.getButton() == MouseButton.PRIMARY) {
+            // A button that is let go over another window is not reported.
+            letGo();
+        }
         int selected = studio.selectionProperty().get();
         if (event.getButton() == MouseButton.PRIMARY
                 && selected != Layout.NOTHING

@@ -42,11 +42,11 @@ final class Errands implements AutoCloseable {
 
     /** Does what a person wants to keep: the window is not closed before. */
     <T> void keep(Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
-        keepOnce(CompletableFuture.completedFuture(""), errand, done, failed);
+        keepAfter(CompletableFuture.completedFuture(""), errand, done, failed);
     }
 
     /** The same, begun when what it needs is there or has failed; until then it holds up no other errand. */
-    <T> void keepOnce(CompletableFuture<?> needed, Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
+    <T> void keepAfter(CompletableFuture<?> needed, Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
         toKeep.incrementAndGet();
         handedOver.removeIf(CompletableFuture::isDone);
         handedOver.add(needed.handle((_, _) -> {

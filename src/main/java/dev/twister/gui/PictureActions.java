@@ -60,7 +60,7 @@ final class PictureActions implements AutoCloseable {
                 .ifPresent(file -> {
                     lastFolder = Optional.ofNullable(file.toAbsolutePath().getParent())
                             .orElse(lastFolder);
-                    errands.keepOnce(
+                    errands.keepAfter(
                             // The window's engine may be long at a picture before it tells.
                             PictureFile.isLinear(file) ? gathered : CompletableFuture.completedFuture(""),
                             () -> {

@@ -24,12 +24,14 @@ record PictureBodies(List<Sphere> pictured, List<Sphere> standing) {
     }
 
     private static int same(List<Sphere> wanted, List<Sphere> given, int body) {
+        int index = body - Layout.FIRST_SPHERE;
         // As long as spheres neither come nor go, each keeps its number; half a million need not be counted for each
         // picture.
-        if (body < Layout.FIRST_SPHERE || wanted.size() == given.size()) {
+        if (index < 0 || wanted.size() == given.size()) {
             return body;
         }
-        int index = SameSpheres.of(wanted, given)[body - Layout.FIRST_SPHERE];
-        return index == SameSpheres.NONE ? Layout.NOTHING : Layout.FIRST_SPHERE + index;
+        // Poured ones are in the picture, but not in the scene.
+        int found = index < given.size() ? SameSpheres.of(wanted, given)[index] : SameSpheres.NONE;
+        return found == SameSpheres.NONE ? Layout.NOTHING : Layout.FIRST_SPHERE + found;
     }
 }

@@ -43,7 +43,7 @@ class ErrandsTest {
             Errands errands = new Errands();
             CompletableFuture<String> needed = new CompletableFuture<>();
             CountDownLatch saved = new CountDownLatch(1);
-            errands.keepOnce(needed, () -> done.add("with what it needs"), _ -> {}, _ -> {});
+            errands.keepAfter(needed, () -> done.add("with what it needs"), _ -> {}, _ -> {});
             errands.keep(
                     () -> {
                         done.add("at once");

@@ -63,7 +63,9 @@ public final class ThrownSpheres {
 
     /** Whether a scene that was edited while its spheres were thrown can have the places that were found. */
     public static boolean fit(Scene thrown, Scene edited) {
-        return Arrays.equals(radii(thrown), radii(edited));
+        return thrown.plane().equals(edited.plane())
+                && thrown.light().equals(edited.light())
+                && Arrays.equals(radii(thrown), radii(edited));
     }
 
     /** The edited scene with the places that were found for its spheres; only where they {@link #fit}. */

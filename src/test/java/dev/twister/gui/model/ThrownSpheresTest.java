@@ -112,6 +112,9 @@ class ThrownSpheresTest {
                 .isEqualTo(BodyEdits.colored(thrown, Layout.FIRST_SPHERE, new Rgb(0, 1, 0)));
 
         assertThat(ThrownSpheres.fit(thrown, many(21))).isFalse();
+        Light light = before.light();
+        Light larger = new Light(light.position(), 2 * light.radius(), light.color());
+        assertThat(ThrownSpheres.fit(thrown, before.withLight(larger))).isFalse();
         assertThat(ThrownSpheres.fit(
                         thrown, BodyEdits.radiusOf(Layout.FIRST_SPHERE).write(before, 2)))
                 .isFalse();
