@@ -397,12 +397,8 @@ class PanelTest {
     void coloursAreChosenFromThePalette() {
         for (String label : List.of("Light colour", "Sphere colour")) {
             PanelRow row = row(label);
-            ColorPicker picker = (ColorPicker) row.firstControl();
             Scene before = scene();
-            driver.type(row.keys());
-            driver.type(KeyCode.F4);
-            driver.await(picker::isShowing);
-            driver.pulse();
+            ColorPicker picker = openPalette(row);
             driver.click(WindowDriver.call(() -> Window.getWindows().stream()
                     .flatMap(window -> window.getScene().getRoot().lookupAll(".color-square").stream())
                     .skip(SOME_COLOUR)
@@ -416,15 +412,20 @@ class PanelTest {
         }
     }
 
-    @Test
-    void aDragInTheDialogOfCustomColoursIsOneEdit() {
-        PanelRow row = row("Light colour");
+    private ColorPicker openPalette(PanelRow row) {
         ColorPicker picker = (ColorPicker) row.firstControl();
-        Scene before = scene();
         driver.type(row.keys());
         driver.type(KeyCode.F4);
         driver.await(picker::isShowing);
         driver.pulse();
+        return picker;
+    }
+
+    @Test
+    void aDragInTheDialogOfCustomColoursIsOneEdit() {
+        PanelRow row = row("Light colour");
+        Scene before = scene();
+        ColorPicker picker = openPalette(row);
         driver.run(() -> inOpenWindows(".hyperlink", Hyperlink.class).fire());
         driver.pulse();
         Node colors = WindowDriver.call(() -> inOpenWindows(".color-rect-border", Node.class));

@@ -50,16 +50,17 @@ final class SpherePacking {
         }
 
         void add(Placed sphere) {
-            Vector3 center = sphere.center();
-            Cell cell = new Cell(cell(center.x()), cell(center.y()), cell(center.z()));
-            cells.computeIfAbsent(cell, _ -> new ArrayList<>()).add(sphere);
+            cells.computeIfAbsent(cellOf(sphere.center()), _ -> new ArrayList<>())
+                    .add(sphere);
         }
 
         boolean touches(Vector3 center, double radius) {
             double reach = largest + radius;
-            for (long x = cell(center.x() - reach); x <= cell(center.x() + reach); x++) {
-                for (long y = cell(center.y() - reach); y <= cell(center.y() + reach); y++) {
-                    for (long z = cell(center.z() - reach); z <= cell(center.z() + reach); z++) {
+            Cell first = cellOf(new Vector3(center.x() - reach, center.y() - reach, center.z() - reach));
+            Cell last = cellOf(new Vector3(center.x() + reach, center.y() + reach, center.z() + reach));
+            for (long x = first.x(); x <= last.x(); x++) {
+                for (long y = first.y(); y <= last.y(); y++) {
+                    for (long z = first.z(); z <= last.z(); z++) {
                         for (Placed other : cells.getOrDefault(new Cell(x, y, z), List.of())) {
                             if (SpherePacking.touches(other, center, radius)) {
                                 return true;
@@ -69,6 +70,10 @@ final class SpherePacking {
                 }
             }
             return false;
+        }
+
+        private Cell cellOf(Vector3 place) {
+            return new Cell(cell(place.x()), cell(place.y()), cell(place.z()));
         }
 
         private long cell(double place) {
