@@ -17,6 +17,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
@@ -566,7 +567,8 @@ class DrawingLoopTest {
 
     /** Until the drawing thread waits for something to do. */
     private void awaitQuiet() {
-        await(() -> thread.getState() == Thread.State.WAITING);
+        // It also waits for locks, but for no condition while there is something to do.
+        await(() -> LockSupport.getBlocker(thread) instanceof Condition);
     }
 
     private static void await(BooleanSupplier condition) {
