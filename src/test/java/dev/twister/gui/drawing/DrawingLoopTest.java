@@ -136,7 +136,7 @@ class DrawingLoopTest {
         request(scene, 0);
         awaitPicture(drawnBy(green));
         green.hold();
-        awaitQuiet();
+        await(green::isWaitedFor);
         shown = loop.takeNewest().or(() -> shown);
         long before = shown.orElseThrow().number();
         Scene moved = scene.withCamera(WindowScenes.shipped("benchmark").camera());
@@ -194,7 +194,7 @@ class DrawingLoopTest {
         // The one in the making, the plain one, and ten finer ones, of which only the first is old enough to be seen.
         green.allow(2 + 10);
         awaitPicture(picture -> picture.samples() > 1);
-        awaitQuiet();
+        await(green::isWaitedFor);
         assertThat(awaitPicture(drawnBy(green)).samples()).isEqualTo(4);
 
         nanos.set(TimeUnit.MILLISECONDS.toNanos(50));
@@ -211,7 +211,7 @@ class DrawingLoopTest {
         awaitPicture(drawnBy(green));
         List<Integer> samples = new CopyOnWriteArrayList<>();
         green.hold();
-        awaitQuiet();
+        await(green::isWaitedFor);
         request(scene, 9);
         loop.watch(picture -> samples.add(picture.samples()));
         green.allowAll();
@@ -565,7 +565,7 @@ class DrawingLoopTest {
         return shown.orElseThrow();
     }
 
-    /** Until the drawing thread waits for something to do. */
+    /** Until the drawing thread waits for something to do; in a frame that is held up it does not. */
     private void awaitQuiet() {
         // It also waits for locks, but for no condition while there is something to do.
         await(() -> LockSupport.getBlocker(thread) instanceof Condition);

@@ -57,6 +57,11 @@ final class TestEngine implements Engine {
             gate.drainPermits();
         }
 
+        /** Whether a frame waits. */
+        boolean isWaitedFor() {
+            return gate.hasQueuedThreads();
+        }
+
         /** Lets so many frames pass. */
         void allow(int number) {
             gate.release(number);
