@@ -1,20 +1,13 @@
 package dev.twister.cli;
 
 import dev.twister.scene.Camera;
+import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Vector3;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
-/** Where the picture is seen from, instead of the scene's own camera. */
+/** Where the picture is seen from, instead of the scene's own camera; within what a scene file may have. */
 final class CameraOptions {
-    /** As in scene files: keeps every position, and its square, far from where floats lose metres. */
-    private static final double MAX_COORDINATE = 1e6;
-
-    private static final double MAX_YAW_DEGREES = 1e6;
-    private static final double MAX_PITCH_DEGREES = 90;
-    private static final double MIN_FIELD_OF_VIEW_DEGREES = 1;
-    private static final double MAX_FIELD_OF_VIEW_DEGREES = 179;
-
     @Option(
             names = "--camera",
             paramLabel = "X,Y,Z",
@@ -37,19 +30,15 @@ final class CameraOptions {
     Camera over(Camera camera) {
         return new Camera(
                 position.map(CameraOptions::checked).orElse(camera.position()),
-                Ranges.check("--yaw", yaw.orElse(camera.yawDegrees()), -MAX_YAW_DEGREES, MAX_YAW_DEGREES),
-                Ranges.check("--pitch", pitch.orElse(camera.pitchDegrees()), -MAX_PITCH_DEGREES, MAX_PITCH_DEGREES),
-                Ranges.check(
-                        "--fov",
-                        fieldOfView.orElse(camera.fieldOfViewDegrees()),
-                        MIN_FIELD_OF_VIEW_DEGREES,
-                        MAX_FIELD_OF_VIEW_DEGREES));
+                Ranges.check("--yaw", yaw.orElse(camera.yawDegrees()), SceneLimits.YAW),
+                Ranges.check("--pitch", pitch.orElse(camera.pitchDegrees()), SceneLimits.PITCH),
+                Ranges.check("--fov", fieldOfView.orElse(camera.fieldOfViewDegrees()), SceneLimits.FIELD_OF_VIEW));
     }
 
     private static Vector3 checked(Vector3 place) {
-        Ranges.check("--camera's x", place.x(), -MAX_COORDINATE, MAX_COORDINATE);
-        Ranges.check("--camera's y", place.y(), -MAX_COORDINATE, MAX_COORDINATE);
-        Ranges.check("--camera's z", place.z(), -MAX_COORDINATE, MAX_COORDINATE);
+        Ranges.check("--camera's x", place.x(), SceneLimits.POSITION);
+        Ranges.check("--camera's y", place.y(), SceneLimits.POSITION);
+        Ranges.check("--camera's z", place.z(), SceneLimits.POSITION);
         return place;
     }
 }

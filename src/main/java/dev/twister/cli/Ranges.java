@@ -1,5 +1,6 @@
 package dev.twister.cli;
 
+import dev.twister.scene.Range;
 import java.math.BigDecimal;
 
 /** Numbers that options take, both ends inside. */
@@ -19,6 +20,10 @@ final class Ranges {
             throw outside(option, Double.toString(value), plain(least), plain(most));
         }
         return value;
+    }
+
+    static double check(String option, double value, Range range) {
+        return check(option, value, range.min(), range.max());
     }
 
     private static BadInputException outside(String option, String value, String least, String most) {

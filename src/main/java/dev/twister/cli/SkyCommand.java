@@ -26,13 +26,8 @@ import picocli.CommandLine.Spec;
             "  twister sky -o overcast.hdr --preset overcast --size 2048x1024"
         })
 final class SkyCommand implements Callable<Integer> {
-    private static final int MAX_HEIGHT = 8192;
-    private static final double MAX_ELEVATION_DEGREES = 90;
     private static final double MAX_AZIMUTH_DEGREES = 1e6;
-    private static final double MIN_TURBIDITY = 2;
-    private static final double MAX_TURBIDITY = 10;
     private static final double MIN_BRIGHTNESS = 0.001;
-    private static final double MAX_BRIGHTNESS = 100;
     private static final long BYTES_PER_TEXEL = 3L * Float.BYTES;
 
     @Spec
@@ -97,7 +92,7 @@ final class SkyCommand implements Callable<Integer> {
             throw new BadInputException("--output is " + output + ", but must end in .hdr");
         }
         OutputFile.check("--output", output);
-        Ranges.check("--size's height", size.height(), 1, MAX_HEIGHT);
+        Ranges.check("--size's height", size.height(), 1, DaylightSky.MAX_HEIGHT);
         Daylight daylight = daylight();
         PictureMemory.check(size, BYTES_PER_TEXEL);
         Skybox sky = DaylightSky.panorama(size.width(), size.height(), daylight);
@@ -109,17 +104,28 @@ final class SkyCommand implements Callable<Integer> {
     private Daylight daylight() {
         Daylight usual = preset.daylight();
         return new Daylight(
-                Ranges.check("--elevation", elevation.orElse(usual.sunElevationDegrees()), 0, MAX_ELEVATION_DEGREES),
+                Ranges.check(
+                        "--elevation",
+                        elevation.orElse(usual.sunElevationDegrees()),
+                        0,
+                        Daylight.MAX_ELEVATION_DEGREES),
                 Ranges.check(
                         "--azimuth",
                         azimuth.orElse(usual.sunAzimuthDegrees()),
                         -MAX_AZIMUTH_DEGREES,
                         MAX_AZIMUTH_DEGREES),
-                Ranges.check("--turbidity", turbidity.orElse(usual.turbidity()), MIN_TURBIDITY, MAX_TURBIDITY),
+                Ranges.check(
+                        "--turbidity",
+                        turbidity.orElse(usual.turbidity()),
+                        Daylight.MIN_TURBIDITY,
+                        Daylight.MAX_TURBIDITY),
                 Ranges.check("--clouds", clouds.orElse(usual.cloudCover()), 0, 1),
                 usual.groundAlbedo(),
                 Ranges.check(
-                        "--brightness", brightness.orElse(usual.meanSkyRadiance()), MIN_BRIGHTNESS, MAX_BRIGHTNESS),
+                        "--brightness",
+                        brightness.orElse(usual.meanSkyRadiance()),
+                        MIN_BRIGHTNESS,
+                        Daylight.MAX_MEAN_SKY_RADIANCE),
                 sun.orElse(usual.sunDisc()));
     }
 }

@@ -25,20 +25,24 @@ public record Daylight(
     /** What the mean of the sky usually is: mid tones of a picture at exposure 0. */
     public static final double USUAL_MEAN_SKY_RADIANCE = 0.4;
 
-    private static final double BRIGHTEST_MEAN = 100;
+    public static final double MAX_ELEVATION_DEGREES = 90;
+    public static final double MIN_TURBIDITY = 2;
+    public static final double MAX_TURBIDITY = 10;
+    public static final double MAX_MEAN_SKY_RADIANCE = 100;
+
     private static final double USUAL_GROUND_ALBEDO = 0.2;
 
     /** @throws IllegalArgumentException where a value is outside its range, naming it and the range */
     public Daylight {
-        check("sun elevation in degrees", sunElevationDegrees, 0, 90);
+        check("sun elevation in degrees", sunElevationDegrees, 0, MAX_ELEVATION_DEGREES);
         if (!Double.isFinite(sunAzimuthDegrees)) {
             throw new IllegalArgumentException(
                     "the sun azimuth in degrees is " + sunAzimuthDegrees + "; any finite number");
         }
-        check("turbidity", turbidity, 2, 10);
+        check("turbidity", turbidity, MIN_TURBIDITY, MAX_TURBIDITY);
         check("cloud cover", cloudCover, 0, 1);
         check("ground albedo", groundAlbedo, 0, 1);
-        check("mean sky radiance", meanSkyRadiance, Double.MIN_NORMAL, BRIGHTEST_MEAN);
+        check("mean sky radiance", meanSkyRadiance, Double.MIN_NORMAL, MAX_MEAN_SKY_RADIANCE);
     }
 
     /** A cloudless sky over grass and soil. */

@@ -7,6 +7,9 @@ import java.util.stream.IntStream;
  * and a hazy ground. Computed with {@link StrictMath}, so that every machine draws the same floats.
  */
 public final class DaylightSky {
+    /** The most texels from straight up to straight down. */
+    public static final int MAX_HEIGHT = SkyboxLimits.HEIGHT;
+
     private DaylightSky() {}
 
     /** A cloudless sky; see {@link #panorama(int, int, Daylight)}. */
@@ -20,13 +23,13 @@ public final class DaylightSky {
      * with the light its disc really has in proportion, is thousands of times brighter.
      *
      * @param width 1 to 16384 texels
-     * @param height 1 to 8192 texels
+     * @param height 1 to {@value #MAX_HEIGHT} texels
      * @throws IllegalArgumentException where the size is outside its range
      */
     public static Skybox panorama(int width, int height, Daylight daylight) {
-        if (width < 1 || height < 1 || width > SkyboxLimits.WIDTH || height > SkyboxLimits.HEIGHT) {
+        if (width < 1 || height < 1 || width > SkyboxLimits.WIDTH || height > MAX_HEIGHT) {
             throw new IllegalArgumentException("a panorama of " + width + " x " + height + " texels; 1 x 1 to "
-                    + SkyboxLimits.WIDTH + " x " + SkyboxLimits.HEIGHT + " can be drawn");
+                    + SkyboxLimits.WIDTH + " x " + MAX_HEIGHT + " can be drawn");
         }
         Sun sun = new Sun(
                 StrictMath.toRadians(daylight.sunElevationDegrees()),
