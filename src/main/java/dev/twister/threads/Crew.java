@@ -43,6 +43,7 @@ public final class Crew implements AutoCloseable {
      * Does the job once on every thread; returns when all are done.
      *
      * @throws IllegalStateException where the job fails on any of them, or the crew is closed
+     * @throws OutOfMemoryError where there is too little memory for it on any of them
      */
     public void work() {
         failure = null;
@@ -54,6 +55,10 @@ public final class Crew implements AutoCloseable {
         attempt(0);
         for (int turn = 0; working.get() > 0; turn++) {
             await(turn);
+        }
+        if (failure instanceof OutOfMemoryError memory) {
+            // Whoever knows what asks for it can tell how to ask for less.
+            throw memory;
         }
         if (failure != null) {
             throw new IllegalStateException("the work failed: " + failure, failure);

@@ -39,6 +39,18 @@ class CrewTest {
     }
 
     @Test
+    void tooLittleMemoryOnOneThreadIsToldAsSuch() {
+        OutOfMemoryError problem = new OutOfMemoryError("Java heap space");
+        try (Crew crew = new Crew("test", THREADS, number -> {
+            if (number == 1) {
+                throw problem;
+            }
+        })) {
+            assertThatThrownBy(crew::work).isSameAs(problem);
+        }
+    }
+
+    @Test
     void aClosedOneSaysSo() {
         Crew crew = new Crew("test", THREADS, _ -> {});
         crew.work();

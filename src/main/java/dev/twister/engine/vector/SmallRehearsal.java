@@ -33,7 +33,7 @@ final class SmallRehearsal implements Rehearsal {
         try (Engine engine = VectorEngines.open(1, VectorEngine.CROWD)) {
             new SettlingFrames(engine, SampleWorld.crowd(spheres, WIDTH, HEIGHT).snapshot())
                     .settle(LONGEST, () -> over);
-        } catch (EngineException _) {
+        } catch (EngineException | OutOfMemoryError _) {
             // What does not draw tells whoever asks for a frame.
         } finally {
             over = true;
