@@ -39,6 +39,8 @@ final class BodyMouse {
                 mouse.letGo();
             }
         });
+        // By a key, while a body is held: the pointer does not hold the one that is selected then.
+        studio.selectionProperty().subscribe(_ -> mouse.letGo());
     }
 
     private void pressed(MouseEvent event) {

@@ -278,7 +278,12 @@ public final class Studio implements AutoCloseable {
 
     /** Selects the light or a sphere; any other number selects nothing. */
     public void select(int body) {
-        selection.set(BodyEdits.isMovable(scene.get(), body) ? body : Layout.NOTHING);
+        int selected = BodyEdits.isMovable(scene.get(), body) ? body : Layout.NOTHING;
+        if (selected != selection.get()) {
+            // The next edit may have the same name, but is of another body.
+            endGesture();
+            selection.set(selected);
+        }
     }
 
     /** How large the picture is drawn. */

@@ -208,6 +208,21 @@ class BodiesTest {
         assertThat(scene()).isEqualTo(moved);
     }
 
+    @Test
+    void aDragMovesNoOtherSphereThatIsSelectedMeanwhile() {
+        Point2D start = seenAt(MIDDLE);
+        click(start);
+        fire(MouseEvent.MOUSE_PRESSED, start, view());
+        fire(MouseEvent.MOUSE_DRAGGED, start.add(20, 0), view());
+        Scene moved = scene();
+        driver.type(Command.NEXT.keys());
+        fire(MouseEvent.MOUSE_DRAGGED, start.add(50, 0), view());
+        fire(MouseEvent.MOUSE_RELEASED, start.add(50, 0), view());
+        assertThat(moved).isNotEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(selected()).isEqualTo(MIDDLE + 1);
+        assertThat(scene().spheres()).isEqualTo(moved.spheres());
+    }
+
     /** As the system reports it, and no more of it than that. */
     private static void fire(EventType<MouseEvent> type, Point2D place, PictureView view) {
         driver.run(() -> {

@@ -4,8 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.drawing.DrawingRequest;
+import dev.twister.gui.model.BodyEdits;
+import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.world.CameraMotion;
 import java.nio.file.Path;
@@ -45,6 +48,19 @@ class StudioTest {
         studio.show(new OpenedScene(FILE, scene));
         DrawingRequest opened = awaitRequest(request -> request.scene().equals(scene));
         assertThat(opened.document()).isNotEqualTo(first.document());
+    }
+
+    @Test
+    void anEditOfAnotherBodyIsAnotherStep() {
+        Sphere first = scene.spheres().getFirst();
+        studio.select(Layout.FIRST_SPHERE);
+        studio.edit("move", now -> BodyEdits.moved(now, Layout.FIRST_SPHERE, new Vector3(0, 7, 0)));
+        Scene moved = studio.scene();
+        // By a key, while the mouse button is down.
+        studio.select(Layout.FIRST_SPHERE + 1);
+        studio.edit("move", now -> BodyEdits.moved(now, Layout.FIRST_SPHERE + 1, first.position()));
+        studio.undo();
+        assertThat(studio.scene().spheres()).isEqualTo(moved.spheres());
     }
 
     @Test
