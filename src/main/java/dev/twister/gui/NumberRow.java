@@ -103,6 +103,11 @@ final class NumberRow extends PanelRow {
         return field.isFocused() && isTyped();
     }
 
+    /** Nothing is made of what was typed and not entered. */
+    void forgetTyped() {
+        showNumber(shown);
+    }
+
     /** Whether the field has a text of which nothing has been made yet. */
     private boolean isTyped() {
         return !field.getText().equals(setting.text(shown));

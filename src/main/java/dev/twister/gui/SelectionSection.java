@@ -49,6 +49,10 @@ final class SelectionSection extends VBox {
 
     private void rebuild() {
         int body = studio.selectionProperty().get();
+        if (studio.scene().spheres().size() != atSelection.spheres().size()) {
+            // It would be taken as they lose the focus, for the sphere that has the number now.
+            numbers.forEach(NumberRow::forgetTyped);
+        }
         atSelection = studio.scene();
         boolean sphere = BodyEdits.isSphere(atSelection, body);
         numbers = sphere ? numbers(body) : List.of();

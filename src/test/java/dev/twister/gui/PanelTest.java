@@ -24,6 +24,8 @@ import javafx.scene.control.ComboBox;
 import javafx.scene.control.ComboBoxBase;
 import javafx.scene.control.Hyperlink;
 import javafx.scene.control.Label;
+import javafx.scene.control.MenuBar;
+import javafx.scene.control.MenuItem;
 import javafx.scene.control.TextField;
 import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
@@ -134,6 +136,25 @@ class PanelTest {
         driver.type(Command.UNDO.keys());
         assertThat(scene().settings().shadowSamples()).isEqualTo(50);
         driver.type(KeyCode.ESCAPE);
+    }
+
+    @Test
+    void whatIsTypedForASphereIsForNoOther() {
+        Scene before = scene();
+        TextField field = in(row("Sphere radius"), ".text-field", TextField.class);
+        driver.run(field::requestFocus);
+        driver.typeWith(KeyCode.A, KeyCode.CONTROL);
+        driver.run(() -> field.replaceSelection("0.7"));
+        driver.run(() -> {
+            MenuBar menu = (MenuBar) driver.stage.getScene().lookup(".menu-bar");
+            menu.getMenus().stream()
+                    .flatMap(group -> group.getItems().stream())
+                    .filter(item -> "menu-delete".equals(item.getId()))
+                    .forEach(MenuItem::fire);
+        });
+        driver.pulse();
+        assertThat(scene().spheres())
+                .isEqualTo(BodyEdits.deleted(before, SPHERE).spheres());
     }
 
     @Test
