@@ -32,7 +32,14 @@ public record DrawingRequest(
     /** Whether the other one asks for the same picture, of whatever engine. */
     boolean asksForThePictureOf(DrawingRequest other) {
         return equals(new DrawingRequest(
-                number, document, other.scene(), other.width(), other.height(), engine, refineTo, other.motion()));
+                number,
+                other.document(),
+                other.scene(),
+                other.width(),
+                other.height(),
+                engine,
+                refineTo,
+                other.motion()));
     }
 
     /**

@@ -436,6 +436,21 @@ class DrawingLoopTest {
         assertLeftFor(large(0, scene.withSkybox(Path.of("another.hdr").toAbsolutePath()), Motion.NONE));
     }
 
+    @Test
+    void aSlowPictureIsDrawnAgainWhereTheSameSceneIsOpenedAnew() {
+        beSlow(green);
+        requestLarge(scene, 1);
+        awaitPicture(drawnBy(green));
+        awaitQuiet();
+        List<Integer> samples = new CopyOnWriteArrayList<>();
+        loop.watch(picture -> samples.add(picture.samples()));
+        loop.request(new DrawingRequest(2, 1, scene, LARGE_WIDTH, LARGE_HEIGHT, chosen, 16, Motion.NONE));
+
+        await(() -> !samples.isEmpty());
+        // What is clicked in the one before is of no scene any more, and more samples take as much longer.
+        assertThat(samples.getFirst()).isEqualTo(scene.settings().samplesPerPixel());
+    }
+
     private void assertLeftFor(DrawingRequest other) {
         List<Long> answered = beginASlowPicture();
         loop.request(other);
