@@ -1,8 +1,10 @@
 package dev.twister.bench;
 
 import dev.twister.engine.Engine;
+import dev.twister.engine.EngineException;
 import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
+import java.util.function.Supplier;
 
 /**
  * Draws at once with an engine that needs no warming, and goes over to the one that is to be used as soon as that one,
@@ -10,16 +12,20 @@ import dev.twister.world.FrameInput;
  */
 final class AutoEngine implements Engine {
     private final Successor successor;
+    private final Supplier<Engine> standIns;
     private volatile Engine current;
     private boolean succeeded;
+    private volatile String complaint = "";
 
     /**
      * Starts nothing but the stand-in's frames; the first of them starts the successor.
      *
      * @param standIn draws until the successor does
+     * @param standIns opens another one, which draws from then on where the successor fails
      */
-    AutoEngine(Engine standIn, Successor successor) {
+    AutoEngine(Engine standIn, Successor successor, Supplier<Engine> standIns) {
         this.successor = successor;
+        this.standIns = standIns;
         current = standIn;
     }
 
@@ -29,9 +35,10 @@ final class AutoEngine implements Engine {
         return current.id();
     }
 
+    /** Where the engine that was gone over to failed, with what it said. */
     @Override
     public String device() {
-        return current.device();
+        return current.device() + complaint;
     }
 
     @Override
@@ -43,10 +50,25 @@ final class AutoEngine implements Engine {
         if (!succeeded) {
             successor.follow(input);
         }
-        current.render(input, frame);
+        draw(input, frame);
         if (!succeeded) {
             double samples = (double) frame.width() * frame.height() * input.samplesPerPixel();
             successor.mustBeat(frame.times().totalNanos() / samples);
+        }
+    }
+
+    private void draw(FrameInput input, Frame frame) {
+        try {
+            current.render(input, frame);
+        } catch (EngineException failure) {
+            if (!succeeded || !complaint.isEmpty()) {
+                throw failure;
+            }
+            Engine standIn = standIns.get();
+            complaint = "; " + failure.getMessage();
+            current.close();
+            current = standIn;
+            current.render(input, frame);
         }
     }
 

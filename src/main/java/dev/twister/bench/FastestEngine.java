@@ -91,14 +91,17 @@ public final class FastestEngine {
         Engine standIn = openFirst(candidates, List.of());
         Engine drawing = openWarming(standIn, id, candidates);
         return new AutoEngine(
-                drawing, new Successor(cancelled -> confirmedBeside(drawing, standIn.id(), all, cancelled)));
+                drawing,
+                new Successor(cancelled -> confirmedBeside(drawing, standIn.id(), all, cancelled)),
+                () -> openFirst(candidates, List.of()));
     }
 
     private static Engine openWarming(Engine standIn, String id, List<EngineOffer> candidates) {
         return Optional.of(id)
                 .filter(wanted -> !wanted.equals(standIn.id()))
                 .flatMap(wanted -> find(candidates, wanted))
-                .<Engine>map(offer -> new AutoEngine(standIn, new Successor(_ -> opened(offer), PATIENCE)))
+                .<Engine>map(offer -> new AutoEngine(
+                        standIn, new Successor(_ -> opened(offer), PATIENCE), () -> openFirst(candidates, List.of())))
                 .orElse(standIn);
     }
 

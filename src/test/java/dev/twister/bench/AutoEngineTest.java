@@ -1,6 +1,7 @@
 package dev.twister.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
@@ -31,6 +32,7 @@ class AutoEngineTest {
     private final FrameInput input = ofShadows(SHADOW_SAMPLES);
     private final Frame frame = Frame.ofPixels(WIDTH, HEIGHT);
     private final CountingEngine standIn = new CountingEngine("parallel", 100);
+    private final CountingEngine another = new CountingEngine("parallel", 100);
 
     @Test
     void theFirstFrameIsTheStandIns() {
@@ -53,6 +55,26 @@ class AutoEngineTest {
             assertThat(frame.argb()).containsOnly(fast.id.hashCode());
         }
         assertThat(fast.closed).isOne();
+    }
+
+    @Test
+    void aStandInGoesOnWhereTheFasterOneFails() {
+        CountingEngine fast = new CountingEngine("vector", 99);
+        try (Engine auto = auto(_ -> Optional.of(fast))) {
+            renderUntil(auto, "vector");
+            fast.pauses = _ -> {
+                throw new EngineException("engine vector: out of order");
+            };
+            auto.render(input, frame);
+            assertThat(auto.id()).isEqualTo("parallel");
+            assertThat(auto.device()).isEqualTo("a device of the test's; engine vector: out of order");
+            assertThat(frame.argb()).containsOnly(another.id.hashCode());
+            assertThat(fast.closed).isOne();
+
+            another.pauses = fast.pauses;
+            assertThatThrownBy(() -> auto.render(input, frame)).isInstanceOf(EngineException.class);
+        }
+        assertThat(another.closed).isOne();
     }
 
     @Test
@@ -273,7 +295,7 @@ class AutoEngineTest {
                     throw new EngineException("the driver is not there");
                 },
                 Duration.ofDays(1));
-        try (Engine auto = new AutoEngine(standIn, broken)) {
+        try (Engine auto = new AutoEngine(standIn, broken, () -> standIn)) {
             // Each would wait for a part of a second.
             for (int i = 0; i < 1000; i++) {
                 auto.render(input, frame);
@@ -309,7 +331,7 @@ class AutoEngineTest {
     }
 
     private Engine auto(Function<BooleanSupplier, Optional<Engine>> successor) {
-        return new AutoEngine(standIn, new Successor(successor));
+        return new AutoEngine(standIn, new Successor(successor), () -> another);
     }
 
     private void renderUntil(Engine auto, String id) {
