@@ -11,8 +11,9 @@ import java.util.List;
  *
  * @param pictured the spheres that the picture shows
  * @param standing the spheres that the scene has now
+ * @param renumbered whether spheres came or went in between: as many as before may be others
  */
-record PictureBodies(List<Sphere> pictured, List<Sphere> standing) {
+record PictureBodies(List<Sphere> pictured, List<Sphere> standing, boolean renumbered) {
     /** The scene's body that is this one of the picture. */
     int inScene(int body) {
         return same(standing, pictured, body);
@@ -23,15 +24,15 @@ record PictureBodies(List<Sphere> pictured, List<Sphere> standing) {
         return same(pictured, standing, body);
     }
 
-    private static int same(List<Sphere> wanted, List<Sphere> given, int body) {
+    private int same(List<Sphere> wanted, List<Sphere> given, int body) {
         int index = body - Layout.FIRST_SPHERE;
         // As long as spheres neither come nor go, each keeps its number; half a million need not be counted for each
         // picture.
-        if (index < 0 || wanted.size() == given.size()) {
+        if (index < 0 || !renumbered) {
             return body;
         }
         // Poured ones are in the picture, but not in the scene.
-        int found = index < given.size() ? SameSpheres.of(wanted, given)[index] : SameSpheres.NONE;
+        int found = index < given.size() ? SameSpheres.byPlace(wanted, given)[index] : SameSpheres.NONE;
         return found == SameSpheres.NONE ? Layout.NOTHING : Layout.FIRST_SPHERE + found;
     }
 }

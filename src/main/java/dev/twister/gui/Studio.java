@@ -79,6 +79,9 @@ public final class Studio implements AutoCloseable {
     private double viewHeight;
     private long requests;
 
+    /** The first request with the numbers that spheres have now; they change where some come or go. */
+    private long numbered;
+
     private Studio(GuiOptions options, SkyShelf skies, DrawingLoop loop) {
         this.skies = skies;
         this.loop = loop;
@@ -124,8 +127,8 @@ public final class Studio implements AutoCloseable {
         return picture.get()
                 .map(DrawnPicture::request)
                 .filter(request -> request.document() == documents)
-                .map(request ->
-                        new PictureBodies(request.scene().spheres(), scene.get().spheres()));
+                .map(request -> new PictureBodies(
+                        request.scene().spheres(), scene.get().spheres(), request.number() < numbered));
     }
 
     /** What the drawing thread has to say. */
@@ -457,6 +460,9 @@ public final class Studio implements AutoCloseable {
         if (!document.present().equals(scene.get())) {
             boolean sameSpheres =
                     scene.get().spheres().size() == document.present().spheres().size();
+            if (!sameSpheres) {
+                numbered = requests + 1;
+            }
             scene.set(document.present());
             // Where spheres come and go, a number may mean another one.
             select(sameSpheres ? selection.get() : Layout.NOTHING);

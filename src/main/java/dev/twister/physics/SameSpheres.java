@@ -16,11 +16,17 @@ public final class SameSpheres {
 
     /** For each edited sphere, the index of the same one before the edit, or {@link #NONE}. */
     public static int[] of(List<Sphere> before, List<Sphere> edited) {
-        int[] same = new int[edited.size()];
-        if (before.size() == edited.size()) {
-            Arrays.setAll(same, index -> index);
-            return same;
+        if (before.size() != edited.size()) {
+            return byPlace(before, edited);
         }
+        int[] same = new int[edited.size()];
+        Arrays.setAll(same, index -> index);
+        return same;
+    }
+
+    /** The same where as many may have come as have gone: each is told by its centre. */
+    public static int[] byPlace(List<Sphere> before, List<Sphere> edited) {
+        int[] same = new int[edited.size()];
         Arrays.fill(same, NONE);
         int shorter = Math.min(before.size(), edited.size());
         int head = 0;

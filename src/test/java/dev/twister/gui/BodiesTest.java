@@ -281,6 +281,19 @@ class BodiesTest {
     }
 
     @Test
+    void aClickInAPictureOfBeforeASphereWasReplacedSelectsNoOther() {
+        Point2D middle = seenAt(MIDDLE);
+        driver.run(() -> {
+            driver.studio.edit("delete sphere", scene -> BodyEdits.deleted(scene, Layout.FIRST_SPHERE));
+            driver.studio.edit(
+                    "insert sphere", scene -> BodyEdits.inserted(scene, BodyEdits.sphere(driver.studio.original(), 2)));
+            fire(MouseEvent.MOUSE_CLICKED, middle, view());
+            assertThat(selected()).isEqualTo(Layout.NOTHING);
+        });
+        awaitRest();
+    }
+
+    @Test
     void aPictureOfTheSceneBeforeSelectsAndOutlinesNothing() {
         Point2D middle = seenAt(MIDDLE);
         Polygon outline = driver.find("#outline", Polygon.class);

@@ -16,29 +16,39 @@ class PictureBodiesTest {
 
     @Test
     void aSphereKeepsItsNumberWhereNoneCameOrWent() {
-        PictureBodies bodies = new PictureBodies(List.of(LEFT, RIGHT), List.of(LEFT, sphere(5)));
+        PictureBodies bodies = new PictureBodies(List.of(LEFT, RIGHT), List.of(LEFT, sphere(5)), false);
         assertThat(bodies.inScene(FIRST + 1)).isEqualTo(FIRST + 1);
         assertThat(bodies.inPicture(FIRST + 1)).isEqualTo(FIRST + 1);
     }
 
     @Test
     void afterADeletionEachIsTheSameSphere() {
-        PictureBodies bodies = new PictureBodies(List.of(LEFT, RIGHT), List.of(RIGHT));
+        PictureBodies bodies = new PictureBodies(List.of(LEFT, RIGHT), List.of(RIGHT), true);
         assertThat(bodies.inScene(FIRST + 1)).isEqualTo(FIRST);
         assertThat(bodies.inPicture(FIRST)).isEqualTo(FIRST + 1);
         assertThat(bodies.inScene(FIRST)).isEqualTo(Layout.NOTHING);
     }
 
     @Test
+    void whereAsManyCameAsWentEachIsTheSameSphereOrNone() {
+        PictureBodies bodies = new PictureBodies(List.of(LEFT, RIGHT), List.of(RIGHT, sphere(5)), true);
+        assertThat(bodies.inScene(FIRST)).isEqualTo(Layout.NOTHING);
+        assertThat(bodies.inPicture(FIRST)).isEqualTo(Layout.NOTHING);
+        PictureBodies replaced = new PictureBodies(List.of(LEFT, RIGHT), List.of(LEFT, sphere(5)), true);
+        assertThat(replaced.inScene(FIRST)).isEqualTo(FIRST);
+        assertThat(replaced.inScene(FIRST + 1)).isEqualTo(Layout.NOTHING);
+    }
+
+    @Test
     void whatIsNoSphereStaysWhatItIs() {
-        PictureBodies bodies = new PictureBodies(List.of(LEFT, RIGHT), List.of(RIGHT));
+        PictureBodies bodies = new PictureBodies(List.of(LEFT, RIGHT), List.of(RIGHT), true);
         assertThat(bodies.inScene(Layout.LIGHT)).isEqualTo(Layout.LIGHT);
         assertThat(bodies.inScene(Layout.NOTHING)).isEqualTo(Layout.NOTHING);
     }
 
     @Test
     void whatWasPouredIsNoneOfTheScenes() {
-        PictureBodies bodies = new PictureBodies(List.of(LEFT), List.of(LEFT, RIGHT));
+        PictureBodies bodies = new PictureBodies(List.of(LEFT), List.of(LEFT, RIGHT), true);
         assertThat(bodies.inScene(FIRST + 5)).isEqualTo(Layout.NOTHING);
     }
 
