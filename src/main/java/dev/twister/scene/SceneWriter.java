@@ -7,7 +7,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Comparator;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import java.util.stream.StreamSupport;
 
 /** Writes scene files that {@link SceneReader} reads back to an equal scene. */
@@ -54,12 +56,14 @@ public final class SceneWriter {
     private static String relative(Path skybox, Path file) throws IOException {
         Path sky = FilePaths.walked(skybox);
         Path folder = FilePaths.real(WholeFile.behindLinks(file).resolveSibling(""));
-        Path shown = relativized(FilePaths.walked(file.toAbsolutePath().resolveSibling("")), sky);
+        Path named = FilePaths.walked(file.toAbsolutePath().resolveSibling(""));
         // Links beside the scene, to a folder of skies say, are kept; those on the way to the scene lead elsewhere from
-        // it.
-        if (!FilePaths.real(FilePaths.walked(folder.resolve(shown))).equals(FilePaths.real(sky))) {
-            shown = relativized(folder, FilePaths.real(sky));
-        }
+        // it. What lies beside it stays so: both may be put elsewhere together.
+        Path shown = Stream.of(relativized(named, sky), relativized(folder, sky))
+                .filter(path ->
+                        FilePaths.real(FilePaths.walked(folder.resolve(path))).equals(FilePaths.real(sky)))
+                .min(Comparator.comparingInt(Path::getNameCount))
+                .orElseGet(() -> relativized(folder, FilePaths.real(sky)));
         String names = StreamSupport.stream(shown.spliterator(), false)
                 .map(Path::toString)
                 .collect(Collectors.joining("/"));

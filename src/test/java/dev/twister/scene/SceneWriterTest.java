@@ -110,6 +110,23 @@ class SceneWriterTest {
         assertThat(Files.readString(file)).contains("\"skybox\": \"skies/day.hdr\"");
     }
 
+    @Test
+    void namesTheSkyBesideASceneThatALinkLeadsToAsItWas() throws IOException {
+        sky(folder.resolve("elsewhere/skies"));
+        Path real = Files.createDirectory(folder.resolve("real"));
+        Path skies = Links.make(real.resolve("skies"), folder.resolve("elsewhere/skies"));
+        Path file = real.resolve("scene.json");
+        SceneWriter.write(sceneUnder(skies.resolve("day.hdr")), file);
+        String before = Files.readString(file);
+        Path near = Links.make(Files.createDirectory(folder.resolve("home")).resolve("near.json"), file);
+        Path far = Links.make(Files.createDirectories(folder.resolve("a/b/c")).resolve("far.json"), file);
+
+        SceneWriter.write(SceneReader.read(near), near);
+        assertThat(Files.readString(file)).isEqualTo(before);
+        SceneWriter.write(SceneReader.read(far), far);
+        assertThat(Files.readString(file)).isEqualTo(before);
+    }
+
     private static Path sky(Path skies) throws IOException {
         return Files.createFile(Files.createDirectories(skies).resolve("day.hdr"));
     }
