@@ -90,10 +90,15 @@ public final class Benchmark {
                 progress.measured(measurement);
             }
         } catch (EngineException failure) {
-            failures.add(new EngineFailure(id, failure.getMessage()));
+            note(new EngineFailure(id, failure.getMessage()));
         } catch (OutOfMemoryError _) {
-            failures.add(new EngineFailure(id, EngineFailure.outOfMemory()));
+            note(new EngineFailure(id, EngineFailure.outOfMemory()));
         }
+    }
+
+    private void note(EngineFailure failure) {
+        failures.add(failure);
+        progress.failed(failure);
     }
 
     private Measurement measureStanding(AskedEngine asked, PictureSize size, EngineMeasuring measuring) {

@@ -19,4 +19,7 @@ public interface BenchmarkProgress {
 
     /** An engine is done with a size; not everyone minds. */
     default void measured(@SuppressWarnings("unused") Measurement measurement) {}
+
+    /** An engine failed, and the next one's turn comes; not everyone minds. */
+    default void failed(@SuppressWarnings("unused") EngineFailure failure) {}
 }

@@ -21,6 +21,7 @@ final class BenchmarkLines implements BenchmarkProgress, AutoCloseable {
     private final ReportFiles files;
     private final BiFunction<List<Measurement>, List<EngineFailure>, BenchmarkReport> report;
     private final List<Measurement> measurements = new CopyOnWriteArrayList<>();
+    private final List<EngineFailure> failures = new CopyOnWriteArrayList<>();
     private final Unfinished unfinished = Unfinished.until(this::giveUp);
     private volatile String engine = "benchmark";
     private volatile String task = engine;
@@ -57,6 +58,11 @@ final class BenchmarkLines implements BenchmarkProgress, AutoCloseable {
         measurements.add(measurement);
     }
 
+    @Override
+    public void failed(EngineFailure failure) {
+        failures.add(failure);
+    }
+
     /** What is left to say where the benchmark ends before its time. */
     void giveUp() {
         line.close();
@@ -64,7 +70,8 @@ final class BenchmarkLines implements BenchmarkProgress, AutoCloseable {
         if (measurements.isEmpty()) {
             err.println("twister: " + ended + "; nothing was measured");
         } else {
-            BenchmarkReport partial = report.apply(measurements, List.of(new EngineFailure(engine, ended)));
+            failures.add(new EngineFailure(engine, ended));
+            BenchmarkReport partial = report.apply(measurements, failures);
             err.println("twister: " + ended + "; " + files.writeUnfinished(partial));
             out.println(ReportTable.of(partial));
         }

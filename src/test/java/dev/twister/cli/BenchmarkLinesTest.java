@@ -10,6 +10,8 @@ import dev.twister.bench.EngineFailure;
 import dev.twister.bench.MachineInfo;
 import dev.twister.bench.Measurement;
 import dev.twister.bench.PictureSize;
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineException;
 import dev.twister.engine.Engines;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
@@ -69,6 +71,25 @@ class BenchmarkLinesTest {
         assertThat(csv).content().contains("sequential,", "parallel,", "ended at");
         assertThat(folder.resolve("report.json")).hasContent("older");
         assertThat(folder.resolve("report.csv")).doesNotExist();
+    }
+
+    @Test
+    void anEndTellsOfTheEnginesThatHadFailedByThen() {
+        try (BenchmarkLines lines = lines()) {
+            Benchmark.run(BenchmarkLinesTest::openButParallel, plan, "benchmark", world(), Optional.empty(), lines);
+            lines.begins("tornado:0:0", SIZE, 1);
+            lines.giveUp();
+        }
+
+        assertThat(out.toString()).contains("FAILED: parallel: out of order", "FAILED: tornado:0:0: ended at");
+        assertThat(folder.resolve("report-unfinished.json")).content().contains("out of order");
+    }
+
+    private static Engine openButParallel(String id) {
+        if (id.equals("parallel")) {
+            throw new EngineException("out of order");
+        }
+        return Engines.open(id);
     }
 
     @Test
