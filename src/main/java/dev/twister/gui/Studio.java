@@ -374,6 +374,11 @@ public final class Studio implements AutoCloseable {
         show(read(scenesFile));
     }
 
+    /** The number of the last request: a picture of it, or of a later one, is of what there is now. */
+    long lastRequest() {
+        return requests;
+    }
+
     /** Which one of the scenes that were opened this is; its edits have the same number. */
     long document() {
         return documents;

@@ -55,7 +55,6 @@ class BodiesTest {
     /** Layout follows a picture by a pulse. */
     private static DrawnPicture awaitRest() {
         DrawnPicture picture = driver.awaitCurrentPicture();
-        driver.await(() -> driver.studio.pictureProperty().get().orElseThrow().isWhole());
         driver.pulse();
         driver.pulse();
         return picture;
@@ -276,8 +275,6 @@ class BodiesTest {
             fire(MouseEvent.MOUSE_CLICKED, first, view());
             assertThat(selected()).isEqualTo(Layout.NOTHING);
         });
-        // So that the next test does not take the picture of before the edit for its own.
-        awaitRest();
     }
 
     @Test

@@ -42,9 +42,6 @@ class PhysicsTest {
     @BeforeEach
     void startAnew() {
         driver.type(Command.RESET.keys());
-        // Else its picture may come later than that of the same scene before it, and be taken for one of bodies that
-        // fell.
-        driver.awaitCurrentPicture();
         driver.run(() -> {
             driver.studio.edit(
                     "one",

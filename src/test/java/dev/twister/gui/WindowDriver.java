@@ -172,17 +172,17 @@ final class WindowDriver implements AutoCloseable {
         return call(() -> studio.pictureProperty().get().orElseThrow());
     }
 
-    /** Waits for a picture of what the studio holds now. */
+    /** Waits for a picture of what the studio holds now; one of the same scene before edits that were taken back is none. */
     DrawnPicture awaitCurrentPicture() {
-        Scene now = call(studio::scene);
+        long asked = call(studio::lastRequest);
         return awaitPicture(
-                picture -> picture.isWhole() && picture.request().scene().equals(now));
+                picture -> picture.isWhole() && picture.request().number() >= asked);
     }
 
     /** Waits until the picture is as fine as it gets and is on the screen. */
     DrawnPicture awaitRest() {
-        Scene now = call(studio::scene);
-        DrawnPicture rest = awaitPicture(picture -> picture.request().scene().equals(now)
+        long asked = call(studio::lastRequest);
+        DrawnPicture rest = awaitPicture(picture -> picture.request().number() >= asked
                 && picture.samples() == picture.request().refineTo());
         pulse();
         pulse();
