@@ -221,7 +221,7 @@ class FilesTest {
         driver.typeWith(KeyCode.S, KeyCode.CONTROL, KeyCode.SHIFT);
         driver.await(() -> driver.studio.fileProperty().get().equals(Optional.of(third)));
         assertThat(SceneReader.read(third)).isEqualTo(scene());
-        assertThat(driver.text("notice")).isEqualTo("Saved " + third);
+        assertThat(driver.notice()).isEqualTo("Saved " + third);
         assertThat(driver.window.workbench().settings().recentScenes()).startsWith(third.toString(), other.toString());
     }
 
@@ -301,7 +301,7 @@ class FilesTest {
         Path start = folder.resolve("scenes").resolve("start.json");
         typeExposure("2.5");
         driver.typeWith(KeyCode.S, KeyCode.CONTROL);
-        driver.await(() -> driver.studio.noticeProperty().get().equals("Saved " + start));
+        driver.await(() -> driver.notice().equals("Saved " + start));
         assertThat(SceneReader.read(start).settings().exposure()).isEqualTo(2.5);
         typeExposure("1.5");
         driver.run(() -> driver.stage.fireEvent(new WindowEvent(driver.stage, WindowEvent.WINDOW_CLOSE_REQUEST)));
@@ -314,11 +314,11 @@ class FilesTest {
     void whatIsNoNumberIsNotLeftAlone() {
         typeExposure("much");
         driver.typeWith(KeyCode.Q, KeyCode.CONTROL);
-        assertThat(driver.text("notice")).startsWith("Exposure is 'much', but must be a number");
+        assertThat(driver.notice()).startsWith("Exposure is 'much', but must be a number");
         assertThat(driver.stage.isShowing()).isTrue();
-        driver.run(() -> driver.studio.notice(""));
+        driver.clearNotice();
         driver.typeWith(KeyCode.S, KeyCode.CONTROL);
-        assertThat(driver.text("notice")).startsWith("Exposure is 'much', but must be a number");
+        assertThat(driver.notice()).startsWith("Exposure is 'much', but must be a number");
         driver.type(KeyCode.ESCAPE);
         driver.type(Command.PANEL.keys());
     }
@@ -440,7 +440,7 @@ class FilesTest {
             driver.run(driver.studio::unwatch);
             drawn.complete("");
         }
-        driver.await(() -> driver.studio.noticeProperty().get().equals("Saved " + hdr));
+        driver.await(() -> driver.notice().equals("Saved " + hdr));
         assertThat(SceneReader.read(start)).isEqualTo(scene());
         assertThat(hdr).exists();
     }
@@ -463,13 +463,14 @@ class FilesTest {
         driver.awaitCurrentPicture();
         change();
         driver.awaitCurrentPicture();
-        assertThat(driver.text("notice")).startsWith("Recording");
+        assertThat(driver.notice()).startsWith("Recording");
+        // A picture that is seen is about to be recorded.
+        driver.await(() -> Files.exists(frames.resolve("frame-000003.png")));
         driver.typeWith(KeyCode.R, KeyCode.CONTROL);
-        driver.await(() -> driver.studio.noticeProperty().get().startsWith("Recorded"));
+        driver.await(() -> driver.notice().startsWith("Recorded"));
         DrawnPicture last = driver.awaitCurrentPicture();
         BufferedImage first = ImageIO.read(frames.resolve("frame-000001.png").toFile());
         assertThat(first.getWidth()).isEqualTo(last.frame().width());
-        assertThat(frames.resolve("frame-000003.png")).exists();
     }
 
     @Test

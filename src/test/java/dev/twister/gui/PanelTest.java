@@ -58,10 +58,8 @@ class PanelTest {
     @BeforeEach
     void startAnew() {
         driver.type(Command.RESET.keys());
-        driver.run(() -> {
-            driver.studio.notice("");
-            driver.studio.select(SPHERE);
-        });
+        driver.clearNotice();
+        driver.run(() -> driver.studio.select(SPHERE));
         assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
     }
 
@@ -293,7 +291,7 @@ class PanelTest {
         PanelRow row = row("Shadow samples");
         TextField field = in(row, ".text-field", TextField.class);
         typeText(field, "many");
-        assertThat(driver.text("notice")).isEqualTo("Shadow samples is 'many', but must be a number from 1 to 1024");
+        assertThat(driver.notice()).isEqualTo("Shadow samples is 'many', but must be a number from 1 to 1024");
         assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
         driver.type(KeyCode.ESCAPE);
         assertThat(field.getText()).isEqualTo("1");
@@ -338,7 +336,7 @@ class PanelTest {
             choice.getSelectionModel().select("broken");
             assertThat(choice.getValue()).isEqualTo("good");
         });
-        assertThat(driver.text("notice")).isEqualTo("broken: no driver");
+        assertThat(driver.notice()).isEqualTo("broken: no driver");
         assertThat(PanelRow.inLines("no TornadoVM SDK was found. Install one (sdk install tornadovm) and start again"))
                 .isEqualTo("no TornadoVM SDK was found. Install one (sdk install\ntornadovm) and start again");
     }

@@ -106,7 +106,7 @@ class SettingsTest {
     void damagedSettingsAreSaid() throws IOException {
         Files.writeString(folder.resolve("window.json"), "{\"width\": ");
         try (WindowDriver driver = WindowDriver.open(new SettingsStore(Optional.of(folder)))) {
-            assertThat(driver.text("notice")).contains("could not be read");
+            assertThat(driver.notice()).contains("could not be read");
         }
         assertThat(folder.resolve("window.damaged.json")).hasContent("{\"width\": ");
     }

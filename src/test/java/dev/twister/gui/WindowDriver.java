@@ -52,6 +52,7 @@ final class WindowDriver implements AutoCloseable {
     final MainWindow window;
     final Answers files = new Answers();
     private final Robot robot;
+    private volatile String notice = "";
 
     /** Started once for all tests of this JVM; it ends with it. */
     private static final class Toolkit {
@@ -74,6 +75,11 @@ final class WindowDriver implements AutoCloseable {
                 studio,
                 new WindowOptions(
                         files, settings, found, Path.of("skyboxes"), Optional.of(Path.of("test.json")), textScale));
+        ((Labeled) stage.getScene().getRoot().lookup("#notice")).textProperty().subscribe(text -> {
+            if (!text.isEmpty()) {
+                notice = text;
+            }
+        });
         window.show();
         robot = new Robot();
     }
@@ -200,6 +206,19 @@ final class WindowDriver implements AutoCloseable {
     /** The text of the label of that id. */
     String text(String id) {
         return call(() -> ((Labeled) stage.getScene().getRoot().lookup("#" + id)).getText());
+    }
+
+    /** The last notice in the status line, which shows each for some seconds: whoever looks late finds it here. */
+    String notice() {
+        return notice;
+    }
+
+    /** Takes the last notice away. */
+    void clearNotice() {
+        run(() -> {
+            studio.notice("");
+            notice = "";
+        });
     }
 
     /** Waits for a pulse to have gone by. */
