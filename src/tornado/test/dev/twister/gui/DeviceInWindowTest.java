@@ -40,7 +40,8 @@ class DeviceInWindowTest {
                 driver.run(() -> driver.studio.chooseEngine(JvmEngines.parallel()));
                 driver.awaitPicture(picture -> picture.engine().equals(JvmEngines.PARALLEL));
             }
-            assertThat(driver.text("message")).isEmpty();
+            // Told after the picture.
+            driver.await(() -> driver.text("message").isEmpty());
         }
     }
 

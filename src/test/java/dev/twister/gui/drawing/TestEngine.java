@@ -34,6 +34,7 @@ final class TestEngine implements Engine {
         final AtomicInteger opened = new AtomicInteger();
         final AtomicInteger frames = new AtomicInteger();
         final AtomicInteger rests = new AtomicInteger();
+        final AtomicInteger framesBeforeRest = new AtomicInteger();
         volatile boolean breaks;
         volatile Runnable onFaster = () -> {};
         volatile Runnable onFrame = () -> {};
@@ -116,6 +117,7 @@ final class TestEngine implements Engine {
 
     @Override
     public void rest() {
+        kind.framesBeforeRest.set(kind.frames.get());
         kind.rests.incrementAndGet();
     }
 
