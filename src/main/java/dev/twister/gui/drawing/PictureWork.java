@@ -71,7 +71,7 @@ final class PictureWork implements AutoCloseable {
     boolean prepare(DrawingRequest wanted) {
         try {
             input = world.snapshot(wanted.scene(), wanted.motion(), wanted.width(), wanted.height(), clock.getAsLong());
-            seat.choose(wanted.engine(), new WarmUp(input, coarse(COARSEST)));
+            seat.choose(wanted.engine(), new WarmUp(input, coarse(COARSEST), clock));
             sceneFailure = Optional.empty();
         } catch (OutOfMemoryError _) {
             sceneFailure = Optional.of("there is not enough memory for this scene");

@@ -7,6 +7,7 @@ import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
+import java.util.function.LongSupplier;
 
 /**
  * The first frames of an engine, which wait for compilers and are not shown.
@@ -14,8 +15,9 @@ import java.util.function.BooleanSupplier;
  * @param whole what will be drawn
  * @param small the same with few pixels: the JVM compiles the same code for it, and before it has, an engine may be hundreds of
  *     times slower
+ * @param clock tells nanoseconds, as {@link System#nanoTime} does
  */
-record WarmUp(FrameInput whole, FrameInput small) {
+record WarmUp(FrameInput whole, FrameInput small, LongSupplier clock) {
     /** A JVM engine is warm when a whole picture may be expected in this time, or when its times have settled ... */
     private static final long SWIFT_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
 
@@ -40,10 +42,10 @@ record WarmUp(FrameInput whole, FrameInput small) {
     }
 
     private void runOnJvm(Engine engine, BooleanSupplier unwanted) {
-        long start = System.nanoTime();
+        long start = clock.getAsLong();
         if (engine.drawsBandsInProportion()
                 && !small.hasFewSpheres()
-                && !drawInBands(engine, () -> unwanted.getAsBoolean() || System.nanoTime() - start > PATIENCE_NANOS)) {
+                && !drawInBands(engine, () -> unwanted.getAsBoolean() || clock.getAsLong() - start > PATIENCE_NANOS)) {
             return;
         }
         SettlingFrames frames = new SettlingFrames(engine, small);
@@ -53,7 +55,7 @@ record WarmUp(FrameInput whole, FrameInput small) {
             nanos = frames.draw().toNanos();
         } while (!frames.areSettled()
                 && nanos > SWIFT_NANOS / ratio
-                && System.nanoTime() - start < PATIENCE_NANOS
+                && clock.getAsLong() - start < PATIENCE_NANOS
                 && !unwanted.getAsBoolean());
     }
 

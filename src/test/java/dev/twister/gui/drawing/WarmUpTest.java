@@ -12,12 +12,15 @@ import dev.twister.world.FrameInput;
 import dev.twister.world.World;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 
 class WarmUpTest {
     private static final int SMALL_ROWS = 40;
 
     private final List<Integer> rows = new ArrayList<>();
+    private long nanos;
+    private long nanosAFrame;
 
     /** Draws nothing, in next to no time. */
     private final class Noted implements Engine {
@@ -42,6 +45,7 @@ class WarmUpTest {
         @Override
         public void render(FrameInput input, Frame frame) {
             rows.add(frame.height());
+            nanos += nanosAFrame;
             frame.setTimes(FrameTimes.onJvm(1));
         }
 
@@ -56,25 +60,32 @@ class WarmUpTest {
         }
     }
 
-    private static WarmUp ofMany() {
+    private WarmUp ofMany() {
         return warmUp(Crowds.world(100, 512, 8 * SMALL_ROWS));
     }
 
-    private static WarmUp ofFew() {
+    private WarmUp ofFew() {
         World world = World.of(WindowScenes.tiny(), new Skybox(1, 1, new float[3]));
         world.setSettings(world.settings().withSize(512, 8 * SMALL_ROWS));
         return warmUp(world);
     }
 
-    private static WarmUp warmUp(World world) {
+    private WarmUp warmUp(World world) {
         FrameInput whole = world.snapshot();
-        return new WarmUp(whole, whole.withSize(64, SMALL_ROWS));
+        return new WarmUp(whole, whole.withSize(64, SMALL_ROWS), () -> nanos);
     }
 
     /** A slow engine that is not wanted any more would keep the next one waiting. */
     @Test
     void leavesTheFirstPictureBetweenBands() {
         ofMany().run(new Noted("slow", true), () -> rows.size() == 3);
+        assertThat(rows).containsExactly(2, 2, 2);
+    }
+
+    @Test
+    void leavesTheFirstPictureWhereItTakesTooLong() {
+        nanosAFrame = TimeUnit.SECONDS.toNanos(3);
+        ofMany().run(new Noted("slow", true), () -> false);
         assertThat(rows).containsExactly(2, 2, 2);
     }
 
