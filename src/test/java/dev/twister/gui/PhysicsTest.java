@@ -104,14 +104,17 @@ class PhysicsTest {
 
     @Test
     void pauseStopsTimeAndLetsItGoOn() {
+        // However late the pause comes, a sphere that rises has not come to rest on the plane by then.
+        driver.run(() -> driver.studio.edit(
+                "gravity", scene -> scene.withPhysics(scene.physics().withGravity(new Vector3(0, 1, 0)))));
         driver.type(KeyCode.F5);
-        driver.awaitPicture(picture -> height(picture) < HEIGHT - 0.1);
+        driver.awaitPicture(picture -> height(picture) > HEIGHT + 0.1);
         driver.click(driver.find("#pause", Button.class));
         assertThat(motion().running()).isFalse();
         double paused = height(driver.awaitPicture(shown -> shown.samples() > 4));
-        assertThat(paused).isLessThan(HEIGHT - 0.1);
+        assertThat(paused).isGreaterThan(HEIGHT + 0.1);
         driver.type(KeyCode.F6);
-        driver.awaitPicture(picture -> height(picture) < paused - 0.1);
+        driver.awaitPicture(picture -> height(picture) > paused + 0.1);
         driver.type(KeyCode.F5);
     }
 
