@@ -9,12 +9,14 @@ import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-@Timeout(60)
+@Timeout(300)
 class ErrandsTest {
     private final List<String> done = new CopyOnWriteArrayList<>();
+    private final CountDownLatch begun = new CountDownLatch(1);
     private final CountDownLatch mayEnd = new CountDownLatch(1);
 
     private boolean doLate() throws InterruptedException {
+        begun.countDown();
         mayEnd.await();
         return done.add("begun before");
     }
@@ -26,6 +28,7 @@ class ErrandsTest {
             errands.run(this::doLate, _ -> {}, _ -> {});
             errands.run(() -> done.add("not begun"), _ -> {}, _ -> {});
             errands.keep(() -> done.add("kept"), _ -> {}, _ -> {});
+            begun.await();
             Thread closing = Thread.ofPlatform().start(errands::close);
             while (closing.getState() != Thread.State.TIMED_WAITING) {
                 Thread.sleep(1);
@@ -69,6 +72,7 @@ class ErrandsTest {
         try (WindowDriver _ = WindowDriver.open()) {
             Errands errands = new Errands();
             errands.run(this::doLate, _ -> {}, _ -> {});
+            begun.await();
             errands.close();
             assertThat(done).isEmpty();
             mayEnd.countDown();
