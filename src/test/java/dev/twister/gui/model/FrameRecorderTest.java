@@ -68,7 +68,7 @@ class FrameRecorderTest {
         int side = 4096;
         Thread source = offering(recorder, side, 6);
         writing.await();
-        awaitState(source, Thread.State.WAITING);
+        awaitWaiting(source, recorder);
         assertThat(recorder.progress()).isEqualTo(new FrameRecorder.Progress(0, 4, 0, Optional.empty()));
         mayWrite.countDown();
         source.join();
@@ -84,7 +84,7 @@ class FrameRecorderTest {
         CountDownLatch mayWrite = new CountDownLatch(1);
         FrameRecorder recorder = FrameRecorder.start(folder, (_, _, _, _) -> await(mayWrite));
         Thread source = offering(recorder, 4096, 6);
-        awaitState(source, Thread.State.WAITING);
+        awaitWaiting(source, recorder);
         recorder.finish();
         source.join();
         mayWrite.countDown();
@@ -102,8 +102,9 @@ class FrameRecorderTest {
         });
     }
 
-    private static void awaitState(Thread thread, Thread.State state) throws InterruptedException {
-        while (thread.getState() != state) {
+    /** Until a thread waits because four of its frames, of which none is written, are all that the recorder takes. */
+    private static void awaitWaiting(Thread source, FrameRecorder recorder) throws InterruptedException {
+        while (recorder.progress().waiting() < 4 || source.getState() != Thread.State.WAITING) {
             Thread.sleep(1);
         }
     }
