@@ -22,7 +22,7 @@ import java.util.function.IntConsumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-@Timeout(60)
+@Timeout(300)
 class AutoEngineTest {
     private static final int WIDTH = 640;
     private static final int HEIGHT = 200;

@@ -32,7 +32,7 @@ class BenchmarkTest {
 
     @Test
     void measuresEveryEngineAtEverySize() {
-        BenchmarkReport report = run(plan(List.of("sequential", "parallel"), 2, 4, 100));
+        BenchmarkReport report = run(plan(List.of("sequential", "parallel"), 2, 4, 1000));
 
         assertThat(report.passed()).isTrue();
         assertThat(report.measurements())
@@ -54,7 +54,7 @@ class BenchmarkTest {
 
     @Test
     void speedupsAreOverTheSameSize() {
-        BenchmarkReport report = run(plan(List.of("sequential", "parallel", "other"), 0, 1, 100));
+        BenchmarkReport report = run(plan(List.of("sequential", "parallel", "other"), 0, 1, 1000));
 
         Measurement other = report.measurements().get(5);
         assertThat(other.size()).isEqualTo(LARGE);
@@ -74,7 +74,7 @@ class BenchmarkTest {
 
     @Test
     void anotherPictureFails() {
-        BenchmarkReport report = run(plan(List.of("wrong"), 0, 1, 100));
+        BenchmarkReport report = run(plan(List.of("wrong"), 0, 1, 1000));
 
         assertThat(report.passed()).isFalse();
         assertThat(report.measurements().getFirst().comparison()).isEqualTo(new PictureComparison(15, 15, 2));
@@ -83,7 +83,7 @@ class BenchmarkTest {
 
     @Test
     void anEngineThatFailsDoesNotStopTheOthers() {
-        BenchmarkReport report = run(plan(List.of("broken", "sequential"), 0, 1, 100));
+        BenchmarkReport report = run(plan(List.of("broken", "sequential"), 0, 1, 1000));
 
         assertThat(report.passed()).isFalse();
         assertThat(report.failures()).containsExactly(new EngineFailure("broken", "out of order"));
@@ -92,7 +92,7 @@ class BenchmarkTest {
 
     @Test
     void anEngineThatBecomesAnotherIsMeasuredUnderItsName() {
-        BenchmarkReport report = run(plan(List.of("becomes parallel", "sequential", "parallel"), 1, 1, 100));
+        BenchmarkReport report = run(plan(List.of("becomes parallel", "sequential", "parallel"), 1, 1, 1000));
 
         Measurement measurement = report.measurements().getFirst();
         assertThat(measurement.engine()).isEqualTo("becomes parallel");
@@ -106,7 +106,7 @@ class BenchmarkTest {
 
     @Test
     void anEngineThatNeedsTooMuchMemoryDoesNotStopTheOthers() {
-        BenchmarkReport report = run(plan(List.of("greedy", "sequential"), 0, 1, 100));
+        BenchmarkReport report = run(plan(List.of("greedy", "sequential"), 0, 1, 1000));
 
         assertThat(report.failures()).containsExactly(new EngineFailure("greedy", EngineFailure.outOfMemory()));
         assertThat(report.measurements())
@@ -116,7 +116,7 @@ class BenchmarkTest {
 
     @Test
     void aDevicesTimesAreMeans() {
-        BenchmarkReport report = run(plan(List.of("device"), 0, 2, 100));
+        BenchmarkReport report = run(plan(List.of("device"), 0, 2, 1000));
 
         assertThat(report.measurements().getFirst().deviceTimes()).isEqualTo(Optional.of(new DeviceTimes(6, 1, 3)));
     }

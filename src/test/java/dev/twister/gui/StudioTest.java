@@ -79,7 +79,7 @@ class StudioTest {
     }
 
     private DrawingRequest awaitRequest(Predicate<DrawingRequest> wanted) {
-        long end = System.nanoTime() + TimeUnit.MINUTES.toNanos(1);
+        long end = System.nanoTime() + TimeUnit.MINUTES.toNanos(5);
         studio.pulse(System.nanoTime());
         while (studio.pictureProperty()
                 .get()

@@ -147,7 +147,7 @@ class WaysTest {
 
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
-    @Timeout(60)
+    @Timeout(300)
     void aRehearsalComesToItsEnd(boolean walk) throws InterruptedException {
         Rehearsal rehearsal = SmallRehearsal.of(walk);
         while (!rehearsal.isOver()) {

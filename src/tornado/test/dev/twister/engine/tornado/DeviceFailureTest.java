@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Timeout;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
 
 /** What a device cannot do is an error that says why, never a picture drawn by plain Java instead. */
-@Timeout(60)
+@Timeout(300)
 class DeviceFailureTest {
     private static final DeviceKernel.Grid NO_GRID = (device, width, rows) -> Optional.empty();
 
