@@ -22,7 +22,8 @@ import java.util.function.IntConsumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-@Timeout(300)
+// Who spins, or parks as a crew does, takes no notice of an interruption.
+@Timeout(value = 300, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class AutoEngineTest {
     private static final int WIDTH = 640;
     private static final int HEIGHT = 200;

@@ -29,7 +29,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-@Timeout(300)
+// Who spins, or parks as a crew does, takes no notice of an interruption.
+@Timeout(value = 300, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class FastestEngineTest {
     private static final Map<String, Integer> MILLIS =
             Map.of("sequential", 40, "parallel", 20, "vector", 5, "tornado:0:0", 9, "plain", 1, "auto", 1);

@@ -25,6 +25,7 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 class DrawingLoopTest {
@@ -157,6 +158,7 @@ class DrawingLoopTest {
     }
 
     @Test
+    @Timeout(300)
     void whoWatchesSeesEveryWholePictureAndIsWaitedFor() throws InterruptedException {
         request(scene, 0);
         awaitPicture(drawnBy(green));

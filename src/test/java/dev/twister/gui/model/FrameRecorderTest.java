@@ -13,8 +13,10 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
+@Timeout(300)
 class FrameRecorderTest {
     private static final int WIDTH = 4;
     private static final int HEIGHT = 3;
