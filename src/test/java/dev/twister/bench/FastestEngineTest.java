@@ -241,15 +241,17 @@ class FastestEngineTest {
         open(all);
         tried.clear();
         CompletableFuture<Thread> looked = new CompletableFuture<>();
+        Thread looking;
         try (Engine engine = fastest().openAtOnce(offers("sequential", "parallel", "vector"), () -> {
             looked.complete(Thread.currentThread());
             return all;
         })) {
             assertThat(looked).isNotDone();
             drawUntil(engine, "vector");
-            // It writes what is remembered, in a folder that is deleted soon.
-            looked.get().join();
+            looking = looked.get();
         }
+        // It writes what is remembered, in a folder that is deleted soon.
+        looking.join();
         assertThat(tried).isEmpty();
     }
 
