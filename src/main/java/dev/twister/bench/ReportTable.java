@@ -113,7 +113,7 @@ public final class ReportTable {
                 shortened(measurement.device()),
                 measurement.size().toString(),
                 measurement.warmupFrames() + "+" + times.frames(),
-                String.format(Locale.ROOT, "%.1f", times.fps()),
+                ReportNumbers.legible(times.fps(), 1),
                 String.format(Locale.ROOT, "%.2f", times.min()),
                 String.format(Locale.ROOT, "%.2f", times.median()),
                 String.format(Locale.ROOT, "%.2f", times.mean()),
@@ -155,7 +155,7 @@ public final class ReportTable {
     }
 
     private static String speedup(Optional<Double> speedup) {
-        return speedup.map(factor -> String.format(Locale.ROOT, "%.2f", factor)).orElse("-");
+        return speedup.map(factor -> ReportNumbers.legible(factor, 2)).orElse("-");
     }
 
     private static String shortened(String device) {

@@ -1,5 +1,6 @@
 package dev.twister.gui;
 
+import dev.twister.bench.ReportNumbers;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
@@ -82,7 +83,7 @@ final class FrameTimesView extends VBox {
     static List<String> parts(FrameHistory history, long nanos) {
         FrameHistory.Entry mean = history.mean();
         return Stream.of(
-                        String.format(Locale.ROOT, "%.1f FPS", history.framesPerSecond(nanos)),
+                        ReportNumbers.legible(history.framesPerSecond(nanos), 1) + " FPS",
                         String.format(Locale.ROOT, "render %.1f ms", mean.renderMillis()),
                         String.format(Locale.ROOT, "transfer %.1f ms", mean.transferMillis()),
                         String.format(Locale.ROOT, "display %.2f ms", mean.displayMillis()))

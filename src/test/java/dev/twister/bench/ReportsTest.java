@@ -100,10 +100,45 @@ class ReportsTest {
     }
 
     @Test
+    void aSlowEnginesRateIsNotNothing() {
+        Measurement minutes = slow("plain", 52_265.9);
+        Measurement seconds = slow("sequential", 200);
+        BenchmarkReport report = new BenchmarkReport(
+                REPORT.machine(), REPORT.plan(), REPORT.scene(), List.of(seconds, minutes), List.of());
+
+        assertThat(ReportTable.of(report).lines().toList().getLast())
+                .containsPattern(" 0\\.019 .* 0\\.0038 ")
+                .doesNotContain(" 0.0 ", " 0.00 ");
+    }
+
+    @Test
+    void quickRatesHaveNoMoreDigitsThanAsked() {
+        assertThat(ReportNumbers.legible(1234.56, 1)).isEqualTo("1234.6");
+        assertThat(ReportNumbers.legible(5, 1)).isEqualTo("5.0");
+        assertThat(ReportNumbers.legible(0.976, 1)).isEqualTo("0.98");
+        assertThat(ReportNumbers.legible(0, 1)).isEqualTo("0.0");
+    }
+
+    @Test
     void whereThereIsNoFolderNothingIsWritten() {
         assertThatThrownBy(
                         () -> JsonReport.write(REPORT, folder.resolve("missing").resolve("report.json")))
                 .isInstanceOf(IOException.class);
+    }
+
+    private static Measurement slow(String engine, double millis) {
+        Measurement one = REPORT.measurements().getFirst();
+        return new Measurement(
+                engine,
+                one.device(),
+                one.size(),
+                one.shadowSamples(),
+                one.bounces(),
+                one.bodies(),
+                1,
+                new Statistics(1, millis, millis, millis, millis),
+                one.deviceTimes(),
+                one.comparison());
     }
 
     private static List<CSVRecord> records(Path file) throws IOException {

@@ -74,6 +74,14 @@ class FrameHistoryTest {
     }
 
     @Test
+    void aSlowEnginesRateIsNotNothing() {
+        history.add(picture(1, 0), 0.1);
+        history.add(picture(2, 40_000L * MILLI), 0.1);
+
+        assertThat(FrameTimesView.parts(history, 40_000L * MILLI).getFirst()).isEqualTo("0.025\u00a0FPS");
+    }
+
+    @Test
     void theScaleIsANumberOneCanRead() {
         assertThat(GraphScale.above(0)).isEqualTo(1);
         assertThat(GraphScale.above(1.5)).isEqualTo(2);
