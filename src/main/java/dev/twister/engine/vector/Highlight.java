@@ -12,11 +12,13 @@ import jdk.incubator.vector.VectorOperators;
 final class Highlight {
     // Stages, so that each keeps its own inlining budget, and not run where there is nothing to do: see Stage.
     private static final Stage[] OF_ONE_WHOLE_POWER = {(tile, drawing) -> raiseAll(tile)};
-    private static final Stage[] OF_WHOLE_POWERS = {(tile, drawing) -> raiseEach(tile, tile.wholePowers)};
+    private static final Stage[] OF_WHOLE_POWERS = {
+        (tile, drawing) -> raiseEach(tile, tile.wholePowers, Tile.SPECULAR_WEIGHT)
+    };
     private static final Stage[] OF_FRACTIONS = {
         (tile, drawing) -> findFractions(tile),
-        (tile, drawing) -> raiseEach(tile, tile.fractionPowers),
-        (tile, drawing) -> multiply(tile.values, tile.fractionPowers, Tile.FRACTION_POWER),
+        (tile, drawing) -> raiseEach(tile, tile.fractionPowers, Tile.FRACTION_POWER),
+        (tile, drawing) -> weigh(tile.values, tile.fractionPowers),
     };
 
     private Highlight() {}
@@ -42,25 +44,10 @@ final class Highlight {
         return Lanes.load(t, at + toLight).sub(Lanes.load(t, at + direction));
     }
 
-    /** Writes what the cosines' powers are to be multiplied by: 0 where nothing shines. */
-    static void findWeights(Tile tile) {
-        float[] t = tile.values;
-        for (int k = 0; k < tile.surfaces.count; k++) {
-            int at = tile.surfaces.places[k];
-            FloatVector reflectivity = Lanes.load(t, at + Tile.REFLECTIVITY);
-            FloatVector weight = reflectivity
-                    .add(8f)
-                    .mul(Shading.INVERSE_EIGHT_PI)
-                    .mul(reflectivity)
-                    .mul(1f / Layout.MAX_REFLECTIVITY)
-                    .mul(Lanes.load(t, at + Tile.VISIBLE));
-            Lanes.all(0f)
-                    .blend(weight, Lanes.load(t, at + Tile.NORMAL_DOT_LIGHT).compare(VectorOperators.GT, 0f))
-                    .intoArray(t, at + Tile.SPECULAR_WEIGHT);
-        }
-    }
-
-    /** Lists the packets where anything shines by what powers their cosines are to be raised to. */
+    /**
+     * Writes what the cosines' powers are to be multiplied by, 0 where nothing shines, and lists the packets where anything
+     * does by what powers those are; the others' specular column is 0 from here on.
+     */
     static void sort(Tile tile) {
         tile.onePower.clear();
         tile.wholePowers.clear();
@@ -68,9 +55,17 @@ final class Highlight {
         float[] t = tile.values;
         for (int k = 0; k < tile.surfaces.count; k++) {
             int at = tile.surfaces.places[k];
-            VectorMask<Float> shines = Lanes.load(t, at + Tile.SPECULAR_WEIGHT).compare(VectorOperators.GT, 0f);
+            FloatVector power = Lanes.load(t, at + Tile.REFLECTIVITY);
+            FloatVector weight = power.add(8f)
+                    .mul(Shading.INVERSE_EIGHT_PI)
+                    .mul(power)
+                    .mul(1f / Layout.MAX_REFLECTIVITY)
+                    .mul(Lanes.load(t, at + Tile.VISIBLE));
+            weight = Lanes.all(0f)
+                    .blend(weight, Lanes.load(t, at + Tile.NORMAL_DOT_LIGHT).compare(VectorOperators.GT, 0f));
+            VectorMask<Float> shines = weight.compare(VectorOperators.GT, 0f);
             if (shines.anyTrue()) {
-                FloatVector power = Lanes.load(t, at + Tile.REFLECTIVITY);
+                weight.intoArray(t, at + Tile.SPECULAR_WEIGHT);
                 boolean whole = !Lanes.toFloats(Lanes.truncated(power))
                         .compare(VectorOperators.NE, power)
                         .and(shines)
@@ -86,23 +81,20 @@ final class Highlight {
                 } else {
                     tile.wholePowers.add(at);
                 }
+            } else {
+                Lanes.all(0f).intoArray(t, at + Tile.SPECULAR);
             }
         }
     }
 
-    /** Raises the cosines to the reflectivities' powers where anything shines. */
+    /** Raises the cosines to the reflectivities' powers and multiplies them by their weights where anything shines. */
     static void raise(Tile tile, Drawing drawing) {
         Stage.runFor(tile.onePower.count, OF_ONE_WHOLE_POWER, tile, drawing);
         Stage.runFor(tile.wholePowers.count, OF_WHOLE_POWERS, tile, drawing);
         Stage.runFor(tile.fractionPowers.count, OF_FRACTIONS, tile, drawing);
     }
 
-    /** Scales the powers. */
-    static void scale(Tile tile) {
-        multiply(tile.values, tile.surfaces, Tile.SPECULAR_WEIGHT);
-    }
-
-    /** All lanes to the power of the first that shines, by repeated squaring. */
+    /** All lanes to the power of the first that shines, by repeated squaring, times their weights. */
     private static void raiseAll(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.onePower.count; k++) {
@@ -115,12 +107,12 @@ final class Highlight {
                 }
                 square = square.mul(square);
             }
-            result.intoArray(t, at + Tile.SPECULAR);
+            result.mul(Lanes.load(t, at + Tile.SPECULAR_WEIGHT)).intoArray(t, at + Tile.SPECULAR);
         }
     }
 
-    /** Each lane to its own power's whole part. */
-    private static void raiseEach(Tile tile, PacketList packets) {
+    /** Each lane to its own power's whole part, times that column's number. */
+    private static void raiseEach(Tile tile, PacketList packets, int factor) {
         float[] t = tile.values;
         for (int k = 0; k < packets.count; k++) {
             int at = packets.places[k];
@@ -134,7 +126,7 @@ final class Highlight {
                 square = square.mul(square);
                 rest = rest.lanewise(VectorOperators.LSHR, 1);
             }
-            result.intoArray(t, at + Tile.SPECULAR);
+            result.mul(Lanes.load(t, at + factor)).intoArray(t, at + Tile.SPECULAR);
         }
     }
 
@@ -160,11 +152,12 @@ final class Highlight {
         }
     }
 
-    /** Multiplies the specular column by another one. */
-    private static void multiply(float[] t, PacketList packets, int column) {
+    private static void weigh(float[] t, PacketList packets) {
         for (int k = 0; k < packets.count; k++) {
             int at = packets.places[k];
-            Lanes.load(t, at + Tile.SPECULAR).mul(Lanes.load(t, at + column)).intoArray(t, at + Tile.SPECULAR);
+            Lanes.load(t, at + Tile.SPECULAR)
+                    .mul(Lanes.load(t, at + Tile.SPECULAR_WEIGHT))
+                    .intoArray(t, at + Tile.SPECULAR);
         }
     }
 }
