@@ -64,6 +64,7 @@ final class BenchmarkCommand implements Callable<Integer> {
 
     @Parameters(
             paramLabel = "SCENE",
+            completionCandidates = Completions.OfScene.class,
             arity = "0..1",
             defaultValue = "benchmark",
             description = "A scene file, or the name of a shipped scene; ${DEFAULT-VALUE} where not said.")
@@ -72,6 +73,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     @Option(
             names = "--engine",
             paramLabel = "ENGINE",
+            completionCandidates = Completions.OfEngine.class,
             description = "May be given several times; all that work here but 'plain' and 'auto' where not said.")
     private List<String> engines = new ArrayList<>();
 

@@ -20,6 +20,7 @@ final class GuiCommand implements Callable<Integer> {
 
     @Parameters(
             paramLabel = "SCENE",
+            completionCandidates = Completions.OfScene.class,
             arity = "0..1",
             description = "A scene file, or the name of a shipped scene; " + FIRST_SCENE + " where not said.")
     private Optional<String> sceneName = Optional.empty();
@@ -27,6 +28,7 @@ final class GuiCommand implements Callable<Integer> {
     @Option(
             names = "--engine",
             paramLabel = "ENGINE",
+            completionCandidates = Completions.OfEngine.class,
             description =
                     "What draws at first (see 'twister devices'); where not said, the one chosen last in the window, or auto.")
     private Optional<String> engineId = Optional.empty();

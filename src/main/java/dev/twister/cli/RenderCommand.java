@@ -49,7 +49,10 @@ final class RenderCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    @Parameters(paramLabel = "SCENE", description = "A scene file, or the name of a shipped scene.")
+    @Parameters(
+            paramLabel = "SCENE",
+            completionCandidates = Completions.OfScene.class,
+            description = "A scene file, or the name of a shipped scene.")
     private String sceneName;
 
     @Option(
@@ -69,6 +72,7 @@ final class RenderCommand implements Callable<Integer> {
     @Option(
             names = "--engine",
             paramLabel = "ENGINE",
+            completionCandidates = Completions.OfEngine.class,
             defaultValue = FastestEngine.AUTO,
             description = "What draws (see 'twister devices'); ${DEFAULT-VALUE} where not said.")
     private String engineId;

@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Finds the scene that an argument means: a file, or a shipped scene by its name. */
@@ -44,13 +44,24 @@ final class SceneFiles {
         }
     }
 
-    private static String shippedNames() {
+    /**
+     * The names of the shipped scenes, in the alphabet's order.
+     *
+     * @throws IOException where their folder cannot be read
+     */
+    static List<String> shipped() throws IOException {
         try (Stream<Path> files = Files.list(Home.scenes())) {
             return files.map(file -> file.getFileName().toString())
                     .filter(name -> name.endsWith(ENDING) && !name.endsWith(SCHEMA_ENDING))
                     .map(name -> name.substring(0, name.length() - ENDING.length()))
                     .sorted()
-                    .collect(Collectors.joining(", "));
+                    .toList();
+        }
+    }
+
+    private static String shippedNames() {
+        try {
+            return String.join(", ", shipped());
         } catch (IOException _) {
             return "none in " + Home.scenes().toAbsolutePath() + " (TWISTER_HOME names Twister's folder)";
         }

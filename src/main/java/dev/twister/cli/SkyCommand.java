@@ -43,6 +43,7 @@ final class SkyCommand implements Callable<Integer> {
     @Option(
             names = "--preset",
             paramLabel = "NAME",
+            completionCandidates = Completions.OfPreset.class,
             defaultValue = "day",
             description =
                     "day, sunset or overcast: what the other options do not say; ${DEFAULT-VALUE} where not said.")

@@ -33,6 +33,7 @@ final class StartUpCommand implements Runnable {
 
     @Parameters(
             paramLabel = "SCENE",
+            completionCandidates = Completions.OfScene.class,
             arity = "0..1",
             defaultValue = "benchmark",
             description = "A scene file, or the name of a shipped scene; ${DEFAULT-VALUE} where not said.")
@@ -41,6 +42,7 @@ final class StartUpCommand implements Runnable {
     @Option(
             names = "--engine",
             paramLabel = "ENGINE",
+            completionCandidates = Completions.OfEngine.class,
             defaultValue = FastestEngine.AUTO,
             description = "What draws (see 'twister devices'); ${DEFAULT-VALUE} where not said.")
     private String engineId;

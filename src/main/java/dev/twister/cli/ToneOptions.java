@@ -13,7 +13,11 @@ final class ToneOptions {
             description = "The picture is 2^STOPS times as bright, -20 to 20; an .hdr file keeps its radiance.")
     private Optional<Double> exposure = Optional.empty();
 
-    @Option(names = "--tone-map", paramLabel = "NAME", description = "clamp, reinhard or aces.")
+    @Option(
+            names = "--tone-map",
+            paramLabel = "NAME",
+            completionCandidates = Completions.OfToneMap.class,
+            description = "clamp, reinhard or aces.")
     private Optional<ToneMap> toneMap = Optional.empty();
 
     @Option(

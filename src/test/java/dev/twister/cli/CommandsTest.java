@@ -41,7 +41,10 @@ class CommandsTest {
 
     @Test
     void completesInAShell() {
-        assertThat(Outcome.of("generate-completion").out()).contains("--shadow-samples", "complete");
+        assertThat(Outcome.of("generate-completion").out())
+                .contains("--shadow-samples", "complete")
+                .contains("(\"sequential\"", "\"auto\"", "\"vector\"", "\"tornado\")", "\"spheres-100\"")
+                .contains("\"clamp\" \"reinhard\" \"aces\"", "\"day\" \"sunset\" \"overcast\"");
     }
 
     @Test

@@ -1,0 +1,61 @@
+package dev.twister.cli;
+
+import dev.twister.engine.EngineOffer;
+import dev.twister.engine.Engines;
+import dev.twister.scene.ToneMap;
+import dev.twister.sky.ShippedSky;
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.Iterator;
+import java.util.Locale;
+import java.util.stream.Stream;
+
+/** What shells offer where options and scenes are typed: picocli makes one of each class. */
+final class Completions {
+    private Completions() {}
+
+    /** Engines that are known without a look for devices, and the name that any of TornadoVM's has. */
+    static final class OfEngine implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return Stream.concat(
+                            Engines.offersAtOnce().stream().map(EngineOffer::id), Stream.of(Engines.TORNADO_PREFIX))
+                    .iterator();
+        }
+    }
+
+    /** Shipped scenes; where nothing fits what is typed, a shell goes on with files. */
+    static final class OfScene implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            try {
+                return SceneFiles.shipped().iterator();
+            } catch (IOException _) {
+                return Collections.emptyIterator();
+            }
+        }
+    }
+
+    /** As the help writes them. */
+    static final class OfToneMap implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return lowerCase(ToneMap.values());
+        }
+    }
+
+    /** As the help writes them. */
+    static final class OfPreset implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return lowerCase(ShippedSky.values());
+        }
+    }
+
+    private static Iterator<String> lowerCase(Enum<?>... values) {
+        return Arrays.stream(values)
+                .map(value -> value.name().toLowerCase(Locale.ROOT))
+                .iterator();
+    }
+}
