@@ -65,7 +65,7 @@ public final class FastestEngine {
     public Engine openAtOnce(List<EngineOffer> offers) {
         List<EngineOffer> candidates = candidates(offers);
         return remembered(offers)
-                .map(id -> openWarming(openFirst(candidates, List.of()), id, candidates))
+                .map(id -> openWarming(openUnmeasured(candidates), id, candidates))
                 .orElseGet(() -> openToBeConfirmed(MOSTLY_FASTEST, candidates, () -> offers));
     }
 
@@ -88,12 +88,12 @@ public final class FastestEngine {
     }
 
     private Engine openToBeConfirmed(String id, List<EngineOffer> candidates, Supplier<List<EngineOffer>> all) {
-        Engine standIn = openFirst(candidates, List.of());
+        Engine standIn = openUnmeasured(candidates);
         Engine drawing = openWarming(standIn, id, candidates);
         return new AutoEngine(
                 drawing,
                 new Successor(cancelled -> confirmedBeside(drawing, standIn.id(), all, cancelled)),
-                () -> openFirst(candidates, List.of()));
+                () -> openUnmeasured(candidates));
     }
 
     private static Engine openWarming(Engine standIn, String id, List<EngineOffer> candidates) {
@@ -101,7 +101,7 @@ public final class FastestEngine {
                 .filter(wanted -> !wanted.equals(standIn.id()))
                 .flatMap(wanted -> find(candidates, wanted))
                 .<Engine>map(offer -> new AutoEngine(
-                        standIn, new Successor(_ -> opened(offer), PATIENCE), () -> openFirst(candidates, List.of())))
+                        standIn, new Successor(_ -> opened(offer), PATIENCE), () -> openUnmeasured(candidates)))
                 .orElse(standIn);
     }
 
@@ -212,6 +212,10 @@ public final class FastestEngine {
                 .sorted(Comparator.comparing(
                         time -> time.frame().orElse(null), Comparator.nullsLast(Comparator.naturalOrder())))
                 .toList();
+    }
+
+    private static Engine openUnmeasured(List<EngineOffer> candidates) {
+        return openFirst(candidates, List.of());
     }
 
     /** Those that drew, the fastest first; where none was ready in time, the paper's baseline, then any. */

@@ -1,7 +1,7 @@
 package dev.twister.cli;
 
+import java.util.List;
 import java.util.Locale;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
@@ -13,12 +13,14 @@ record ChoiceConverter<E extends Enum<E>>(Class<E> choices) implements ITypeConv
         return Stream.of(choices.getEnumConstants())
                 .filter(choice -> choice.name().equalsIgnoreCase(text))
                 .findFirst()
-                .orElseThrow(() -> new TypeConversionException("'" + text + "' is none of " + names()));
+                .orElseThrow(() ->
+                        new TypeConversionException("'" + text + "' is none of " + String.join(", ", names(choices))));
     }
 
-    private String names() {
+    /** As a user is told them. */
+    static <E extends Enum<E>> List<String> names(Class<E> choices) {
         return Stream.of(choices.getEnumConstants())
                 .map(choice -> choice.name().toLowerCase(Locale.ROOT))
-                .collect(Collectors.joining(", "));
+                .toList();
     }
 }

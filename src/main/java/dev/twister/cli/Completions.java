@@ -5,10 +5,8 @@ import dev.twister.engine.Engines;
 import dev.twister.scene.ToneMap;
 import dev.twister.sky.ShippedSky;
 import java.io.IOException;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.Iterator;
-import java.util.Locale;
 import java.util.stream.Stream;
 
 /** What shells offer where options and scenes are typed: picocli makes one of each class. */
@@ -37,25 +35,17 @@ final class Completions {
         }
     }
 
-    /** As the help writes them. */
     static final class OfToneMap implements Iterable<String> {
         @Override
         public Iterator<String> iterator() {
-            return lowerCase(ToneMap.values());
+            return ChoiceConverter.names(ToneMap.class).iterator();
         }
     }
 
-    /** As the help writes them. */
     static final class OfPreset implements Iterable<String> {
         @Override
         public Iterator<String> iterator() {
-            return lowerCase(ShippedSky.values());
+            return ChoiceConverter.names(ShippedSky.class).iterator();
         }
-    }
-
-    private static Iterator<String> lowerCase(Enum<?>... values) {
-        return Arrays.stream(values)
-                .map(value -> value.name().toLowerCase(Locale.ROOT))
-                .iterator();
     }
 }

@@ -63,15 +63,13 @@ final class BodyMouse {
 
     private void dragged(MouseEvent event) {
         drag.ifPresent(held -> {
+            // The one that it began on: it ends where another one is selected, or none.
             int body = studio.selectionProperty().get();
-            if (body != Layout.NOTHING) {
-                DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
-                Point2D place = place(event);
-                studio.edit(
-                        "move",
-                        scene -> BodyEdits.moved(
-                                scene, body, held.centerAt(picture.input(), place.getX(), place.getY())));
-            }
+            DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
+            Point2D place = place(event);
+            studio.edit(
+                    "move",
+                    scene -> BodyEdits.moved(scene, body, held.centerAt(picture.input(), place.getX(), place.getY())));
             event.consume();
         });
     }
