@@ -15,6 +15,9 @@ final class Bounce {
      */
     static void shade(Tile tile, BodyColumns bodies, float ambient) {
         float[] t = tile.values;
+        float lightRed = bodies.red(Layout.LIGHT);
+        float lightGreen = bodies.green(Layout.LIGHT);
+        float lightBlue = bodies.blue(Layout.LIGHT);
         float mirrorScale = tile.last ? 0f : 1f / Layout.MAX_REFLECTIVITY;
         tile.live.clear();
         for (int k = 0; k < tile.surfaces.count; k++) {
@@ -26,21 +29,18 @@ final class Bounce {
             FloatVector mirror = Lanes.load(t, at + Tile.REFLECTIVITY).mul(mirrorScale);
             FloatVector matte = throughput.mul(Lanes.all(1f).sub(mirror).mul(lit));
             FloatVector specular = throughput.mul(Lanes.load(t, at + Tile.SPECULAR));
-            add(t, at, Tile.RED, Tile.ALBEDO_RED, matte, specular, bodies.red[Layout.LIGHT]);
-            add(t, at, Tile.GREEN, Tile.ALBEDO_GREEN, matte, specular, bodies.green[Layout.LIGHT]);
-            add(t, at, Tile.BLUE, Tile.ALBEDO_BLUE, matte, specular, bodies.blue[Layout.LIGHT]);
+            FloatVector red = Lanes.fma(matte, Lanes.load(t, at + Tile.ALBEDO_RED), Lanes.load(t, at + Tile.RED));
+            FloatVector green = Lanes.fma(matte, Lanes.load(t, at + Tile.ALBEDO_GREEN), Lanes.load(t, at + Tile.GREEN));
+            FloatVector blue = Lanes.fma(matte, Lanes.load(t, at + Tile.ALBEDO_BLUE), Lanes.load(t, at + Tile.BLUE));
+            Lanes.fma(specular, Lanes.all(lightRed), red).intoArray(t, at + Tile.RED);
+            Lanes.fma(specular, Lanes.all(lightGreen), green).intoArray(t, at + Tile.GREEN);
+            Lanes.fma(specular, Lanes.all(lightBlue), blue).intoArray(t, at + Tile.BLUE);
             FloatVector passed = throughput.mul(mirror.mul(lit));
             passed.intoArray(t, at + Tile.THROUGHPUT);
             if (passed.compare(VectorOperators.GT, 0f).anyTrue()) {
                 tile.live.add(at);
             }
         }
-    }
-
-    private static void add(
-            float[] t, int at, int color, int albedo, FloatVector matte, FloatVector specular, float light) {
-        FloatVector diffuse = Lanes.fma(matte, Lanes.load(t, at + albedo), Lanes.load(t, at + color));
-        Lanes.fma(specular, Lanes.all(light), diffuse).intoArray(t, at + color);
     }
 
     /** Mirrors the live rays at the surfaces and starts them there. */

@@ -33,22 +33,23 @@ final class GroundSurface {
         float[] t = tile.values;
         float[] properties = drawing.input.rayTracingProperties();
         BodyColumns bodies = drawing.bodies;
+        float red = bodies.red(Layout.PLANE);
+        float green = bodies.green(Layout.PLANE);
+        float blue = bodies.blue(Layout.PLANE);
+        float reflectivity = bodies.reflectivity(Layout.PLANE);
+        float oddRed = properties[Layout.PLANE_ODD_COLOR];
+        float oddGreen = properties[Layout.PLANE_ODD_COLOR + 1];
+        float oddBlue = properties[Layout.PLANE_ODD_COLOR + 2];
         for (int k = 0; k < tile.grounds.count; k++) {
             int at = tile.grounds.places[k];
             FloatVector squares =
                     Lanes.floor(Lanes.load(t, at + Tile.POINT_X)).add(Lanes.floor(Lanes.load(t, at + Tile.POINT_Z)));
             FloatVector pairs = Lanes.floor(squares.mul(0.5f));
             VectorMask<Float> odd = pairs.add(pairs).compare(VectorOperators.NE, squares);
-            Lanes.all(bodies.red[Layout.PLANE])
-                    .blend(properties[Layout.PLANE_ODD_COLOR], odd)
-                    .intoArray(t, at + Tile.ALBEDO_RED);
-            Lanes.all(bodies.green[Layout.PLANE])
-                    .blend(properties[Layout.PLANE_ODD_COLOR + 1], odd)
-                    .intoArray(t, at + Tile.ALBEDO_GREEN);
-            Lanes.all(bodies.blue[Layout.PLANE])
-                    .blend(properties[Layout.PLANE_ODD_COLOR + 2], odd)
-                    .intoArray(t, at + Tile.ALBEDO_BLUE);
-            Lanes.all(bodies.reflectivity[Layout.PLANE]).intoArray(t, at + Tile.REFLECTIVITY);
+            Lanes.all(red).blend(oddRed, odd).intoArray(t, at + Tile.ALBEDO_RED);
+            Lanes.all(green).blend(oddGreen, odd).intoArray(t, at + Tile.ALBEDO_GREEN);
+            Lanes.all(blue).blend(oddBlue, odd).intoArray(t, at + Tile.ALBEDO_BLUE);
+            Lanes.all(reflectivity).intoArray(t, at + Tile.REFLECTIVITY);
         }
     }
 }

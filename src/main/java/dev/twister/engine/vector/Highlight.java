@@ -28,9 +28,9 @@ final class Highlight {
         float[] t = tile.values;
         for (int k = 0; k < tile.surfaces.count; k++) {
             int at = tile.surfaces.places[k];
-            FloatVector x = half(t, at, Tile.TO_LIGHT_X, Tile.DIRECTION_X);
-            FloatVector y = half(t, at, Tile.TO_LIGHT_Y, Tile.DIRECTION_Y);
-            FloatVector z = half(t, at, Tile.TO_LIGHT_Z, Tile.DIRECTION_Z);
+            FloatVector x = Lanes.load(t, at + Tile.TO_LIGHT_X).sub(Lanes.load(t, at + Tile.DIRECTION_X));
+            FloatVector y = Lanes.load(t, at + Tile.TO_LIGHT_Y).sub(Lanes.load(t, at + Tile.DIRECTION_Y));
+            FloatVector z = Lanes.load(t, at + Tile.TO_LIGHT_Z).sub(Lanes.load(t, at + Tile.DIRECTION_Z));
             FloatVector normalDotHalf = Lanes.fma(
                     x,
                     Lanes.load(t, at + Tile.NORMAL_X),
@@ -38,10 +38,6 @@ final class Highlight {
             FloatVector cosine = normalDotHalf.mul(Lanes.inverseRoot(Lanes.fma(x, x, Lanes.fma(y, y, z.mul(z)))));
             Lanes.smaller(Lanes.larger(cosine, Lanes.all(0f)), Lanes.all(1f)).intoArray(t, at + Tile.SPECULAR);
         }
-    }
-
-    private static FloatVector half(float[] t, int at, int toLight, int direction) {
-        return Lanes.load(t, at + toLight).sub(Lanes.load(t, at + direction));
     }
 
     /**

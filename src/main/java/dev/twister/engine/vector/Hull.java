@@ -74,13 +74,17 @@ final class Hull {
             sumY = sumY.blend(sumY.add(Lanes.load(t, at + Tile.DIRECTION_Y)), goesOn);
             sumZ = sumZ.blend(sumZ.add(Lanes.load(t, at + Tile.DIRECTION_Z)), goesOn);
         }
-        float length = setAxis(sum(sumX), sum(sumY), sum(sumZ));
+        sumX.intoArray(lanes, 0);
+        float x = sumOfLanes();
+        sumY.intoArray(lanes, 0);
+        float y = sumOfLanes();
+        sumZ.intoArray(lanes, 0);
+        float length = setAxis(x, y, sumOfLanes());
         holdCone(length > 0f ? leastCosine(tile, packets) : 0f);
     }
 
     /** In any order, unlike a vector's own sum. */
-    private float sum(FloatVector values) {
-        values.intoArray(lanes, 0);
+    private float sumOfLanes() {
         float sum = 0f;
         for (float lane : lanes) {
             sum += lane;

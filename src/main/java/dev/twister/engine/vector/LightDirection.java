@@ -11,12 +11,15 @@ final class LightDirection {
 
     /** Writes the unit vectors to the light, the distances, and the cosines against the normals. */
     static void find(Tile tile, BodyColumns bodies) {
+        float lightX = bodies.x[Layout.LIGHT];
+        float lightY = bodies.y[Layout.LIGHT];
+        float lightZ = bodies.z[Layout.LIGHT];
         float[] t = tile.values;
         for (int k = 0; k < tile.surfaces.count; k++) {
             int at = tile.surfaces.places[k];
-            FloatVector x = Lanes.all(bodies.x[Layout.LIGHT]).sub(Lanes.load(t, at + Tile.POINT_X));
-            FloatVector y = Lanes.all(bodies.y[Layout.LIGHT]).sub(Lanes.load(t, at + Tile.POINT_Y));
-            FloatVector z = Lanes.all(bodies.z[Layout.LIGHT]).sub(Lanes.load(t, at + Tile.POINT_Z));
+            FloatVector x = Lanes.all(lightX).sub(Lanes.load(t, at + Tile.POINT_X));
+            FloatVector y = Lanes.all(lightY).sub(Lanes.load(t, at + Tile.POINT_Y));
+            FloatVector z = Lanes.all(lightZ).sub(Lanes.load(t, at + Tile.POINT_Z));
             FloatVector squared = Lanes.fma(x, x, Lanes.fma(y, y, z.mul(z)));
             FloatVector inverse = Lanes.inverseRoot(squared);
             FloatVector unitX = x.mul(inverse);

@@ -9,6 +9,9 @@ final class LightHit {
     private LightHit() {}
 
     static void add(Tile tile, BodyColumns bodies) {
+        float red = bodies.red(Layout.LIGHT);
+        float green = bodies.green(Layout.LIGHT);
+        float blue = bodies.blue(Layout.LIGHT);
         float[] t = tile.values;
         for (int k = 0; k < tile.lights.count; k++) {
             int at = tile.lights.places[k];
@@ -16,11 +19,10 @@ final class LightHit {
                     .blend(
                             Lanes.load(t, at + Tile.THROUGHPUT),
                             Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.LIGHT));
-            Lanes.fma(throughput, Lanes.all(bodies.red[Layout.LIGHT]), Lanes.load(t, at + Tile.RED))
-                    .intoArray(t, at + Tile.RED);
-            Lanes.fma(throughput, Lanes.all(bodies.green[Layout.LIGHT]), Lanes.load(t, at + Tile.GREEN))
+            Lanes.fma(throughput, Lanes.all(red), Lanes.load(t, at + Tile.RED)).intoArray(t, at + Tile.RED);
+            Lanes.fma(throughput, Lanes.all(green), Lanes.load(t, at + Tile.GREEN))
                     .intoArray(t, at + Tile.GREEN);
-            Lanes.fma(throughput, Lanes.all(bodies.blue[Layout.LIGHT]), Lanes.load(t, at + Tile.BLUE))
+            Lanes.fma(throughput, Lanes.all(blue), Lanes.load(t, at + Tile.BLUE))
                     .intoArray(t, at + Tile.BLUE);
         }
     }

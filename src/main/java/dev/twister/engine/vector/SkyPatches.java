@@ -58,10 +58,14 @@ final class SkyPatches {
             FloatVector green = Lanes.all(0f);
             FloatVector blue = Lanes.all(0f);
             for (int row = 0; row < patches.rows[k]; row++) {
-                FloatVector high = nearness(toBottom, row);
+                // A texel's part along one side: 1 at its centre, 0 from the next texel's centre on.
+                FloatVector high =
+                        Lanes.larger(Lanes.all(1f).sub(toBottom.sub(row).abs()), Lanes.all(0f));
                 int texel = PaddedSky.NUMBERS_A_TEXEL * ((patches.top[k] + row) * sky.stride() + patches.left[k]);
                 for (int column = 0; column < patches.columns[k]; column++) {
-                    FloatVector weight = high.mul(nearness(toRight, column));
+                    FloatVector wide =
+                            Lanes.larger(Lanes.all(1f).sub(toRight.sub(column).abs()), Lanes.all(0f));
+                    FloatVector weight = high.mul(wide);
                     red = Lanes.fma(weight, Lanes.all(sky.value(texel)), red);
                     green = Lanes.fma(weight, Lanes.all(sky.value(texel + 1)), green);
                     blue = Lanes.fma(weight, Lanes.all(sky.value(texel + 2)), blue);
@@ -69,21 +73,10 @@ final class SkyPatches {
                 }
             }
             VectorMask<Float> met = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.NOTHING);
-            FloatVector throughput = Lanes.load(t, at + Tile.THROUGHPUT);
-            addChannel(t, at + Tile.RED, met, throughput, red);
-            addChannel(t, at + Tile.GREEN, met, throughput, green);
-            addChannel(t, at + Tile.BLUE, met, throughput, blue);
+            FloatVector throughput = Lanes.all(0f).blend(Lanes.load(t, at + Tile.THROUGHPUT), met);
+            Lanes.fma(throughput, red, Lanes.load(t, at + Tile.RED)).intoArray(t, at + Tile.RED);
+            Lanes.fma(throughput, green, Lanes.load(t, at + Tile.GREEN)).intoArray(t, at + Tile.GREEN);
+            Lanes.fma(throughput, blue, Lanes.load(t, at + Tile.BLUE)).intoArray(t, at + Tile.BLUE);
         }
-    }
-
-    /** A texel's part along one side, for lanes so far from it: 1 at its centre, 0 from the next texel's centre on. */
-    private static FloatVector nearness(FloatVector place, int texel) {
-        return Lanes.larger(Lanes.all(1f).sub(place.sub(texel).abs()), Lanes.all(0f));
-    }
-
-    private static void addChannel(
-            float[] t, int color, VectorMask<Float> met, FloatVector throughput, FloatVector radiance) {
-        FloatVector before = Lanes.load(t, color);
-        before.blend(Lanes.fma(throughput, radiance, before), met).intoArray(t, color);
     }
 }

@@ -15,35 +15,24 @@ final class SphereSurface {
         (tile, drawing) -> pick(tile, drawing.bodies), (tile, drawing) -> copy(tile, drawing.bodies),
     };
 
-    /** Where {@link BodyColumns#surfaces} go. */
-    private static final int[] FETCHED = {
-        Tile.NORMAL_X,
-        Tile.NORMAL_Y,
-        Tile.NORMAL_Z,
-        Tile.RADIUS,
-        Tile.ALBEDO_RED,
-        Tile.ALBEDO_GREEN,
-        Tile.ALBEDO_BLUE,
-        Tile.REFLECTIVITY
-    };
-
     private SphereSurface() {}
 
     /** Copies each lane's sphere into the lane. The centre goes to the normal's columns. */
     static void fetch(Tile tile, Drawing drawing) {
-        FETCHES[drawing.bodies.count <= Lanes.COUNT ? PICK : COPY].run(tile, drawing);
+        FETCHES[drawing.bodies.fitLanes() ? PICK : COPY].run(tile, drawing);
     }
 
     /** Where one vector holds a column of all bodies. */
     private static void pick(Tile tile, BodyColumns bodies) {
         float[] t = tile.values;
+        float[] columns = bodies.surfaceColumns;
         for (int k = 0; k < tile.spheres.count; k++) {
             int at = tile.spheres.places[k];
             FloatVector hit = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.HIT);
             VectorMask<Float> here = hit.compare(VectorOperators.GT, Layout.PLANE);
-            for (int column = 0; column < FETCHED.length; column++) {
-                int to = at + FETCHED[column];
-                FloatVector picked = hit.selectFrom(FloatVector.fromArray(Lanes.FLOATS, bodies.surfaces[column], 0));
+            for (int column = 0; column < BodyColumns.SURFACE_NUMBERS; column++) {
+                int to = at + Tile.SURFACE + column * Tile.SIZE;
+                FloatVector picked = hit.selectFrom(FloatVector.fromArray(Lanes.FLOATS, columns, column * Lanes.COUNT));
                 FloatVector.fromArray(Lanes.FLOATS, t, to).blend(picked, here).intoArray(t, to);
             }
         }
@@ -52,6 +41,7 @@ final class SphereSurface {
     /** Lane by lane. */
     private static void copy(Tile tile, BodyColumns bodies) {
         float[] t = tile.values;
+        float[] surfaces = bodies.surfaces;
         for (int k = 0; k < tile.spheres.count; k++) {
             int at = tile.spheres.places[k];
             long rest = Lanes.load(t, at + Tile.HIT)
@@ -59,9 +49,9 @@ final class SphereSurface {
                     .toLong();
             while (rest != 0) {
                 int pixel = at + Long.numberOfTrailingZeros(rest);
-                int body = (int) t[pixel + Tile.HIT];
-                for (int column = 0; column < FETCHED.length; column++) {
-                    t[pixel + FETCHED[column]] = bodies.surfaces[column][body];
+                int from = BodyColumns.SURFACE_NUMBERS * (int) t[pixel + Tile.HIT];
+                for (int number = 0; number < BodyColumns.SURFACE_NUMBERS; number++) {
+                    t[pixel + Tile.SURFACE + number * Tile.SIZE] = surfaces[from + number];
                 }
                 rest &= rest - 1;
             }

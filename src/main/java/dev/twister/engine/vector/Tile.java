@@ -42,12 +42,16 @@ final class Tile {
     static final int GREEN = 10 * SIZE;
     static final int BLUE = 11 * SIZE;
 
-    /** The surface met. */
+    /** The point met. */
     static final int POINT_X = 12 * SIZE;
 
     static final int POINT_Y = 13 * SIZE;
     static final int POINT_Z = 14 * SIZE;
-    static final int NORMAL_X = 15 * SIZE;
+
+    /** The surface met, from the normal to the reflectivity; at first a body's {@link BodyColumns#surfaces}, in their order. */
+    static final int SURFACE = 15 * SIZE;
+
+    static final int NORMAL_X = SURFACE;
     static final int NORMAL_Y = 16 * SIZE;
     static final int NORMAL_Z = 17 * SIZE;
     static final int RADIUS = 18 * SIZE;

@@ -5,7 +5,6 @@ import dev.twister.kernel.Layout;
 import dev.twister.kernel.PixelKernel;
 import dev.twister.kernel.ToneMapping;
 import jdk.incubator.vector.FloatVector;
-import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorOperators;
 
 /** From a tile's linear colours to 8-bit ARGB: {@link ToneMapping}. */
@@ -80,19 +79,15 @@ final class ToneStage {
     static void pack(Tile tile) {
         float[] t = tile.values;
         for (int at = 0; at < Tile.SIZE; at += Lanes.COUNT) {
-            IntVector red = quantized(t, at + Tile.RED);
-            IntVector green = quantized(t, at + Tile.GREEN);
-            IntVector blue = quantized(t, at + Tile.BLUE);
-            red.lanewise(VectorOperators.LSHL, 16)
-                    .or(green.lanewise(VectorOperators.LSHL, 8))
-                    .or(blue)
+            FloatVector red = Lanes.smaller(Lanes.load(t, at + Tile.RED), Lanes.all(1f));
+            FloatVector green = Lanes.smaller(Lanes.load(t, at + Tile.GREEN), Lanes.all(1f));
+            FloatVector blue = Lanes.smaller(Lanes.load(t, at + Tile.BLUE), Lanes.all(1f));
+            Lanes.truncated(red.mul(255f).add(0.5f))
+                    .lanewise(VectorOperators.LSHL, 16)
+                    .or(Lanes.truncated(green.mul(255f).add(0.5f)).lanewise(VectorOperators.LSHL, 8))
+                    .or(Lanes.truncated(blue.mul(255f).add(0.5f)))
                     .or(PixelKernel.OPAQUE)
                     .intoArray(tile.argb, at);
         }
-    }
-
-    private static IntVector quantized(float[] t, int at) {
-        FloatVector shown = Lanes.smaller(Lanes.load(t, at), Lanes.all(1f));
-        return Lanes.truncated(shown.mul(255f).add(0.5f));
     }
 }

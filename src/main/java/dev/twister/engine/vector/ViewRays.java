@@ -19,14 +19,21 @@ final class ViewRays {
         float forwardX = eye * camera[Layout.CAMERA_FORWARD];
         float forwardY = eye * camera[Layout.CAMERA_FORWARD + 1];
         float forwardZ = eye * camera[Layout.CAMERA_FORWARD + 2];
+        // Read once: for all that the compiler knows, each store of a lane might change the camera.
+        float rightX = camera[Layout.CAMERA_RIGHT];
+        float rightY = camera[Layout.CAMERA_RIGHT + 1];
+        float rightZ = camera[Layout.CAMERA_RIGHT + 2];
+        float upX = camera[Layout.CAMERA_UP];
+        float upY = camera[Layout.CAMERA_UP + 1];
+        float upZ = camera[Layout.CAMERA_UP + 2];
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
             FloatVector u = Lanes.load(tile.placeX, at).add(left).mul(step);
             FloatVector v = Lanes.all(above).sub(Lanes.load(tile.placeY, at)).mul(step);
-            FloatVector directionX = turned(u, v, camera, 0, forwardX);
-            FloatVector directionY = turned(u, v, camera, 1, forwardY);
-            FloatVector directionZ = turned(u, v, camera, 2, forwardZ);
+            FloatVector directionX = Lanes.fma(u, Lanes.all(rightX), Lanes.fma(v, Lanes.all(upX), Lanes.all(forwardX)));
+            FloatVector directionY = Lanes.fma(u, Lanes.all(rightY), Lanes.fma(v, Lanes.all(upY), Lanes.all(forwardY)));
+            FloatVector directionZ = Lanes.fma(u, Lanes.all(rightZ), Lanes.fma(v, Lanes.all(upZ), Lanes.all(forwardZ)));
             FloatVector inverse = Lanes.inverseRoot(
                     Lanes.fma(directionX, directionX, Lanes.fma(directionY, directionY, directionZ.mul(directionZ))));
             directionX.mul(inverse).intoArray(t, at + Tile.DIRECTION_X);
@@ -65,13 +72,6 @@ final class ViewRays {
         return u * camera[Layout.CAMERA_RIGHT + axis]
                 + v * camera[Layout.CAMERA_UP + axis]
                 + camera[Layout.CAMERA_EYE_DISTANCE] * camera[Layout.CAMERA_FORWARD + axis];
-    }
-
-    /** One coordinate of {@code u * right + v * up + forward}. */
-    private static FloatVector turned(FloatVector u, FloatVector v, float[] camera, int axis, float forward) {
-        FloatVector right = Lanes.all(camera[Layout.CAMERA_RIGHT + axis]);
-        FloatVector up = Lanes.all(camera[Layout.CAMERA_UP + axis]);
-        return Lanes.fma(u, right, Lanes.fma(v, up, Lanes.all(forward)));
     }
 
     /** Puts all rays at the camera, leaving nothing, with a whole throughput. */

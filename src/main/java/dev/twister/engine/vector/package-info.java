@@ -5,7 +5,9 @@
  *
  * <p>A tile is drawn in stages. Each stage is one short loop over the tile's packets, reads and writes {@code float[]}
  * columns of the {@link dev.twister.engine.vector.Tile}, and holds vectors in local variables only. That is on purpose:
- * past some 60 vector operations, or 325 bytecodes, a method is no longer inlined whole, and vectors become objects.
+ * past some 60 vector operations, or 325 bytecodes, a method is no longer inlined whole, and vectors become objects. For the
+ * same reason no method but those of {@code Lanes}, which the launcher has the JVM always inline, takes or returns a vector:
+ * once in some dozens of JVMs a helper is not inlined, for good.
  *
  * <p>Where a product is added in one step, that is {@code Lanes.fma}, as not every CPU has the Vector API's own.
  */
