@@ -35,9 +35,6 @@ final class BodyColumns {
     /** Light, plane and spheres, without the blanks. */
     int count;
 
-    /** The light and all spheres: what culling starts from. */
-    final BodyList round = new BodyList();
-
     private FrameInput source;
 
     @SuppressWarnings("ReferenceEquality") // an input's arrays never change
@@ -63,18 +60,13 @@ final class BodyColumns {
             z = new float[padded];
             radius = new float[padded];
             surfaces = new float[SURFACE_NUMBERS * padded];
-            round.reserve(padded);
         }
-        round.clear();
         for (int body = 0; body < count; body++) {
             x[body] = input.bodyPositions()[3 * body];
             y[body] = input.bodyPositions()[3 * body + 1];
             z[body] = input.bodyPositions()[3 * body + 2];
             radius[body] = input.bodySizes()[body];
             copySurface(input, body);
-            if (body != Layout.PLANE) {
-                round.add(body);
-            }
         }
         if (fitLanes()) {
             for (int at = 0; at < SURFACE_NUMBERS * count; at++) {

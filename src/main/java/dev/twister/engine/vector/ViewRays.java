@@ -76,12 +76,15 @@ final class ViewRays {
 
     /** Puts all rays at the camera, leaving nothing, with a whole throughput. */
     static void place(Tile tile, float[] camera) {
+        float x = camera[Layout.CAMERA_POSITION];
+        float y = camera[Layout.CAMERA_POSITION + 1];
+        float z = camera[Layout.CAMERA_POSITION + 2];
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
-            Lanes.all(camera[Layout.CAMERA_POSITION]).intoArray(t, at + Tile.ORIGIN_X);
-            Lanes.all(camera[Layout.CAMERA_POSITION + 1]).intoArray(t, at + Tile.ORIGIN_Y);
-            Lanes.all(camera[Layout.CAMERA_POSITION + 2]).intoArray(t, at + Tile.ORIGIN_Z);
+            Lanes.all(x).intoArray(t, at + Tile.ORIGIN_X);
+            Lanes.all(y).intoArray(t, at + Tile.ORIGIN_Y);
+            Lanes.all(z).intoArray(t, at + Tile.ORIGIN_Z);
             Lanes.all(Layout.NOTHING).intoArray(t, at + Tile.LEAVING);
             Lanes.all(1f).intoArray(t, at + Tile.THROUGHPUT);
         }
