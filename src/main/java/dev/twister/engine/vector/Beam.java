@@ -142,7 +142,7 @@ final class Beam {
      *
      * @param boxes {@link WideHierarchy#boxes}
      * @param at where the node's are
-     * @param entries gets the t from which on each box may be met, at least 0
+     * @param entries gets the t from which on each box may be met, at least 0; from {@link Lanes#BORDER} on
      */
     long meeting(float[] boxes, int at, float[] entries) {
         int sides = 3 * Lanes.COUNT;
@@ -174,7 +174,7 @@ final class Beam {
         IntVector farY = fromY.mul(y.farScale).add(y.farAddition).reinterpretAsInts();
         IntVector farZ = fromZ.mul(z.farScale).add(z.farAddition).reinterpretAsInts();
         far = far.min(Float.floatToRawIntBits(end)).min(farY.min(farZ));
-        near.reinterpretAsFloats().intoArray(entries, 0);
+        near.reinterpretAsFloats().intoArray(entries, Lanes.BORDER);
         return near.compare(VectorOperators.LE, far).toLong();
     }
 

@@ -29,8 +29,8 @@ final class BodyColumns {
     /** All that shading asks, {@value #SURFACE_NUMBERS} numbers a body, body by body. */
     float[] surfaces = {};
 
-    /** The same in columns of {@link Lanes#COUNT}, where so many hold all bodies. */
-    final float[] surfaceColumns = new float[SURFACE_NUMBERS * Lanes.COUNT];
+    /** The same in columns of {@link Lanes#COUNT}, from {@link Lanes#BORDER} on, where so many hold all bodies. */
+    final float[] surfaceColumns = new float[Lanes.BORDER + SURFACE_NUMBERS * Lanes.COUNT];
 
     /** Light, plane and spheres, without the blanks. */
     int count;
@@ -70,7 +70,8 @@ final class BodyColumns {
         }
         if (fitLanes()) {
             for (int at = 0; at < SURFACE_NUMBERS * count; at++) {
-                surfaceColumns[at % SURFACE_NUMBERS * Lanes.COUNT + at / SURFACE_NUMBERS] = surfaces[at];
+                int column = Lanes.BORDER + at % SURFACE_NUMBERS * Lanes.COUNT;
+                surfaceColumns[column + at / SURFACE_NUMBERS] = surfaces[at];
             }
         }
         radius[Layout.PLANE] = NOTHING_THERE;

@@ -6,8 +6,8 @@ import dev.twister.kernel.Layout;
 final class Descent {
     private static final int ROOM = (Layout.MOST_ANCESTORS + 2) * Lanes.COUNT;
 
-    /** Where the beam meets each child of the node tested last. */
-    private final float[] childEntries = new float[Lanes.COUNT];
+    /** Where the beam meets each child of the node tested last, from {@link Lanes#BORDER} on. */
+    private final float[] childEntries = new float[Lanes.BORDER + Lanes.COUNT];
 
     /** Links. */
     private final int[] children = new int[ROOM];
@@ -23,12 +23,12 @@ final class Descent {
 
     /** Adds the node's children that the beam may meet before its end, the nearest last. */
     private void open(WideHierarchy hierarchy, Beam beam, int node) {
-        long met = beam.meeting(hierarchy.boxes, node * WideHierarchy.BOX_STRIDE, childEntries);
+        long met = beam.meeting(hierarchy.boxes, WideHierarchy.FIRST + node * WideHierarchy.BOX_STRIDE, childEntries);
         int bottom = waiting;
         while (met != 0L) {
             int child = Long.numberOfTrailingZeros(met);
             met &= met - 1;
-            float entry = childEntries[child];
+            float entry = childEntries[Lanes.BORDER + child];
             int place = waiting;
             while (place > bottom && entries[place - 1] < entry) {
                 entries[place] = entries[place - 1];
@@ -36,7 +36,7 @@ final class Descent {
                 place--;
             }
             entries[place] = entry;
-            children[place] = hierarchy.links[node * Lanes.COUNT + child];
+            children[place] = hierarchy.links[WideHierarchy.FIRST + node * Lanes.COUNT + child];
             waiting++;
         }
     }

@@ -76,11 +76,12 @@ final class Drawing {
 
     private void takeLight() {
         light.reserveBlocks(1);
-        light.values[0] = bodies.x[Layout.LIGHT];
-        light.values[SphereColumns.Y * Lanes.COUNT] = bodies.y[Layout.LIGHT];
-        light.values[SphereColumns.Z * Lanes.COUNT] = bodies.z[Layout.LIGHT];
-        light.values[SphereColumns.RADIUS * Lanes.COUNT] = bodies.radius[Layout.LIGHT];
-        light.values[SphereColumns.BODY * Lanes.COUNT] = Layout.LIGHT;
+        int at = SphereColumns.FIRST;
+        light.values[at] = bodies.x[Layout.LIGHT];
+        light.values[at + SphereColumns.Y * Lanes.COUNT] = bodies.y[Layout.LIGHT];
+        light.values[at + SphereColumns.Z * Lanes.COUNT] = bodies.z[Layout.LIGHT];
+        light.values[at + SphereColumns.RADIUS * Lanes.COUNT] = bodies.radius[Layout.LIGHT];
+        light.values[at + SphereColumns.BODY * Lanes.COUNT] = Layout.LIGHT;
     }
 
     private void takeDisc(float[] disc) {

@@ -43,7 +43,7 @@ final class LaneSteps {
             return 0;
         },
         (tile, drawing, at, item) -> {
-            PacketHits.meet(tile.values, at, drawing.light.values, 0, 1);
+            PacketHits.meet(tile.values, at, drawing.light.values, SphereColumns.FIRST, 1);
             return 0;
         },
         (tile, drawing, at, item) -> {

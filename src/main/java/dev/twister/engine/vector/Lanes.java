@@ -22,6 +22,13 @@ final class Lanes {
     /** Whether lanes can be packed together by the CPU; where they cannot, {@code compress} makes objects. */
     static final boolean PACK = FLOATS.vectorBitSize() == 512;
 
+    /**
+     * The first place of arrays that vectors are read from and written to: behind the 16 bytes of an array's header, so many
+     * floats or ints later a cache line begins where the JVM lays every object on the border of one (see
+     * {@code scripts/jvm.options}). A vector that lies across two lines takes twice as long; elsewhere it means nothing.
+     */
+    static final int BORDER = 12;
+
     private static final boolean FUSED = FusedMultiplyAdd.isFast();
 
     private Lanes() {}

@@ -18,7 +18,7 @@ final class Leaves {
 
     int end;
 
-    private final float[] entries = new float[Lanes.COUNT];
+    private final float[] entries = new float[Lanes.BORDER + Lanes.COUNT];
 
     /**
      * Finds them; where a beam meets too many, a {@link Descent} that goes to the nearest first is better.
@@ -46,8 +46,8 @@ final class Leaves {
     }
 
     private int append(WideHierarchy hierarchy, Beam beam, int node, int tail) {
-        long met = beam.meeting(hierarchy.boxes, node * WideHierarchy.BOX_STRIDE, entries);
-        Lanes.pack(hierarchy.links, node * Lanes.COUNT, met, links, tail);
+        long met = beam.meeting(hierarchy.boxes, WideHierarchy.FIRST + node * WideHierarchy.BOX_STRIDE, entries);
+        Lanes.pack(hierarchy.links, WideHierarchy.FIRST + node * Lanes.COUNT, met, links, tail);
         return tail + Long.bitCount(met);
     }
 }

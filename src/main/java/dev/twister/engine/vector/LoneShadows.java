@@ -17,7 +17,7 @@ final class LoneShadows {
         for (int pixel = at; pixel < at + Lanes.COUNT; pixel++) {
             if (t[pixel + Tile.SHADOW_OPEN] > 0f) {
                 candidates.start(t, pixel, drawing.discRadius);
-                boolean dark = candidates.add(near, 0, count);
+                boolean dark = candidates.add(near, SphereColumns.FIRST, count);
                 t[pixel + Tile.VISIBLE] = dark ? 0f : visible(candidates, drawing);
             }
         }

@@ -145,10 +145,10 @@ final class PacketHits {
                         .and(within.compare(VectorOperators.GE, 0f))
                         .toLong();
                 if (met != 0L) {
-                    along.sub(within.sqrt()).intoArray(distances, 0);
+                    along.sub(within.sqrt()).intoArray(distances, Lanes.BORDER);
                     for (long rest = met; rest != 0L; rest &= rest - 1) {
                         int lane = Long.numberOfTrailingZeros(rest);
-                        float distance = distances[lane];
+                        float distance = distances[Lanes.BORDER + lane];
                         float body = spheres[first + SphereColumns.BODY * Lanes.COUNT + lane];
                         boolean closer = distance < closest || (distance == closest && body < hit);
                         if (closer && distance > 0f && body != leaving) {

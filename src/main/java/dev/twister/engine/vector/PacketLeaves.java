@@ -61,7 +61,7 @@ final class PacketLeaves {
             int beam = links[head] >>> WideHierarchy.BEAM_SHIFT;
             int node = WideHierarchy.node(links[head]);
             head++;
-            int at = node * WideHierarchy.BOX_STRIDE;
+            int at = WideHierarchy.FIRST + node * WideHierarchy.BOX_STRIDE;
             int x = at + sides[beam];
             int y = at + Lanes.COUNT + sides[beam + Lanes.COUNT];
             int z = at + 2 * Lanes.COUNT + sides[beam + 2 * Lanes.COUNT];
@@ -106,13 +106,18 @@ final class PacketLeaves {
             far = far.min(beams.ends[beam]).min(nextY.min(nextZ));
             VectorMask<Integer> met = near.compare(VectorOperators.LE, far);
             if (Lanes.PACK) {
-                IntVector.fromArray(Lanes.INTS, hierarchy.links, node * Lanes.COUNT)
+                IntVector.fromArray(Lanes.INTS, hierarchy.links, WideHierarchy.FIRST + node * Lanes.COUNT)
                         .or(beam << WideHierarchy.BEAM_SHIFT)
                         .compress(met)
                         .intoArray(links, tail);
                 tail += met.trueCount();
             } else {
-                tail = keep(hierarchy.links, node * Lanes.COUNT, met.toLong(), beam << WideHierarchy.BEAM_SHIFT, tail);
+                tail = keep(
+                        hierarchy.links,
+                        WideHierarchy.FIRST + node * Lanes.COUNT,
+                        met.toLong(),
+                        beam << WideHierarchy.BEAM_SHIFT,
+                        tail);
             }
         }
         first = head;

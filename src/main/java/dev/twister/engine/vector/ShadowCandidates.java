@@ -53,10 +53,11 @@ final class ShadowCandidates {
         ShadowScratch scratch = tile.shadow;
         scratch.startPacket();
         LaneSteps.run(LaneSteps.BETWEEN, tile, drawing, at, count);
+        int bodies = SphereColumns.FIRST + SphereColumns.BODY * near.stride;
         for (int sphere = 0; sphere < count; sphere++) {
             long between = scratch.betweens[sphere];
             if (between != 0) {
-                judge(tile, drawing, at, (int) near.values[sphere + SphereColumns.BODY * near.stride], between);
+                judge(tile, drawing, at, (int) near.values[bodies + sphere], between);
             }
         }
         return LaneSteps.run(LaneSteps.FINISH_PACKET, tile, drawing, at, 0) != 0;
@@ -83,7 +84,8 @@ final class ShadowCandidates {
         FloatVector tangent = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISC_TANGENT);
         FloatVector secant = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISC_SECANT);
         FloatVector farthest = distance.mul(SoftShadow.RELATIVE_MARGIN);
-        for (int sphere = 0; sphere < count; sphere++) {
+        for (int k = 0; k < count; k++) {
+            int sphere = SphereColumns.FIRST + k;
             float radius = spheres[sphere + SphereColumns.RADIUS * stride];
             FloatVector x = FloatVector.broadcast(Lanes.FLOATS, spheres[sphere]).sub(pointX);
             FloatVector y = FloatVector.broadcast(Lanes.FLOATS, spheres[sphere + SphereColumns.Y * stride])
@@ -100,7 +102,7 @@ final class ShadowCandidates {
                     Lanes.fma(along, tangent, secant.mul(radius)),
                     FloatVector.broadcast(Lanes.FLOATS, SoftShadow.RELATIVE_MARGIN),
                     margin);
-            betweens[sphere] = reach.compare(VectorOperators.GT, 0f)
+            betweens[k] = reach.compare(VectorOperators.GT, 0f)
                     .and(across.compare(VectorOperators.LE, reach.mul(reach)))
                     .and(along.compare(VectorOperators.GT, -radius))
                     .and(along.sub(radius).compare(VectorOperators.LT, farthest))

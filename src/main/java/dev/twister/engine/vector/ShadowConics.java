@@ -121,7 +121,7 @@ final class ShadowConics {
     /** Counts the samples that any of the candidates blocks. */
     static void countAny(ShadowScratch scratch, float[] disc, int samples) {
         scratch.reserveConics(samples);
-        Arrays.fill(scratch.conics, 0, samples * Lanes.COUNT, ABOVE);
+        Arrays.fill(scratch.conics, Lanes.BORDER, Lanes.BORDER + samples * Lanes.COUNT, ABOVE);
         for (int c = 0; c < scratch.candidates.count; c++) {
             PASSES[LOWER].run(scratch, disc, samples, c * ShadowScratch.STRIDE);
         }
@@ -143,8 +143,9 @@ final class ShadowConics {
             FloatVector y = FloatVector.broadcast(Lanes.FLOATS, disc[2 * sample + 1]);
             FloatVector inX = Lanes.fma(Lanes.fma(xy, y, Lanes.fma(xx, x, linearX)), x, constant);
             FloatVector conic = Lanes.fma(Lanes.fma(yy, y, linearY), y, inX);
-            FloatVector before = FloatVector.fromArray(Lanes.FLOATS, conics, sample * Lanes.COUNT);
-            conic.blend(before, before.compare(VectorOperators.LT, conic)).intoArray(conics, sample * Lanes.COUNT);
+            FloatVector before = FloatVector.fromArray(Lanes.FLOATS, conics, Lanes.BORDER + sample * Lanes.COUNT);
+            conic.blend(before, before.compare(VectorOperators.LT, conic))
+                    .intoArray(conics, Lanes.BORDER + sample * Lanes.COUNT);
         }
     }
 
@@ -153,7 +154,7 @@ final class ShadowConics {
         float[] conics = scratch.conics;
         IntVector blocked = IntVector.zero(Lanes.INTS);
         for (int sample = 0; sample < samples; sample++) {
-            FloatVector conic = FloatVector.fromArray(Lanes.FLOATS, conics, sample * Lanes.COUNT);
+            FloatVector conic = FloatVector.fromArray(Lanes.FLOATS, conics, Lanes.BORDER + sample * Lanes.COUNT);
             blocked = blocked.add(conic.reinterpretAsInts().lanewise(VectorOperators.LSHR, SIGN));
         }
         Lanes.toFloats(blocked).intoArray(scratch.frame, ShadowScratch.BLOCKED);

@@ -3,36 +3,36 @@ package dev.twister.engine.vector;
 /** What is known of a packet's shadow candidates, {@link Lanes#COUNT} floats a fact; grows, never shrinks. */
 final class ShadowScratch {
     /** The disc's axes U (its x is 0) and W. */
-    static final int U_Y = 0;
+    static final int U_Y = Lanes.BORDER;
 
-    static final int U_Z = Lanes.COUNT;
-    static final int W_X = 2 * Lanes.COUNT;
-    static final int W_Y = 3 * Lanes.COUNT;
-    static final int W_Z = 4 * Lanes.COUNT;
+    static final int U_Z = U_Y + Lanes.COUNT;
+    static final int W_X = U_Y + 2 * Lanes.COUNT;
+    static final int W_Y = U_Y + 3 * Lanes.COUNT;
+    static final int W_Z = U_Y + 4 * Lanes.COUNT;
 
     /** From the unit disc to the plane at distance 1. */
-    static final int SCALE = 5 * Lanes.COUNT;
+    static final int SCALE = U_Y + 5 * Lanes.COUNT;
 
     /** How many samples are blocked. */
-    static final int BLOCKED = 6 * Lanes.COUNT;
+    static final int BLOCKED = U_Y + 6 * Lanes.COUNT;
 
-    private static final int FRAME_LENGTH = 7 * Lanes.COUNT;
+    private static final int FRAME_LENGTH = U_Y + 7 * Lanes.COUNT;
 
     /** A candidate's centre along A, U and W, and its squared radius: less than 0 in lanes it cannot shade. */
-    static final int ALONG = 0;
+    static final int ALONG = Lanes.BORDER;
 
-    static final int ACROSS_U = Lanes.COUNT;
-    static final int ACROSS_W = 2 * Lanes.COUNT;
-    static final int RADIUS_SQUARED = 3 * Lanes.COUNT;
+    static final int ACROSS_U = ALONG + Lanes.COUNT;
+    static final int ACROSS_W = ALONG + 2 * Lanes.COUNT;
+    static final int RADIUS_SQUARED = ALONG + 3 * Lanes.COUNT;
 
     /** The conic {@code xx X^2 + xy X Y + yy Y^2 + x X + y Y + c} over the unit disc, below 0 where a sample is blocked. */
-    static final int XX = 4 * Lanes.COUNT;
+    static final int XX = ALONG + 4 * Lanes.COUNT;
 
-    static final int XY = 5 * Lanes.COUNT;
-    static final int YY = 6 * Lanes.COUNT;
-    static final int X = 7 * Lanes.COUNT;
-    static final int Y = 8 * Lanes.COUNT;
-    static final int CONSTANT = 9 * Lanes.COUNT;
+    static final int XY = ALONG + 5 * Lanes.COUNT;
+    static final int YY = ALONG + 6 * Lanes.COUNT;
+    static final int X = ALONG + 7 * Lanes.COUNT;
+    static final int Y = ALONG + 8 * Lanes.COUNT;
+    static final int CONSTANT = ALONG + 9 * Lanes.COUNT;
 
     /** From one candidate to the next. */
     static final int STRIDE = 10 * Lanes.COUNT;
@@ -58,9 +58,9 @@ final class ShadowScratch {
     final float[] frame = new float[FRAME_LENGTH];
 
     /** The facts of {@link #candidates}. */
-    float[] facts = new float[16 * STRIDE];
+    float[] facts = new float[ALONG + 16 * STRIDE];
 
-    /** The lowest conic at each sample, {@link Lanes#COUNT} floats a sample. */
+    /** The lowest conic at each sample, {@link Lanes#COUNT} floats a sample, from {@link Lanes#BORDER} on. */
     float[] conics = {};
 
     /** Whether conics tell what each candidate blocks, from all points that it may shade. */
@@ -88,15 +88,16 @@ final class ShadowScratch {
 
     /** Makes room for the conics at so many samples. */
     void reserveConics(int samples) {
-        if (conics.length < samples * Lanes.COUNT) {
-            conics = new float[samples * Lanes.COUNT];
+        int length = Lanes.BORDER + samples * Lanes.COUNT;
+        if (conics.length < length) {
+            conics = new float[length];
         }
     }
 
     /** Makes room for the facts of so many candidates. */
     void reserveFacts(int count) {
-        if (facts.length < count * STRIDE) {
-            facts = new float[2 * Integer.highestOneBit(count) * STRIDE];
+        if (facts.length < ALONG + count * STRIDE) {
+            facts = new float[ALONG + 2 * Integer.highestOneBit(count) * STRIDE];
         }
     }
 }

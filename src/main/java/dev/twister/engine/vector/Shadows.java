@@ -94,7 +94,7 @@ final class Shadows {
             int first = WideHierarchy.firstBlock(leaf);
             for (int left = WideHierarchy.blocks(leaf); left > 0 && count <= MOST_NEAR; left--) {
                 long met = tile.beam.meeting(spheres, first);
-                tile.near.copy(count, spheres, first, met);
+                tile.near.copy(SphereColumns.FIRST + count, spheres, first, met);
                 count += Long.bitCount(met);
                 first += spheres.step;
             }

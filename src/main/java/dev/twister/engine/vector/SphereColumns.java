@@ -18,6 +18,9 @@ final class SphereColumns {
 
     static final int COLUMNS = 5;
 
+    /** Where the first sphere's x lies. */
+    static final int FIRST = Lanes.BORDER;
+
     float[] values = {};
 
     /** From one column to the next. */
@@ -31,7 +34,7 @@ final class SphereColumns {
         if (stride < most + Lanes.COUNT) {
             stride = most + Lanes.COUNT;
             step = Lanes.COUNT;
-            values = new float[COLUMNS * stride];
+            values = new float[FIRST + COLUMNS * stride];
         }
     }
 
@@ -39,8 +42,8 @@ final class SphereColumns {
     void reserveBlocks(int most) {
         stride = Lanes.COUNT;
         step = COLUMNS * Lanes.COUNT;
-        if (values.length < most * step) {
-            values = Arrays.copyOf(values, 2 * most * step);
+        if (values.length < FIRST + most * step) {
+            values = Arrays.copyOf(values, FIRST + 2 * most * step);
         }
     }
 

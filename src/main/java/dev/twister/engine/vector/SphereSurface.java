@@ -32,7 +32,8 @@ final class SphereSurface {
             VectorMask<Float> here = hit.compare(VectorOperators.GT, Layout.PLANE);
             for (int column = 0; column < BodyColumns.SURFACE_NUMBERS; column++) {
                 int to = at + Tile.SURFACE + column * Tile.SIZE;
-                FloatVector picked = hit.selectFrom(FloatVector.fromArray(Lanes.FLOATS, columns, column * Lanes.COUNT));
+                FloatVector picked = hit.selectFrom(
+                        FloatVector.fromArray(Lanes.FLOATS, columns, Lanes.BORDER + column * Lanes.COUNT));
                 FloatVector.fromArray(Lanes.FLOATS, t, to).blend(picked, here).intoArray(t, to);
             }
         }

@@ -21,52 +21,52 @@ final class Tile {
     static final int BLOCK = BLOCK_SIDE * BLOCK_SIDE;
 
     /** The ray: a unit vector, and where it starts. */
-    static final int DIRECTION_X = 0;
+    static final int DIRECTION_X = Lanes.BORDER;
 
-    static final int DIRECTION_Y = SIZE;
-    static final int DIRECTION_Z = 2 * SIZE;
-    static final int ORIGIN_X = 3 * SIZE;
-    static final int ORIGIN_Y = 4 * SIZE;
-    static final int ORIGIN_Z = 5 * SIZE;
+    static final int DIRECTION_Y = DIRECTION_X + SIZE;
+    static final int DIRECTION_Z = DIRECTION_X + 2 * SIZE;
+    static final int ORIGIN_X = DIRECTION_X + 3 * SIZE;
+    static final int ORIGIN_Y = DIRECTION_X + 4 * SIZE;
+    static final int ORIGIN_Z = DIRECTION_X + 5 * SIZE;
 
     /** Metres along the ray to what it meets. */
-    static final int DISTANCE = 6 * SIZE;
+    static final int DISTANCE = DIRECTION_X + 6 * SIZE;
 
     /** The body met, as a float (exact far beyond any scene): {@link Layout}'s numbers, or {@link #ENDED}. */
-    static final int HIT = 7 * SIZE;
+    static final int HIT = DIRECTION_X + 7 * SIZE;
 
     /** What part of the light found from here on reaches the pixel; 0 once the path has ended. */
-    static final int THROUGHPUT = 8 * SIZE;
+    static final int THROUGHPUT = DIRECTION_X + 8 * SIZE;
 
-    static final int RED = 9 * SIZE;
-    static final int GREEN = 10 * SIZE;
-    static final int BLUE = 11 * SIZE;
+    static final int RED = DIRECTION_X + 9 * SIZE;
+    static final int GREEN = DIRECTION_X + 10 * SIZE;
+    static final int BLUE = DIRECTION_X + 11 * SIZE;
 
     /** The point met. */
-    static final int POINT_X = 12 * SIZE;
+    static final int POINT_X = DIRECTION_X + 12 * SIZE;
 
-    static final int POINT_Y = 13 * SIZE;
-    static final int POINT_Z = 14 * SIZE;
+    static final int POINT_Y = DIRECTION_X + 13 * SIZE;
+    static final int POINT_Z = DIRECTION_X + 14 * SIZE;
 
     /** The surface met, from the normal to the reflectivity; at first a body's {@link BodyColumns#surfaces}, in their order. */
-    static final int SURFACE = 15 * SIZE;
+    static final int SURFACE = DIRECTION_X + 15 * SIZE;
 
     static final int NORMAL_X = SURFACE;
-    static final int NORMAL_Y = 16 * SIZE;
-    static final int NORMAL_Z = 17 * SIZE;
-    static final int RADIUS = 18 * SIZE;
-    static final int ALBEDO_RED = 19 * SIZE;
-    static final int ALBEDO_GREEN = 20 * SIZE;
-    static final int ALBEDO_BLUE = 21 * SIZE;
-    static final int REFLECTIVITY = 22 * SIZE;
+    static final int NORMAL_Y = DIRECTION_X + 16 * SIZE;
+    static final int NORMAL_Z = DIRECTION_X + 17 * SIZE;
+    static final int RADIUS = DIRECTION_X + 18 * SIZE;
+    static final int ALBEDO_RED = DIRECTION_X + 19 * SIZE;
+    static final int ALBEDO_GREEN = DIRECTION_X + 20 * SIZE;
+    static final int ALBEDO_BLUE = DIRECTION_X + 21 * SIZE;
+    static final int REFLECTIVITY = DIRECTION_X + 22 * SIZE;
 
     /** The light, seen from the surface: a unit vector, metres. */
-    static final int TO_LIGHT_X = 23 * SIZE;
+    static final int TO_LIGHT_X = DIRECTION_X + 23 * SIZE;
 
-    static final int TO_LIGHT_Y = 24 * SIZE;
-    static final int TO_LIGHT_Z = 25 * SIZE;
-    static final int LIGHT_DISTANCE = 26 * SIZE;
-    static final int NORMAL_DOT_LIGHT = 27 * SIZE;
+    static final int TO_LIGHT_Y = DIRECTION_X + 24 * SIZE;
+    static final int TO_LIGHT_Z = DIRECTION_X + 25 * SIZE;
+    static final int LIGHT_DISTANCE = DIRECTION_X + 26 * SIZE;
+    static final int NORMAL_DOT_LIGHT = DIRECTION_X + 27 * SIZE;
 
     /** The point met, seen from its sphere's centre; needed only until the light's direction is. */
     static final int FROM_CENTER_X = TO_LIGHT_X;
@@ -81,60 +81,53 @@ final class Tile {
     static final int SKY_BLUE = TO_LIGHT_Z;
 
     /** S, the visible part of the light. */
-    static final int VISIBLE = 28 * SIZE;
+    static final int VISIBLE = DIRECTION_X + 28 * SIZE;
 
     /** 1 where S is not yet known, else 0. */
-    static final int SHADOW_OPEN = 29 * SIZE;
+    static final int SHADOW_OPEN = DIRECTION_X + 29 * SIZE;
 
-    static final int SPECULAR = 30 * SIZE;
+    static final int SPECULAR = DIRECTION_X + 30 * SIZE;
 
     /** The sky's angles in radians, then columns and rows in texels, then fractions of a texel. */
-    static final int SKY_TO_RIGHT = 31 * SIZE;
+    static final int SKY_TO_RIGHT = DIRECTION_X + 31 * SIZE;
 
-    static final int SKY_TO_BOTTOM = 32 * SIZE;
+    static final int SKY_TO_BOTTOM = DIRECTION_X + 32 * SIZE;
 
     /** The body that the ray leaves. */
-    static final int LEAVING = 33 * SIZE;
+    static final int LEAVING = DIRECTION_X + 33 * SIZE;
 
     /** Tangent and secant of the half angle of the light's disc, as seen from the surface. */
-    static final int DISC_TANGENT = 34 * SIZE;
+    static final int DISC_TANGENT = DIRECTION_X + 34 * SIZE;
 
-    static final int DISC_SECANT = 35 * SIZE;
+    static final int DISC_SECANT = DIRECTION_X + 35 * SIZE;
 
     /** A cosine to a reflectivity's fraction. */
-    static final int FRACTION_POWER = 36 * SIZE;
+    static final int FRACTION_POWER = DIRECTION_X + 36 * SIZE;
 
     /** What a cosine's power is multiplied by. */
-    static final int SPECULAR_WEIGHT = 37 * SIZE;
+    static final int SPECULAR_WEIGHT = DIRECTION_X + 37 * SIZE;
 
     /** 1 where a packet's rays are walked with as one, else 0. */
-    static final int TOGETHER = 38 * SIZE;
+    static final int TOGETHER = DIRECTION_X + 38 * SIZE;
 
-    private static final int COLUMNS = 39;
+    /** Each pixel's place in the tile, from its left and top. */
+    static final int PLACE_X = DIRECTION_X + 39 * SIZE;
+
+    static final int PLACE_Y = DIRECTION_X + 40 * SIZE;
+
+    private static final int COLUMNS = 41;
 
     /** The hit of a lane whose path ended before. */
     static final float ENDED = -2f;
 
-    /** Each pixel's place in the tile. */
-    private static final float[] PLACE_X = new float[SIZE];
-
-    private static final float[] PLACE_Y = new float[SIZE];
-
-    private static final int[] PIXELS = new int[SIZE];
-
-    static {
-        for (int pixel = 0; pixel < SIZE; pixel++) {
-            PIXELS[pixel] = pixel;
-            PLACE_X[pixel] = column(pixel);
-            PLACE_Y[pixel] = row(pixel);
-        }
-    }
-
     /** The columns above. */
-    final float[] values = new float[COLUMNS * SIZE];
+    final float[] values = new float[DIRECTION_X + COLUMNS * SIZE];
 
     /** From the padded sky's start to the upper left texel, in texels. */
     final int[] texels = new int[SIZE];
+
+    /** Every pixel's number. */
+    final int[] pixels = new int[SIZE];
 
     /** The pixels that look the sky up one by one; only the first {@link #lonelyCount} hold. */
     final int[] lonely = new int[SIZE + Lanes.COUNT];
@@ -144,8 +137,8 @@ final class Tile {
     /** For one pixel at a time, red, green and blue of the sky, or of two texels side by side, and blanks. */
     final float[] skyColor = new float[8];
 
-    /** The finished pixels. */
-    final int[] argb = new int[SIZE];
+    /** The finished pixels, from {@link Lanes#BORDER} on. */
+    final int[] argb = new int[Lanes.BORDER + SIZE];
 
     /** Packets, by the place of their first pixel: those whose paths go on, and those that met the sky, and so on. */
     final PacketList live = new PacketList();
@@ -182,8 +175,8 @@ final class Tile {
     final PacketLeaves packetLeaves = new PacketLeaves();
     final Descent descent = new Descent();
 
-    /** Of one ray to each of a block of spheres. */
-    final float[] distances = new float[Lanes.COUNT];
+    /** Of one ray to each of a block of spheres, from {@link Lanes#BORDER} on. */
+    final float[] distances = new float[Lanes.BORDER + Lanes.COUNT];
 
     /** Of a block of spheres, one bit each that a packet's rays may meet. */
     long spheresMet;
@@ -205,11 +198,13 @@ final class Tile {
     /** Whether no ray goes on from here. */
     boolean last;
 
-    final float[] placeX = PLACE_X;
-    final float[] placeY = PLACE_Y;
-
-    /** Every pixel's number. */
-    final int[] pixels = PIXELS;
+    Tile() {
+        for (int pixel = 0; pixel < SIZE; pixel++) {
+            values[PLACE_X + pixel] = column(pixel);
+            values[PLACE_Y + pixel] = row(pixel);
+            pixels[pixel] = pixel;
+        }
+    }
 
     /** In [0, {@link #SIDE}), of a pixel in the tile's order. */
     static int column(int pixel) {

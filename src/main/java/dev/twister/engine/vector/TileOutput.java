@@ -26,7 +26,8 @@ final class TileOutput {
     /** Row by row of the frame, so that what goes to one cache line goes there at once. */
     private static void writeWhole(int[] tile, int[] frame, int first, int width) {
         int to = first;
-        for (int blocks = 0; blocks < Tile.SIZE; blocks += Tile.SIDE * Tile.BLOCK_SIDE) {
+        int end = Lanes.BORDER + Tile.SIZE;
+        for (int blocks = Lanes.BORDER; blocks < end; blocks += Tile.SIDE * Tile.BLOCK_SIDE) {
             for (int from = blocks; from < blocks + Tile.BLOCK; from += Tile.BLOCK_SIDE) {
                 for (int block = 0; block < Tile.SIDE / Tile.BLOCK_SIDE; block++) {
                     IntVector.fromArray(BLOCK_ROW, tile, from + block * Tile.BLOCK)
@@ -42,7 +43,7 @@ final class TileOutput {
             int x = tile.left + Tile.column(pixel);
             int y = tile.top + Tile.row(pixel);
             if (x < frame.width() && y < frame.height()) {
-                frame.argb()[y * frame.width() + x] = tile.argb[pixel];
+                frame.argb()[y * frame.width() + x] = tile.argb[Lanes.BORDER + pixel];
             }
         }
     }

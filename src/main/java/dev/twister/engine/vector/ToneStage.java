@@ -87,7 +87,7 @@ final class ToneStage {
                     .or(Lanes.truncated(green.mul(255f).add(0.5f)).lanewise(VectorOperators.LSHL, 8))
                     .or(Lanes.truncated(blue.mul(255f).add(0.5f)))
                     .or(PixelKernel.OPAQUE)
-                    .intoArray(tile.argb, at);
+                    .intoArray(tile.argb, Lanes.BORDER + at);
         }
     }
 }

@@ -29,8 +29,9 @@ final class ViewRays {
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
-            FloatVector u = Lanes.load(tile.placeX, at).add(left).mul(step);
-            FloatVector v = Lanes.all(above).sub(Lanes.load(tile.placeY, at)).mul(step);
+            FloatVector u = Lanes.load(t, at + Tile.PLACE_X).add(left).mul(step);
+            FloatVector v =
+                    Lanes.all(above).sub(Lanes.load(t, at + Tile.PLACE_Y)).mul(step);
             FloatVector directionX = Lanes.fma(u, Lanes.all(rightX), Lanes.fma(v, Lanes.all(upX), Lanes.all(forwardX)));
             FloatVector directionY = Lanes.fma(u, Lanes.all(rightY), Lanes.fma(v, Lanes.all(upY), Lanes.all(forwardY)));
             FloatVector directionZ = Lanes.fma(u, Lanes.all(rightZ), Lanes.fma(v, Lanes.all(upZ), Lanes.all(forwardZ)));

@@ -13,6 +13,9 @@ final class WideHierarchy {
     /** Columns of a node: its children's low sides x, y, z and high sides x, y, z. */
     static final int BOX_STRIDE = 6 * Lanes.COUNT;
 
+    /** Where the root's boxes and links begin. */
+    static final int FIRST = Lanes.BORDER;
+
     /** Above it, a link has room for the number of a beam. */
     static final int BEAM_SHIFT = 28;
 
@@ -32,9 +35,13 @@ final class WideHierarchy {
     /** The low sides of a box that nothing meets; its high ones are their negatives. */
     private static final float INSIDE_OUT = 1e36f;
 
+    /** {@link #BOX_STRIDE} numbers a node, from {@link #FIRST} on. */
     float[] boxes = {};
 
-    /** Of each child, {@link Lanes#COUNT} a node: the node's number, or what says where the leaf's blocks are. */
+    /**
+     * Of each child, {@link Lanes#COUNT} a node, from {@link #FIRST} on: the node's number, or what says where the leaf's
+     * blocks are.
+     */
     int[] links = {};
 
     /** In blocks, leaf by leaf; a leaf's last block is filled up with spheres that nothing meets. */
@@ -122,11 +129,11 @@ final class WideHierarchy {
         int node = nodes;
         nodes++;
         reserve(nodes);
-        int first = node * Lanes.COUNT;
+        int first = FIRST + node * Lanes.COUNT;
         links[first] = top;
         int end = kinds[place(top)] == height ? list(top, first) : first + 1;
         for (int at = first; at < first + Lanes.COUNT; at++) {
-            writeBox(node * BOX_STRIDE + at - first, at < end ? links[at] : -1);
+            writeBox(FIRST + node * BOX_STRIDE + at - first, at < end ? links[at] : -1);
         }
         for (int at = first; at < first + Lanes.COUNT; at++) {
             int link = at < end ? link(links[at], height - 1) : 0;
@@ -197,7 +204,7 @@ final class WideHierarchy {
 
     /** Whether a node's children are leaves. */
     boolean isAboveLeaves(int node) {
-        return isLeaf(links[node * Lanes.COUNT]);
+        return isLeaf(links[FIRST + node * Lanes.COUNT]);
     }
 
     static boolean isLeaf(int link) {
@@ -211,7 +218,7 @@ final class WideHierarchy {
 
     /** The place of a leaf's first block. */
     static int firstBlock(int link) {
-        return (link & BLOCK) * SphereColumns.COLUMNS * Lanes.COUNT;
+        return SphereColumns.FIRST + (link & BLOCK) * SphereColumns.COLUMNS * Lanes.COUNT;
     }
 
     static int blocks(int link) {
@@ -224,13 +231,13 @@ final class WideHierarchy {
         spheres.reserveBlocks(end);
         float[] to = spheres.values;
         for (int block = blocks; block < end; block++) {
-            int at = block * spheres.step;
+            int at = SphereColumns.FIRST + block * spheres.step;
             Arrays.fill(to, at, at + SphereColumns.RADIUS * Lanes.COUNT, NOWHERE);
             Arrays.fill(to, at + SphereColumns.RADIUS * Lanes.COUNT, at + spheres.step, 0f);
         }
         for (int k = 0; k < count; k++) {
             int from = (first + k) * Layout.SPHERE_STRIDE;
-            int place = (blocks + k / Lanes.COUNT) * spheres.step + k % Lanes.COUNT;
+            int place = SphereColumns.FIRST + (blocks + k / Lanes.COUNT) * spheres.step + k % Lanes.COUNT;
             to[place] = source[from + Layout.SPHERE_CENTER];
             to[place + SphereColumns.Y * Lanes.COUNT] = source[from + Layout.SPHERE_CENTER + 1];
             to[place + SphereColumns.Z * Lanes.COUNT] = source[from + Layout.SPHERE_CENTER + 2];
@@ -241,10 +248,10 @@ final class WideHierarchy {
     }
 
     private void reserve(int count) {
-        if (links.length < count * Lanes.COUNT) {
+        if (links.length < FIRST + count * Lanes.COUNT) {
             int room = Math.max(64, 2 * count);
-            boxes = Arrays.copyOf(boxes, room * BOX_STRIDE);
-            links = Arrays.copyOf(links, room * Lanes.COUNT);
+            boxes = Arrays.copyOf(boxes, FIRST + room * BOX_STRIDE);
+            links = Arrays.copyOf(links, FIRST + room * Lanes.COUNT);
         }
     }
 }
