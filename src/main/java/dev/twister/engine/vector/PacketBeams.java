@@ -23,23 +23,26 @@ final class PacketBeams {
     static final int SECOND_SCALE = 4 * AXES;
     static final int SECOND_ADDITION = 5 * AXES;
 
+    /** The t at which the lines end. */
+    static final int END = 6 * AXES;
+
     /** Metres a metre of t, lowest and highest. */
-    private static final int LOW = 6 * AXES;
+    private static final int LOW = END + Lanes.COUNT;
 
-    private static final int HIGH = 7 * AXES;
+    private static final int HIGH = LOW + AXES;
 
-    final float[] facts = new float[8 * AXES];
+    /** Bits an axis takes in {@link #nearSides}. */
+    static final int SIDE_BITS = 8;
+
+    static final int SIDE = (1 << SIDE_BITS) - 1;
+
+    final float[] facts = new float[HIGH + AXES];
 
     /**
-     * By axis, how far behind the low sides of {@link WideHierarchy#boxes} the near ones are: as far as the high ones, or 0.
+     * Of each lane, how far behind the low sides of {@link WideHierarchy#boxes} the near ones are, as far as the high ones or
+     * 0: along x in the lowest bits, y and z above. Less than 0 where slopes differ in sign along any axis.
      */
-    final int[] nearSides = new int[AXES];
-
-    /** The bits of the t at which the lines end, as ints. */
-    final int[] ends = new int[Lanes.COUNT];
-
-    /** One bit a lane whose slopes differ in sign along any axis. */
-    long straddles;
+    final int[] nearSides = new int[Lanes.COUNT];
 
     /** The packet's rays, as far as the closest hits so far. */
     void holdRays(float[] t, int at) {
@@ -51,8 +54,7 @@ final class PacketBeams {
         FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISTANCE)
                 .mul(1f + Beam.SPREAD)
                 .min(Beam.EVERYWHERE)
-                .reinterpretAsInts()
-                .intoArray(ends, 0);
+                .intoArray(facts, END);
         finish(t, at + Tile.ORIGIN_X);
     }
 
@@ -70,13 +72,12 @@ final class PacketBeams {
             middle.sub(reach).intoArray(facts, LOW + axis * Lanes.COUNT);
             middle.add(reach).intoArray(facts, HIGH + axis * Lanes.COUNT);
         }
-        IntVector.broadcast(Lanes.INTS, Float.floatToRawIntBits(1f + Beam.DISC_SPREAD))
-                .intoArray(ends, 0);
+        FloatVector.broadcast(Lanes.FLOATS, 1f + Beam.DISC_SPREAD).intoArray(facts, END);
         finish(t, at + Tile.POINT_X);
     }
 
     private void finish(float[] t, int origin) {
-        straddles = 0;
+        IntVector.zero(Lanes.INTS).intoArray(nearSides, 0);
         for (int axis = 0; axis < 3; axis++) {
             findPlanes(t, origin + axis * Tile.SIZE, axis);
         }
@@ -109,7 +110,10 @@ final class PacketBeams {
         near.abs().mul(-ROUNDING).sub(near).intoArray(facts, NEAR_ADDITION + column);
         far.abs().mul(ROUNDING).sub(far).blend(Slab.NEVER, straddling).intoArray(facts, FAR_ADDITION + column);
         second.abs().mul(-ROUNDING).sub(second).intoArray(facts, SECOND_ADDITION + column);
-        IntVector.zero(Lanes.INTS).blend(AXES, falling.cast(Lanes.INTS)).intoArray(nearSides, column);
-        straddles |= straddling.toLong();
+        IntVector.fromArray(Lanes.INTS, nearSides, 0)
+                .or(IntVector.zero(Lanes.INTS)
+                        .blend(AXES << (SIDE_BITS * axis), falling.cast(Lanes.INTS))
+                        .blend(Integer.MIN_VALUE, straddling.cast(Lanes.INTS)))
+                .intoArray(nearSides, 0);
     }
 }

@@ -54,7 +54,7 @@ final class PacketLeaves {
     private void open(WideHierarchy hierarchy, PacketBeams beams) {
         float[] boxes = hierarchy.boxes;
         float[] f = beams.facts;
-        int[] sides = beams.nearSides;
+        int[] nearSides = beams.nearSides;
         int head = 0;
         int tail = end;
         while (head < tail && tail <= ROOM && !WideHierarchy.isLeaf(links[head])) {
@@ -62,9 +62,10 @@ final class PacketLeaves {
             int node = WideHierarchy.node(links[head]);
             head++;
             int at = WideHierarchy.FIRST + node * WideHierarchy.BOX_STRIDE;
-            int x = at + sides[beam];
-            int y = at + Lanes.COUNT + sides[beam + Lanes.COUNT];
-            int z = at + 2 * Lanes.COUNT + sides[beam + 2 * Lanes.COUNT];
+            int sides = nearSides[beam];
+            int x = at + (sides & PacketBeams.SIDE);
+            int y = at + Lanes.COUNT + (sides >>> PacketBeams.SIDE_BITS & PacketBeams.SIDE);
+            int z = at + 2 * Lanes.COUNT + (sides >>> (2 * PacketBeams.SIDE_BITS) & PacketBeams.SIDE);
             FloatVector farX = FloatVector.fromArray(Lanes.FLOATS, boxes, 2 * at + PacketBeams.AXES - x);
             FloatVector farY =
                     FloatVector.fromArray(Lanes.FLOATS, boxes, 2 * (at + Lanes.COUNT) + PacketBeams.AXES - y);
@@ -83,7 +84,7 @@ final class PacketLeaves {
                     .add(f[PacketBeams.NEAR_ADDITION + 2 * Lanes.COUNT + beam])
                     .reinterpretAsInts();
             near = near.max(0).max(nearY.max(nearZ));
-            if ((beams.straddles >>> beam & 1) != 0) {
+            if (sides < 0) {
                 near = near.max(farX.mul(f[PacketBeams.SECOND_SCALE + beam])
                                 .add(f[PacketBeams.SECOND_ADDITION + beam])
                                 .reinterpretAsInts())
@@ -103,7 +104,9 @@ final class PacketLeaves {
             IntVector nextZ = farZ.mul(f[PacketBeams.FAR_SCALE + 2 * Lanes.COUNT + beam])
                     .add(f[PacketBeams.FAR_ADDITION + 2 * Lanes.COUNT + beam])
                     .reinterpretAsInts();
-            far = far.min(beams.ends[beam]).min(nextY.min(nextZ));
+            far = far.min(FloatVector.broadcast(Lanes.FLOATS, f[PacketBeams.END + beam])
+                            .reinterpretAsInts())
+                    .min(nextY.min(nextZ));
             VectorMask<Integer> met = near.compare(VectorOperators.LE, far);
             if (Lanes.PACK) {
                 IntVector.fromArray(Lanes.INTS, hierarchy.links, WideHierarchy.FIRST + node * Lanes.COUNT)
