@@ -120,7 +120,7 @@ final class Tile {
     /** The hit of a lane whose path ended before. */
     static final float ENDED = -2f;
 
-    /** The columns above. */
+    /** The columns above, from {@link Lanes#BORDER} on. */
     final float[] values = new float[DIRECTION_X + COLUMNS * SIZE];
 
     /** From the padded sky's start to the upper left texel, in texels. */
