@@ -1,18 +1,31 @@
 package dev.twister;
 
 import java.nio.file.Path;
-import java.util.stream.Stream;
+import java.util.ArrayList;
+import java.util.List;
 
-/** Another JVM with the classes of the tests, started without any option of this one's: without the Vector API, too. */
+/** Another JVM with the classes of the tests, started without any option of this one's. */
 public final class ChildJvm {
     private ChildJvm() {}
 
-    /** One that is to run a class's main method. */
+    /** One that is to run a class's main method without any option: without the Vector API, too. */
     public static ProcessBuilder of(Class<?> main, String... arguments) {
-        String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
-        return new ProcessBuilder(Stream.concat(
-                        Stream.of(java, "-cp", System.getProperty("java.class.path"), main.getName()),
-                        Stream.of(arguments))
-                .toList());
+        return of(List.of(), main, arguments);
+    }
+
+    /** The same with the launcher's options, as a user's, and some more. */
+    public static ProcessBuilder asLaunched(List<String> moreOptions, Class<?> main, String... arguments) {
+        List<String> options = new ArrayList<>(List.of("@" + Path.of("scripts", "jvm.options")));
+        options.addAll(moreOptions);
+        return of(options, main, arguments);
+    }
+
+    private static ProcessBuilder of(List<String> options, Class<?> main, String... arguments) {
+        List<String> command = new ArrayList<>();
+        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        command.addAll(options);
+        command.addAll(List.of("-cp", System.getProperty("java.class.path"), main.getName()));
+        command.addAll(List.of(arguments));
+        return new ProcessBuilder(command);
     }
 }

@@ -25,8 +25,8 @@ final class Lanes {
     /**
      * Where vectors begin in the arrays that most of them are read from and written to: behind the 16 bytes of an array's
      * header, so many floats or ints later a cache line begins, in a JVM that lays every object on the border of one (see
-     * {@code scripts/jvm.options}). A vector that lies across two lines takes twice as long. In other JVMs it is a place like
-     * any other.
+     * {@code scripts/jvm.options}). A vector that lies across two lines takes a quarter to a half longer to write and to read.
+     * In other JVMs it is a place like any other.
      */
     static final int BORDER = 12;
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assumptions.assumeThat;
 
 import com.sun.management.OperatingSystemMXBean;
 import com.sun.management.ThreadMXBean;
+import dev.twister.ChildJvm;
 import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
 import dev.twister.oracle.Crowds;
@@ -17,6 +18,7 @@ import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import jdk.incubator.vector.FloatVector;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -67,15 +69,9 @@ final class AllocationTest {
 
     /** What a JVM of that width said in the end. */
     private static String warmUp(int bits, boolean fused, String scene) throws IOException, InterruptedException {
-        Process java = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "@" + Path.of("scripts", "jvm.options"),
-                        "-D" + Lanes.BITS_PROPERTY + "=" + bits,
-                        "-D" + FusedMultiplyAdd.PROPERTY + "=" + fused,
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        WarmFrames.class.getName(),
-                        scene)
+        List<String> width =
+                List.of("-D" + Lanes.BITS_PROPERTY + "=" + bits, "-D" + FusedMultiplyAdd.PROPERTY + "=" + fused);
+        Process java = ChildJvm.asLaunched(width, WarmFrames.class, scene)
                 .redirectErrorStream(true)
                 .start();
         String output = new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8);

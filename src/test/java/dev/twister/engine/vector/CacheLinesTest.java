@@ -2,6 +2,7 @@ package dev.twister.engine.vector;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.ChildJvm;
 import java.io.IOException;
 import java.lang.foreign.FunctionDescriptor;
 import java.lang.foreign.Linker;
@@ -9,7 +10,6 @@ import java.lang.foreign.MemorySegment;
 import java.lang.foreign.ValueLayout;
 import java.lang.invoke.MethodHandle;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -20,12 +20,7 @@ final class CacheLinesTest {
 
     @Test
     void arraysHaveABorderOfACacheLineWhereLanesSay() throws IOException, InterruptedException {
-        Process java = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "@" + Path.of("scripts", "jvm.options"),
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        Borders.class.getName())
+        Process java = ChildJvm.asLaunched(List.of(), Borders.class)
                 .redirectError(ProcessBuilder.Redirect.DISCARD)
                 .start();
         String output = new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
