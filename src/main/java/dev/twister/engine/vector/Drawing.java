@@ -8,6 +8,7 @@ import dev.twister.world.FrameInput;
 final class Drawing {
     final BodyColumns bodies = new BodyColumns();
     final WideHierarchy hierarchy = new WideHierarchy();
+    final DiscOrders discOrders = new DiscOrders();
     final PaddedSky sky = new PaddedSky();
 
     /** The light, as the one sphere of a block. */
@@ -85,6 +86,9 @@ final class Drawing {
     }
 
     private void takeDisc(float[] disc) {
+        if (shadowSamples >= ShadowRange.FEW) {
+            discOrders.take(disc, shadowSamples);
+        }
         if (discX.length < shadowSamples + Lanes.COUNT) {
             discX = new float[shadowSamples + Lanes.COUNT];
             discY = new float[shadowSamples + Lanes.COUNT];

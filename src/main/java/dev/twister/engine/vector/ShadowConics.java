@@ -40,8 +40,8 @@ final class ShadowConics {
 
     /** By the numbers above; in an array, so that each keeps its own inlining budget: see {@link Stage}. */
     private static final Pass[] PASSES = {
-        (scratch, disc, samples, from) -> lower(scratch, disc, samples, from),
-        (scratch, disc, samples, from) -> count(scratch, samples),
+        (scratch, from, candidate) -> lower(scratch, from, candidate),
+        (scratch, none, samples) -> count(scratch, samples),
     };
 
     private ShadowConics() {}
@@ -69,29 +69,36 @@ final class ShadowConics {
         }
     }
 
-    /** Counts the samples that one candidate blocks. */
-    static void countOne(ShadowScratch scratch, float[] disc, int samples) {
+    /** Adds the samples in a candidate's range that it blocks. */
+    static void countOne(ShadowScratch scratch, int candidate) {
         float[] facts = scratch.facts;
-        FloatVector xx = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.XX);
-        FloatVector xy = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.XY);
-        FloatVector yy = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.YY);
-        FloatVector linearX = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.X);
-        FloatVector linearY = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.Y);
-        FloatVector constant = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.CONSTANT);
+        float[] disc = scratch.disc;
+        int to = 2 * scratch.tos[candidate];
+        int of = candidate * ShadowScratch.STRIDE;
+        FloatVector xx = FloatVector.fromArray(Lanes.FLOATS, facts, of + ShadowScratch.XX);
+        FloatVector xy = FloatVector.fromArray(Lanes.FLOATS, facts, of + ShadowScratch.XY);
+        FloatVector yy = FloatVector.fromArray(Lanes.FLOATS, facts, of + ShadowScratch.YY);
+        FloatVector linearX = FloatVector.fromArray(Lanes.FLOATS, facts, of + ShadowScratch.X);
+        FloatVector linearY = FloatVector.fromArray(Lanes.FLOATS, facts, of + ShadowScratch.Y);
+        FloatVector constant = FloatVector.fromArray(Lanes.FLOATS, facts, of + ShadowScratch.CONSTANT);
         IntVector blocked = IntVector.zero(Lanes.INTS);
-        for (int at = 0; at < 2 * samples; at += 2) {
+        for (int at = 2 * scratch.froms[candidate]; at < to; at += 2) {
             FloatVector x = FloatVector.broadcast(Lanes.FLOATS, disc[at]);
             FloatVector y = FloatVector.broadcast(Lanes.FLOATS, disc[at + 1]);
             FloatVector inX = Lanes.fma(Lanes.fma(xy, y, Lanes.fma(xx, x, linearX)), x, constant);
             FloatVector conic = Lanes.fma(Lanes.fma(yy, y, linearY), y, inX);
             blocked = blocked.add(conic.reinterpretAsInts().lanewise(VectorOperators.LSHR, SIGN));
         }
-        Lanes.toFloats(blocked).intoArray(scratch.frame, ShadowScratch.BLOCKED);
+        Lanes.toFloats(blocked)
+                .add(FloatVector.fromArray(Lanes.FLOATS, scratch.frame, ShadowScratch.BLOCKED))
+                .intoArray(scratch.frame, ShadowScratch.BLOCKED);
     }
 
-    /** Counts the samples that any of two candidates blocks. */
-    static void countTwo(ShadowScratch scratch, float[] disc, int samples) {
+    /** Adds the samples that any of two candidates blocks, of those from where the first range begins to where the last ends. */
+    static void countTwo(ShadowScratch scratch) {
         float[] facts = scratch.facts;
+        float[] disc = scratch.disc;
+        int to = 2 * Math.max(scratch.tos[0], scratch.tos[1]);
         FloatVector xx = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.XX);
         FloatVector xy = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.XY);
         FloatVector yy = FloatVector.fromArray(Lanes.FLOATS, facts, ShadowScratch.YY);
@@ -105,7 +112,7 @@ final class ShadowConics {
         FloatVector linearYToo = FloatVector.fromArray(Lanes.FLOATS, facts, SECOND + ShadowScratch.Y);
         FloatVector constantToo = FloatVector.fromArray(Lanes.FLOATS, facts, SECOND + ShadowScratch.CONSTANT);
         IntVector blocked = IntVector.zero(Lanes.INTS);
-        for (int at = 0; at < 2 * samples; at += 2) {
+        for (int at = 2 * Math.min(scratch.froms[0], scratch.froms[1]); at < to; at += 2) {
             FloatVector x = FloatVector.broadcast(Lanes.FLOATS, disc[at]);
             FloatVector y = FloatVector.broadcast(Lanes.FLOATS, disc[at + 1]);
             FloatVector inX = Lanes.fma(Lanes.fma(xy, y, Lanes.fma(xx, x, linearX)), x, constant);
@@ -115,32 +122,44 @@ final class ShadowConics {
             IntVector signs = conic.reinterpretAsInts().or(conicToo.reinterpretAsInts());
             blocked = blocked.add(signs.lanewise(VectorOperators.LSHR, SIGN));
         }
-        Lanes.toFloats(blocked).intoArray(scratch.frame, ShadowScratch.BLOCKED);
+        Lanes.toFloats(blocked)
+                .add(FloatVector.fromArray(Lanes.FLOATS, scratch.frame, ShadowScratch.BLOCKED))
+                .intoArray(scratch.frame, ShadowScratch.BLOCKED);
     }
 
-    /** Counts the samples that any of the candidates blocks. */
-    static void countAny(ShadowScratch scratch, float[] disc, int samples) {
+    /** The same with any number of candidates. */
+    static void countAny(ShadowScratch scratch) {
+        int from = Integer.MAX_VALUE;
+        int to = 0;
+        for (int c = 0; c < scratch.candidates.count; c++) {
+            from = Math.min(from, scratch.froms[c]);
+            to = Math.max(to, scratch.tos[c]);
+        }
+        int samples = to - from;
         scratch.reserveConics(samples);
         Arrays.fill(scratch.conics, Lanes.BORDER, Lanes.BORDER + samples * Lanes.COUNT, ABOVE);
         for (int c = 0; c < scratch.candidates.count; c++) {
-            PASSES[LOWER].run(scratch, disc, samples, c * ShadowScratch.STRIDE);
+            PASSES[LOWER].run(scratch, from, c);
         }
-        PASSES[COUNT].run(scratch, disc, samples, 0);
+        PASSES[COUNT].run(scratch, 0, samples);
     }
 
-    /** Lowers what is there at each sample to a candidate's conic. */
-    private static void lower(ShadowScratch scratch, float[] disc, int samples, int from) {
+    /** Lowers what is there at each sample of a candidate's range to its conic, the first sample there being that one. */
+    private static void lower(ShadowScratch scratch, int from, int candidate) {
+        int of = candidate * ShadowScratch.STRIDE;
         float[] facts = scratch.facts;
+        float[] disc = scratch.disc;
         float[] conics = scratch.conics;
-        FloatVector xx = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.XX);
-        FloatVector xy = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.XY);
-        FloatVector yy = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.YY);
-        FloatVector linearX = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.X);
-        FloatVector linearY = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.Y);
-        FloatVector constant = FloatVector.fromArray(Lanes.FLOATS, facts, from + ShadowScratch.CONSTANT);
-        for (int sample = 0; sample < samples; sample++) {
-            FloatVector x = FloatVector.broadcast(Lanes.FLOATS, disc[2 * sample]);
-            FloatVector y = FloatVector.broadcast(Lanes.FLOATS, disc[2 * sample + 1]);
+        FloatVector xx = FloatVector.fromArray(Lanes.FLOATS, facts, of + ShadowScratch.XX);
+        FloatVector xy = FloatVector.fromArray(Lanes.FLOATS, facts, of + ShadowScratch.XY);
+        FloatVector yy = FloatVector.fromArray(Lanes.FLOATS, facts, of + ShadowScratch.YY);
+        FloatVector linearX = FloatVector.fromArray(Lanes.FLOATS, facts, of + ShadowScratch.X);
+        FloatVector linearY = FloatVector.fromArray(Lanes.FLOATS, facts, of + ShadowScratch.Y);
+        FloatVector constant = FloatVector.fromArray(Lanes.FLOATS, facts, of + ShadowScratch.CONSTANT);
+        int to = scratch.tos[candidate] - from;
+        for (int sample = scratch.froms[candidate] - from; sample < to; sample++) {
+            FloatVector x = FloatVector.broadcast(Lanes.FLOATS, disc[2 * (from + sample)]);
+            FloatVector y = FloatVector.broadcast(Lanes.FLOATS, disc[2 * (from + sample) + 1]);
             FloatVector inX = Lanes.fma(Lanes.fma(xy, y, Lanes.fma(xx, x, linearX)), x, constant);
             FloatVector conic = Lanes.fma(Lanes.fma(yy, y, linearY), y, inX);
             FloatVector before = FloatVector.fromArray(Lanes.FLOATS, conics, Lanes.BORDER + sample * Lanes.COUNT);
@@ -157,12 +176,14 @@ final class ShadowConics {
             FloatVector conic = FloatVector.fromArray(Lanes.FLOATS, conics, Lanes.BORDER + sample * Lanes.COUNT);
             blocked = blocked.add(conic.reinterpretAsInts().lanewise(VectorOperators.LSHR, SIGN));
         }
-        Lanes.toFloats(blocked).intoArray(scratch.frame, ShadowScratch.BLOCKED);
+        Lanes.toFloats(blocked)
+                .add(FloatVector.fromArray(Lanes.FLOATS, scratch.frame, ShadowScratch.BLOCKED))
+                .intoArray(scratch.frame, ShadowScratch.BLOCKED);
     }
 
     /** One way over all samples. */
     @FunctionalInterface
     private interface Pass {
-        void run(ShadowScratch scratch, float[] disc, int samples, int from);
+        void run(ShadowScratch scratch, int from, int which);
     }
 }

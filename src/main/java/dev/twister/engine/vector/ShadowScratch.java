@@ -34,8 +34,18 @@ final class ShadowScratch {
     static final int Y = ALONG + 8 * Lanes.COUNT;
     static final int CONSTANT = ALONG + 9 * Lanes.COUNT;
 
+    /**
+     * Along {@link #direction}, in radii of the disc: where the candidate's shadow begins and ends, from where on it hides all,
+     * and up to where.
+     */
+    static final int BEGIN = ALONG + 10 * Lanes.COUNT;
+
+    static final int END = ALONG + 11 * Lanes.COUNT;
+    static final int HIDDEN_FROM = ALONG + 12 * Lanes.COUNT;
+    static final int HIDDEN_TO = ALONG + 13 * Lanes.COUNT;
+
     /** From one candidate to the next. */
-    static final int STRIDE = 10 * Lanes.COUNT;
+    static final int STRIDE = 14 * Lanes.COUNT;
 
     final Hull hull = new Hull();
 
@@ -62,6 +72,17 @@ final class ShadowScratch {
 
     /** The lowest conic at each sample, {@link Lanes#COUNT} floats a sample, from {@link Lanes#BORDER} on. */
     float[] conics = {};
+
+    /** The samples, x and y of each, in order along the direction of that number of {@link DiscOrders} where they are sorted. */
+    float[] disc = {};
+
+    boolean sorted;
+    int direction;
+
+    /** Of each candidate, which of the samples are to be looked at: from that one on, to before that one. */
+    int[] froms = new int[16];
+
+    int[] tos = new int[16];
 
     /** Whether conics tell what each candidate blocks, from all points that it may shade. */
     boolean conical;
@@ -97,7 +118,10 @@ final class ShadowScratch {
     /** Makes room for the facts of so many candidates. */
     void reserveFacts(int count) {
         if (facts.length < ALONG + count * STRIDE) {
-            facts = new float[ALONG + 2 * Integer.highestOneBit(count) * STRIDE];
+            int room = 2 * Integer.highestOneBit(count);
+            facts = new float[ALONG + room * STRIDE];
+            froms = new int[room];
+            tos = new int[room];
         }
     }
 }

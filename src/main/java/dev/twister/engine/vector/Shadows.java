@@ -13,6 +13,9 @@ final class Shadows {
         (tile, drawing, at) -> ShadowFrame.limitAll(tile, at, drawing.bodies, tile.shadow),
         (tile, drawing, at) -> ShadowFrame.judgeAll(tile, at, drawing.bodies, tile.shadow),
         (tile, drawing, at) -> ShadowConics.prepare(tile.shadow),
+        (tile, drawing, at) -> ShadowRange.choose(drawing, tile.shadow),
+        (tile, drawing, at) -> ShadowRange.findPlaces(tile.values, at, tile.shadow),
+        (tile, drawing, at) -> ShadowRange.find(drawing, tile.shadow),
         (tile, drawing, at) -> count(tile, drawing, at),
         (tile, drawing, at) -> finish(tile, drawing, at),
     };
@@ -117,17 +120,20 @@ final class Shadows {
         }
     }
 
-    private static void count(Tile tile, Drawing drawing, int at) {
-        float[] disc = drawing.input.shadowDisc();
-        int samples = drawing.shadowSamples;
-        if (!tile.shadow.conical) {
-            ShadowRays.countAny(tile.shadow, tile.values, at + Tile.LIGHT_DISTANCE, disc, samples);
-        } else if (tile.shadow.candidates.count == 1) {
-            ShadowConics.countOne(tile.shadow, disc, samples);
-        } else if (tile.shadow.candidates.count == 2) {
-            ShadowConics.countTwo(tile.shadow, disc, samples);
+    /** Writes how many samples are blocked. */
+    static void count(Tile tile, Drawing drawing, int at) {
+        ShadowScratch scratch = tile.shadow;
+        if (!scratch.conical) {
+            float[] disc = drawing.input.shadowDisc();
+            ShadowRays.countAny(scratch, tile.values, at + Tile.LIGHT_DISTANCE, disc, drawing.shadowSamples);
+        } else if (ShadowRange.areApart(scratch)) {
+            for (int c = 0; c < scratch.candidates.count; c++) {
+                ShadowConics.countOne(scratch, c);
+            }
+        } else if (scratch.candidates.count == 2) {
+            ShadowConics.countTwo(scratch);
         } else {
-            ShadowConics.countAny(tile.shadow, disc, samples);
+            ShadowConics.countAny(scratch);
         }
     }
 
