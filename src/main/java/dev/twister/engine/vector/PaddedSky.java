@@ -2,15 +2,15 @@ package dev.twister.engine.vector;
 
 import dev.twister.kernel.Layout;
 import dev.twister.world.FrameInput;
-import jdk.incubator.vector.FloatVector;
 
 /**
  * The panorama with a border of one texel, which wraps in the columns and repeats in the rows: the four texels about any
  * direction then lie at fixed distances. Kept while the input's sky is the same.
  *
  * <p>A texel is three numbers, red, green and blue: the upper halves of floats where that loses nothing (bfloat16; the
- * mantissas of a Radiance picture have eight bits, and so has a half) and the CPU unpacks eight of them at once, whole
- * floats otherwise. Half of the memory keeps more of the sky near the processor.
+ * mantissas of a Radiance picture have eight bits, and so has a half), whole floats otherwise. Where the three of every texel
+ * can share an exponent, as a Radiance picture has it, there is each texel in one int besides. The less memory, the more of the
+ * sky stays near the processor.
  */
 final class PaddedSky {
     static final int NUMBERS_A_TEXEL = 3;
@@ -24,7 +24,20 @@ final class PaddedSky {
     /** Rows above and below the panorama, and a blank one. */
     private static final int MORE_ROWS = 3;
 
-    private static final boolean WIDE_ENOUGH = FloatVector.SPECIES_PREFERRED.vectorBitSize() >= 256;
+    /** In a shared texel, a number's bits. */
+    static final int MANTISSA_BITS = 8;
+
+    static final int MANTISSA = 255;
+
+    /** The exponent's bits in a float. */
+    static final int EXPONENT = 0x7F800000;
+
+    /**
+     * The texels row by row, if all fit, or none: red, green and blue as whole numbers from the lowest bits on, {@link
+     * #MANTISSA_BITS} each, above them the exponent of what they are to be multiplied by, as a float has it. A Radiance picture
+     * is stored in this way.
+     */
+    int[] shared = {};
 
     /** The texels row by row, if not {@link #halved}. */
     float[] floats = {};
@@ -57,14 +70,57 @@ final class PaddedSky {
             source = input.skybox();
             width = input.skyboxDimensions()[Layout.SKYBOX_WIDTH];
             height = input.skyboxDimensions()[Layout.SKYBOX_HEIGHT];
-            halved = WIDE_ENOUGH && fitHalves(source);
+            halved = fitHalves(source);
             int room = BLANKS + Math.multiplyExact(NUMBERS_A_TEXEL, Math.multiplyExact(stride(), height + MORE_ROWS));
             floats = new float[halved ? 0 : room];
             halves = new short[halved ? room : 0];
+            shared = new int[fitShared(source) ? Math.multiplyExact(stride(), height + MORE_ROWS) : 0];
             for (int row = -1; row <= height; row++) {
                 copyRow(row);
             }
         }
+    }
+
+    /** Whether the texels are {@link #shared}. */
+    boolean isShared() {
+        return shared.length > 0;
+    }
+
+    private static boolean fitShared(float[] radiance) {
+        boolean fit = true;
+        for (int texel = 0; texel < radiance.length && fit; texel += NUMBERS_A_TEXEL) {
+            fit = fitsShared(radiance, texel);
+        }
+        return fit;
+    }
+
+    private static boolean fitsShared(float[] radiance, int texel) {
+        int bits = share(radiance, texel);
+        boolean fits = true;
+        for (int channel = 0; channel < NUMBERS_A_TEXEL; channel++) {
+            fits &= shared(bits, channel) == radiance[texel + channel];
+        }
+        return fits;
+    }
+
+    /** A number of a shared texel. */
+    private static float shared(int bits, int channel) {
+        return Float.intBitsToFloat(bits >>> 1 & EXPONENT) * (bits >>> (MANTISSA_BITS * channel) & MANTISSA);
+    }
+
+    /** A texel whose numbers share an exponent; other numbers than the texel's where they cannot. */
+    private static int share(float[] radiance, int texel) {
+        float most = Math.max(radiance[texel], Math.max(radiance[texel + 1], radiance[texel + 2]));
+        int exponent = Math.getExponent(most) - (MANTISSA_BITS - 1);
+        int bits = 0;
+        if (exponent >= Float.MIN_EXPONENT) {
+            bits = (exponent - Float.MIN_EXPONENT + 1) << (NUMBERS_A_TEXEL * MANTISSA_BITS);
+            for (int channel = 0; channel < NUMBERS_A_TEXEL; channel++) {
+                bits |= ((int) Math.scalb(radiance[texel + channel], -exponent) & MANTISSA)
+                        << (MANTISSA_BITS * channel);
+            }
+        }
+        return bits;
     }
 
     private static boolean fitHalves(float[] radiance) {
@@ -82,6 +138,9 @@ final class PaddedSky {
             int texel = from + NUMBERS_A_TEXEL * Math.floorMod(column, width);
             for (int channel = 0; channel < NUMBERS_A_TEXEL; channel++) {
                 put(to + channel, source[texel + channel]);
+            }
+            if (isShared()) {
+                shared[to / NUMBERS_A_TEXEL] = share(source, texel);
             }
             to += NUMBERS_A_TEXEL;
         }

@@ -32,16 +32,20 @@ final class ShadowConics {
     /** From the bit of a number below 0, where a sample is blocked, to a 1: fewer steps than to compare and to choose. */
     private static final int SIGN = 31;
 
-    private static final int LOWER = 0;
-    private static final int COUNT = 1;
+    private static final int COUNT_ONE = 0;
+    private static final int COUNT_FEW = 1;
+    private static final int LOWER = 2;
+    private static final int COUNT_LOWEST = 3;
 
     /** A conic where nothing blocks: any number above 0. */
     private static final float ABOVE = 1f;
 
     /** By the numbers above; in an array, so that each keeps its own inlining budget: see {@link Stage}. */
     private static final Pass[] PASSES = {
+        (scratch, none, candidate) -> countOne(scratch, candidate),
+        (scratch, none, candidate) -> countFew(scratch, candidate),
         (scratch, from, candidate) -> lower(scratch, from, candidate),
-        (scratch, none, samples) -> count(scratch, samples),
+        (scratch, none, samples) -> countLowest(scratch, samples),
     };
 
     private ShadowConics() {}
@@ -69,8 +73,21 @@ final class ShadowConics {
         }
     }
 
-    /** Adds the samples in a candidate's range that it blocks. */
-    static void countOne(ShadowScratch scratch, int candidate) {
+    /** Adds the samples in the candidates' ranges that any of them blocks. */
+    static void count(ShadowScratch scratch) {
+        if (ShadowRange.areApart(scratch)) {
+            for (int c = 0; c < scratch.candidates.count; c++) {
+                PASSES[scratch.sorted ? COUNT_ONE : COUNT_FEW].run(scratch, 0, c);
+            }
+        } else if (scratch.candidates.count == 2) {
+            countTwo(scratch);
+        } else {
+            countAny(scratch);
+        }
+    }
+
+    /** Those of one candidate. */
+    private static void countOne(ShadowScratch scratch, int candidate) {
         float[] facts = scratch.facts;
         float[] disc = scratch.disc;
         int to = 2 * scratch.tos[candidate];
@@ -94,8 +111,34 @@ final class ShadowConics {
                 .intoArray(scratch.frame, ShadowScratch.BLOCKED);
     }
 
+    /**
+     * Those of one candidate where they are few. The count stays in memory: as a vector that a loop of one round hands on, it
+     * would become an object in some JVMs.
+     */
+    private static void countFew(ShadowScratch scratch, int candidate) {
+        float[] facts = scratch.facts;
+        float[] disc = scratch.disc;
+        int to = 2 * scratch.tos[candidate];
+        int of = candidate * ShadowScratch.STRIDE;
+        FloatVector xx = FloatVector.fromArray(Lanes.FLOATS, facts, of + ShadowScratch.XX);
+        FloatVector xy = FloatVector.fromArray(Lanes.FLOATS, facts, of + ShadowScratch.XY);
+        FloatVector yy = FloatVector.fromArray(Lanes.FLOATS, facts, of + ShadowScratch.YY);
+        FloatVector linearX = FloatVector.fromArray(Lanes.FLOATS, facts, of + ShadowScratch.X);
+        FloatVector linearY = FloatVector.fromArray(Lanes.FLOATS, facts, of + ShadowScratch.Y);
+        FloatVector constant = FloatVector.fromArray(Lanes.FLOATS, facts, of + ShadowScratch.CONSTANT);
+        for (int at = 2 * scratch.froms[candidate]; at < to; at += 2) {
+            FloatVector x = FloatVector.broadcast(Lanes.FLOATS, disc[at]);
+            FloatVector y = FloatVector.broadcast(Lanes.FLOATS, disc[at + 1]);
+            FloatVector inX = Lanes.fma(Lanes.fma(xy, y, Lanes.fma(xx, x, linearX)), x, constant);
+            FloatVector conic = Lanes.fma(Lanes.fma(yy, y, linearY), y, inX);
+            Lanes.toFloats(conic.reinterpretAsInts().lanewise(VectorOperators.LSHR, SIGN))
+                    .add(FloatVector.fromArray(Lanes.FLOATS, scratch.frame, ShadowScratch.BLOCKED))
+                    .intoArray(scratch.frame, ShadowScratch.BLOCKED);
+        }
+    }
+
     /** Adds the samples that any of two candidates blocks, of those from where the first range begins to where the last ends. */
-    static void countTwo(ShadowScratch scratch) {
+    private static void countTwo(ShadowScratch scratch) {
         float[] facts = scratch.facts;
         float[] disc = scratch.disc;
         int to = 2 * Math.max(scratch.tos[0], scratch.tos[1]);
@@ -128,7 +171,7 @@ final class ShadowConics {
     }
 
     /** The same with any number of candidates. */
-    static void countAny(ShadowScratch scratch) {
+    private static void countAny(ShadowScratch scratch) {
         int from = Integer.MAX_VALUE;
         int to = 0;
         for (int c = 0; c < scratch.candidates.count; c++) {
@@ -141,7 +184,7 @@ final class ShadowConics {
         for (int c = 0; c < scratch.candidates.count; c++) {
             PASSES[LOWER].run(scratch, from, c);
         }
-        PASSES[COUNT].run(scratch, 0, samples);
+        PASSES[COUNT_LOWEST].run(scratch, 0, samples);
     }
 
     /** Lowers what is there at each sample of a candidate's range to its conic, the first sample there being that one. */
@@ -169,7 +212,7 @@ final class ShadowConics {
     }
 
     /** Counts the samples at which the lowest conic is below 0. */
-    private static void count(ShadowScratch scratch, int samples) {
+    private static void countLowest(ShadowScratch scratch, int samples) {
         float[] conics = scratch.conics;
         IntVector blocked = IntVector.zero(Lanes.INTS);
         for (int sample = 0; sample < samples; sample++) {

@@ -126,14 +126,8 @@ final class Shadows {
         if (!scratch.conical) {
             float[] disc = drawing.input.shadowDisc();
             ShadowRays.countAny(scratch, tile.values, at + Tile.LIGHT_DISTANCE, disc, drawing.shadowSamples);
-        } else if (ShadowRange.areApart(scratch)) {
-            for (int c = 0; c < scratch.candidates.count; c++) {
-                ShadowConics.countOne(scratch, c);
-            }
-        } else if (scratch.candidates.count == 2) {
-            ShadowConics.countTwo(scratch);
         } else {
-            ShadowConics.countAny(scratch);
+            ShadowConics.count(scratch);
         }
     }
 

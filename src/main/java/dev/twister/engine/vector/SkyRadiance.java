@@ -3,25 +3,17 @@ package dev.twister.engine.vector;
 import dev.twister.kernel.Layout;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
-import jdk.incubator.vector.ShortVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
-import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The panorama's radiance, bilinear between four texels, where the lanes of a packet look here and there. Its vectors are of
- * other widths than the packets', for which {@link Lanes#fma} is kept, so that the compiler knows their width there.
+ * The panorama's radiance, bilinear between four texels, where the lanes of a packet look here and there: texels are
+ * fetched pixel by pixel, and weighed in lanes.
+ *
+ * <p>As everywhere in the engine, vectors have the packets' width and no other: the compiler asks the Vector API's own methods
+ * which widths they have met, and makes objects of vectors where it does not know which is next.
  */
 final class SkyRadiance {
-    /** A texel: red, green, blue and a blank. */
-    private static final VectorSpecies<Float> TEXEL = FloatVector.SPECIES_128;
-
-    /** Two texels side by side: red, green, blue, red, green, blue and two blanks. */
-    private static final VectorSpecies<Float> PAIR = FloatVector.SPECIES_256;
-
-    private static final VectorSpecies<Integer> PAIR_BITS = IntVector.SPECIES_256;
-    private static final VectorSpecies<Short> HALVED_PAIR = ShortVector.SPECIES_128;
-
     private SkyRadiance() {}
 
     /** Lists the pixels that met nothing. */
@@ -54,86 +46,104 @@ final class SkyRadiance {
         }
     }
 
-    /** Looks the sky up for every listed pixel, one a step. */
-    static void blend(Tile tile, PaddedSky sky) {
-        if (sky.halved) {
-            blendHalves(tile, sky);
+    /** Fetches the four texels about every listed pixel's direction, one pixel a step. */
+    static void fetch(Tile tile, PaddedSky sky) {
+        if (sky.isShared()) {
+            fetchShared(tile, sky);
         } else {
-            blendFloats(tile, sky);
+            fetchNumbers(tile, sky);
         }
     }
 
-    /**
-     * The pixel's four texels are two vectors, with no gather. Without helpers, for the reason that {@link ShadowConics} has.
-     */
-    private static void blendHalves(Tile tile, PaddedSky sky) {
-        float[] t = tile.values;
-        short[] halves = sky.halves;
-        float[] pair = tile.skyColor;
+    private static void fetchShared(Tile tile, PaddedSky sky) {
+        int[] from = sky.shared;
+        int[] to = tile.corners;
+        int below = sky.stride();
+        for (int k = 0; k < tile.lonelyCount; k++) {
+            int pixel = tile.lonely[k];
+            int texel = tile.texels[pixel];
+            int upperLeft = from[texel];
+            int upperRight = from[texel + 1];
+            int lowerLeft = from[texel + below];
+            int lowerRight = from[texel + below + 1];
+            to[Tile.UPPER_LEFT + pixel] = upperLeft;
+            to[Tile.UPPER_RIGHT + pixel] = upperRight;
+            to[Tile.LOWER_LEFT + pixel] = lowerLeft;
+            to[Tile.LOWER_RIGHT + pixel] = lowerRight;
+        }
+    }
+
+    private static void fetchNumbers(Tile tile, PaddedSky sky) {
+        float[] to = tile.cornerNumbers;
         int below = PaddedSky.NUMBERS_A_TEXEL * sky.stride();
         for (int k = 0; k < tile.lonelyCount; k++) {
             int pixel = tile.lonely[k];
             int texel = PaddedSky.NUMBERS_A_TEXEL * tile.texels[pixel];
-            FloatVector upper = ((IntVector) ShortVector.fromArray(HALVED_PAIR, halves, texel)
-                            .convertShape(VectorOperators.ZERO_EXTEND_S2I, PAIR_BITS, 0))
-                    .lanewise(VectorOperators.LSHL, PaddedSky.LOWER_BITS)
-                    .reinterpretAsFloats();
-            FloatVector lower = ((IntVector) ShortVector.fromArray(HALVED_PAIR, halves, texel + below)
-                            .convertShape(VectorOperators.ZERO_EXTEND_S2I, PAIR_BITS, 0))
-                    .lanewise(VectorOperators.LSHL, PaddedSky.LOWER_BITS)
-                    .reinterpretAsFloats();
-            FloatVector toBottom = FloatVector.broadcast(PAIR, t[pixel + Tile.SKY_TO_BOTTOM]);
-            lower.sub(upper).mul(toBottom).add(upper).intoArray(pair, 0);
-            float toRight = t[pixel + Tile.SKY_TO_RIGHT];
-            t[pixel + Tile.SKY_RED] = pair[0] + (pair[3] - pair[0]) * toRight;
-            t[pixel + Tile.SKY_GREEN] = pair[1] + (pair[4] - pair[1]) * toRight;
-            t[pixel + Tile.SKY_BLUE] = pair[2] + (pair[5] - pair[2]) * toRight;
+            for (int channel = 0; channel < PaddedSky.NUMBERS_A_TEXEL; channel++) {
+                int place = Tile.CORNERS * channel * Tile.SIZE + pixel;
+                int number = texel + channel;
+                to[Tile.UPPER_LEFT + place] = sky.value(number);
+                to[Tile.UPPER_RIGHT + place] = sky.value(number + PaddedSky.NUMBERS_A_TEXEL);
+                to[Tile.LOWER_LEFT + place] = sky.value(number + below);
+                to[Tile.LOWER_RIGHT + place] = sky.value(number + below + PaddedSky.NUMBERS_A_TEXEL);
+            }
         }
     }
 
-    /** The same with four vectors. */
-    private static void blendFloats(Tile tile, PaddedSky sky) {
-        float[] t = tile.values;
-        float[] floats = sky.floats;
-        float[] color = tile.skyColor;
-        int right = PaddedSky.NUMBERS_A_TEXEL;
-        int below = right * sky.stride();
-        for (int k = 0; k < tile.lonelyCount; k++) {
-            int pixel = tile.lonely[k];
-            int texel = right * tile.texels[pixel];
-            FloatVector toRight = FloatVector.broadcast(TEXEL, t[pixel + Tile.SKY_TO_RIGHT]);
-            FloatVector upper = FloatVector.fromArray(TEXEL, floats, texel);
-            FloatVector lower = FloatVector.fromArray(TEXEL, floats, texel + below);
-            upper = FloatVector.fromArray(TEXEL, floats, texel + right)
-                    .sub(upper)
-                    .mul(toRight)
-                    .add(upper);
-            lower = FloatVector.fromArray(TEXEL, floats, texel + below + right)
-                    .sub(lower)
-                    .mul(toRight)
-                    .add(lower);
-            FloatVector toBottom = FloatVector.broadcast(TEXEL, t[pixel + Tile.SKY_TO_BOTTOM]);
-            lower.sub(upper).mul(toBottom).add(upper).intoArray(color, 0);
-            t[pixel + Tile.SKY_RED] = color[0];
-            t[pixel + Tile.SKY_GREEN] = color[1];
-            t[pixel + Tile.SKY_BLUE] = color[2];
+    /** Turns shared texels into numbers. */
+    static void unpack(Tile tile, PaddedSky sky) {
+        if (sky.isShared()) {
+            for (int corner = 0; corner < Tile.CORNERS * Tile.SIZE; corner += Tile.SIZE) {
+                unpack(tile, corner);
+            }
         }
     }
 
-    /** Adds what {@link #blend} found to the lanes that met nothing. */
+    private static void unpack(Tile tile, int corner) {
+        int[] from = tile.corners;
+        float[] to = tile.cornerNumbers;
+        for (int k = 0; k < tile.scatteredSkies.count; k++) {
+            int at = Tile.UPPER_LEFT + corner + tile.scatteredSkies.places[k];
+            IntVector texels = IntVector.fromArray(Lanes.INTS, from, at);
+            FloatVector unit = texels.lanewise(VectorOperators.LSHR, 1)
+                    .and(PaddedSky.EXPONENT)
+                    .reinterpretAsFloats();
+            Lanes.toFloats(texels.and(PaddedSky.MANTISSA)).mul(unit).intoArray(to, at);
+            Lanes.toFloats(texels.lanewise(VectorOperators.LSHR, PaddedSky.MANTISSA_BITS)
+                            .and(PaddedSky.MANTISSA))
+                    .mul(unit)
+                    .intoArray(to, at + Tile.CORNERS * Tile.SIZE);
+            Lanes.toFloats(texels.lanewise(VectorOperators.LSHR, 2 * PaddedSky.MANTISSA_BITS)
+                            .and(PaddedSky.MANTISSA))
+                    .mul(unit)
+                    .intoArray(to, at + 2 * Tile.CORNERS * Tile.SIZE);
+        }
+    }
+
+    /** Adds the radiance between the texels to the lanes that met nothing. */
     static void add(Tile tile) {
+        for (int channel = 0; channel < PaddedSky.NUMBERS_A_TEXEL; channel++) {
+            add(tile, Tile.RED + channel * Tile.SIZE, Tile.CORNERS * channel * Tile.SIZE);
+        }
+    }
+
+    private static void add(Tile tile, int color, int column) {
         float[] t = tile.values;
+        float[] corners = tile.cornerNumbers;
         for (int k = 0; k < tile.scatteredSkies.count; k++) {
             int at = tile.scatteredSkies.places[k];
-            VectorMask<Float> met =
-                    FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.NOTHING);
-            FloatVector throughput = FloatVector.zero(Lanes.FLOATS)
-                    .blend(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.THROUGHPUT), met);
-            for (int channel = at; channel < at + 3 * Tile.SIZE; channel += Tile.SIZE) {
-                FloatVector radiance = FloatVector.fromArray(Lanes.FLOATS, t, channel + Tile.SKY_RED);
-                FloatVector before = FloatVector.fromArray(Lanes.FLOATS, t, channel + Tile.RED);
-                Lanes.fma(throughput, radiance, before).intoArray(t, channel + Tile.RED);
-            }
+            FloatVector toRight = Lanes.load(t, at + Tile.SKY_TO_RIGHT);
+            FloatVector upper = Lanes.load(corners, Tile.UPPER_LEFT + column + at);
+            FloatVector lower = Lanes.load(corners, Tile.LOWER_LEFT + column + at);
+            FloatVector upperEnd = Lanes.load(corners, Tile.UPPER_RIGHT + column + at);
+            FloatVector lowerEnd = Lanes.load(corners, Tile.LOWER_RIGHT + column + at);
+            upper = Lanes.fma(upperEnd.sub(upper), toRight, upper);
+            lower = Lanes.fma(lowerEnd.sub(lower), toRight, lower);
+            FloatVector radiance = Lanes.fma(lower.sub(upper), Lanes.load(t, at + Tile.SKY_TO_BOTTOM), upper);
+            FloatVector before = Lanes.load(t, at + color);
+            VectorMask<Float> met = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.NOTHING);
+            before.blend(Lanes.fma(Lanes.load(t, at + Tile.THROUGHPUT), radiance, before), met)
+                    .intoArray(t, at + color);
         }
     }
 }

@@ -74,12 +74,6 @@ final class Tile {
     static final int FROM_CENTER_Y = TO_LIGHT_Y;
     static final int FROM_CENTER_Z = TO_LIGHT_Z;
 
-    /** The sky's radiance, red, green and blue in turn; needed only until surfaces are shaded. */
-    static final int SKY_RED = TO_LIGHT_X;
-
-    static final int SKY_GREEN = TO_LIGHT_Y;
-    static final int SKY_BLUE = TO_LIGHT_Z;
-
     /** S, the visible part of the light. */
     static final int VISIBLE = DIRECTION_X + 28 * SIZE;
 
@@ -117,6 +111,14 @@ final class Tile {
 
     private static final int COLUMNS = 41;
 
+    /** Columns of {@link #corners}. */
+    static final int UPPER_LEFT = Lanes.BORDER;
+
+    static final int UPPER_RIGHT = UPPER_LEFT + SIZE;
+    static final int LOWER_LEFT = UPPER_LEFT + 2 * SIZE;
+    static final int LOWER_RIGHT = UPPER_LEFT + 3 * SIZE;
+    static final int CORNERS = 4;
+
     /** The hit of a lane whose path ended before. */
     static final float ENDED = -2f;
 
@@ -134,8 +136,11 @@ final class Tile {
 
     int lonelyCount;
 
-    /** For one pixel at a time, red, green and blue of the sky, or of two texels side by side, and blanks. */
-    final float[] skyColor = new float[8];
+    /** The four texels about each pixel's direction, as {@link PaddedSky#shared} has them, in columns. */
+    final int[] corners = new int[Lanes.BORDER + CORNERS * SIZE];
+
+    /** The same as numbers: all red ones, all green ones, all blue ones. */
+    final float[] cornerNumbers = new float[Lanes.BORDER + PaddedSky.NUMBERS_A_TEXEL * CORNERS * SIZE];
 
     /** The finished pixels, from {@link Lanes#BORDER} on. */
     final int[] argb = new int[Lanes.BORDER + SIZE];

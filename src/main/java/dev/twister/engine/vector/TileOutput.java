@@ -2,12 +2,23 @@ package dev.twister.engine.vector;
 
 import dev.twister.image.Frame;
 import jdk.incubator.vector.IntVector;
-import jdk.incubator.vector.VectorSpecies;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
 
 /** Puts a tile's pixels where they belong in the frame. */
 final class TileOutput {
-    /** One row of a block. */
-    private static final VectorSpecies<Integer> BLOCK_ROW = IntVector.SPECIES_128;
+    /** Of two blocks, the first two rows of each, side by side; and the last two. */
+    private static final int[] ABOVE = {0, 1, 2, 3, 16, 17, 18, 19, 4, 5, 6, 7, 20, 21, 22, 23};
+
+    private static final int[] BELOW = {8, 9, 10, 11, 24, 25, 26, 27, 12, 13, 14, 15, 28, 29, 30, 31};
+
+    /** Of two such pairs, the first rows of each; and the second ones. */
+    private static final int[] LOWER = {0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23};
+
+    private static final int[] UPPER = {8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31};
+
+    /** A half of a block, its second row first. */
+    private static final int[] TURNED = {4, 5, 6, 7, 0, 1, 2, 3};
 
     private TileOutput() {}
 
@@ -23,17 +34,63 @@ final class TileOutput {
         }
     }
 
-    /** Row by row of the frame, so that what goes to one cache line goes there at once. */
+    /**
+     * Row by row of the frame, so that what goes to one cache line goes there at once. A packet is a block of four rows, or half
+     * of one, or a row.
+     */
     private static void writeWhole(int[] tile, int[] frame, int first, int width) {
-        int to = first;
-        int end = Lanes.BORDER + Tile.SIZE;
-        for (int blocks = Lanes.BORDER; blocks < end; blocks += Tile.SIDE * Tile.BLOCK_SIDE) {
-            for (int from = blocks; from < blocks + Tile.BLOCK; from += Tile.BLOCK_SIDE) {
-                for (int block = 0; block < Tile.SIDE / Tile.BLOCK_SIDE; block++) {
-                    IntVector.fromArray(BLOCK_ROW, tile, from + block * Tile.BLOCK)
-                            .intoArray(frame, to + block * Tile.BLOCK_SIDE);
-                }
-                to += width;
+        int blocks = Lanes.BORDER;
+        int end = first + Tile.SIDE * width;
+        for (int to = first; to < end; to += Tile.BLOCK_SIDE * width) {
+            switch (Lanes.COUNT) {
+                case Tile.BLOCK -> writeBlocks(tile, blocks, frame, to, width);
+                case Tile.BLOCK / 2 -> writeHalves(tile, blocks, frame, to, width);
+                default -> writeRows(tile, blocks, frame, to, width);
+            }
+            blocks += Tile.SIDE * Tile.BLOCK_SIDE;
+        }
+    }
+
+    private static void writeBlocks(int[] tile, int blocks, int[] frame, int first, int width) {
+        IntVector above = IntVector.fromArray(Lanes.INTS, ABOVE, 0);
+        IntVector below = IntVector.fromArray(Lanes.INTS, BELOW, 0);
+        IntVector lower = IntVector.fromArray(Lanes.INTS, LOWER, 0);
+        IntVector upper = IntVector.fromArray(Lanes.INTS, UPPER, 0);
+        IntVector block0 = IntVector.fromArray(Lanes.INTS, tile, blocks);
+        IntVector block1 = IntVector.fromArray(Lanes.INTS, tile, blocks + Tile.BLOCK);
+        IntVector block2 = IntVector.fromArray(Lanes.INTS, tile, blocks + 2 * Tile.BLOCK);
+        IntVector block3 = IntVector.fromArray(Lanes.INTS, tile, blocks + 3 * Tile.BLOCK);
+        IntVector left = above.selectFrom(block0, block1);
+        IntVector right = above.selectFrom(block2, block3);
+        lower.selectFrom(left, right).intoArray(frame, first);
+        upper.selectFrom(left, right).intoArray(frame, first + width);
+        left = below.selectFrom(block0, block1);
+        right = below.selectFrom(block2, block3);
+        lower.selectFrom(left, right).intoArray(frame, first + 2 * width);
+        upper.selectFrom(left, right).intoArray(frame, first + 3 * width);
+    }
+
+    /** Two blocks a step, of which each vector holds two rows. */
+    private static void writeHalves(int[] tile, int blocks, int[] frame, int first, int width) {
+        IntVector turned = IntVector.fromArray(Lanes.INTS, TURNED, 0);
+        VectorMask<Integer> behind = turned.compare(VectorOperators.LT, Tile.BLOCK_SIDE);
+        for (int block = 0; block < Tile.SIDE / Tile.BLOCK_SIDE; block += 2) {
+            for (int half = 0; half < 2; half++) {
+                int from = blocks + block * Tile.BLOCK + half * Lanes.COUNT;
+                int to = first + block * Tile.BLOCK_SIDE + half * 2 * width;
+                IntVector left = IntVector.fromArray(Lanes.INTS, tile, from);
+                IntVector right = IntVector.fromArray(Lanes.INTS, tile, from + Tile.BLOCK);
+                left.blend(turned.selectFrom(right), behind).intoArray(frame, to);
+                turned.selectFrom(left).blend(right, behind).intoArray(frame, to + width);
+            }
+        }
+    }
+
+    private static void writeRows(int[] tile, int blocks, int[] frame, int first, int width) {
+        for (int row = 0; row < Tile.BLOCK_SIDE; row++) {
+            for (int block = 0; block < Tile.SIDE / Tile.BLOCK_SIDE; block++) {
+                IntVector.fromArray(Lanes.INTS, tile, blocks + block * Tile.BLOCK + row * Tile.BLOCK_SIDE)
+                        .intoArray(frame, first + block * Tile.BLOCK_SIDE + row * width);
             }
         }
     }

@@ -65,7 +65,8 @@ final class TileRenderer {
     private static final Stage[] SCATTERED_SKY = {
         (tile, drawing) -> SkyRadiance.listPixels(tile),
         (tile, drawing) -> SkyRadiance.findTexels(tile, drawing.sky),
-        (tile, drawing) -> SkyRadiance.blend(tile, drawing.sky),
+        (tile, drawing) -> SkyRadiance.fetch(tile, drawing.sky),
+        (tile, drawing) -> SkyRadiance.unpack(tile, drawing.sky),
         (tile, drawing) -> SkyRadiance.add(tile),
     };
 

@@ -34,6 +34,7 @@ import jdk.incubator.vector.FloatVector;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -206,15 +207,19 @@ final class VectorEngineTest {
                         Arguments.of(bits, 16, 33)));
     }
 
-    /** The shipped skies are Radiance pictures, whose numbers fit into halves of floats. */
+    /**
+     * The shipped skies are Radiance pictures, whose numbers fit into halves of floats and share exponents: sevenths of them do
+     * not fit, and blue ones far below the others share none.
+     */
     @ParameterizedTest
-    @ValueSource(ints = {128, 256, 512})
-    void drawsASkyThatNeedsWholeFloats(int bits) {
+    @CsvSource({"128,0.7,1", "256,0.7,1", "512,0.7,1", "128,1,1e-4", "256,1,0.00006103515625", "512,1,0.00006103515625"
+    })
+    void drawsASkyThatNeedsMoreBits(int bits, float all, float blue) {
         Scene scene = SceneReader.read(Path.of("scenes", "mirrors.json"));
         Skybox shipped = SkyboxReader.read(scene.skybox());
         float[] radiance = shipped.radiance().clone();
         for (int i = 0; i < radiance.length; i++) {
-            radiance[i] *= 0.7f;
+            radiance[i] *= i % 3 == 2 ? all * blue : all;
         }
         World world = World.of(scene, new Skybox(shipped.width(), shipped.height(), radiance));
         world.setSettings(world.settings().withSize(203, 127).withBounces(2));

@@ -1,12 +1,20 @@
 package dev.twister.engine.vector;
 
 import static com.tngtech.archunit.base.DescribedPredicate.anyElementThat;
+import static com.tngtech.archunit.base.DescribedPredicate.not;
+import static com.tngtech.archunit.core.domain.JavaAccess.Predicates.target;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.type;
+import static com.tngtech.archunit.core.domain.properties.HasName.Predicates.name;
+import static com.tngtech.archunit.core.domain.properties.HasName.Predicates.nameStartingWith;
+import static com.tngtech.archunit.core.domain.properties.HasOwner.Predicates.With.owner;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noMethods;
 
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.ArchRule;
+import jdk.incubator.vector.ShortVector;
 import org.junit.jupiter.api.Test;
 
 /** A helper that the JVM does not inline makes objects of its vectors, and it is inlined in most JVMs: a rare slow one. */
@@ -25,6 +33,23 @@ final class VectorHelpersTest {
     @Test
     void vectorsAreReturnedByLanesAlone() {
         check(noMethods().that().areNotDeclaredIn(Lanes.class).should().haveRawReturnType(resideInAPackage(VECTORS)));
+    }
+
+    /**
+     * The JVM asks each method of the Vector API which classes of vectors it has met: where there is a choice, it may make
+     * objects. Shorts are unpacked in one place and have a width of their own.
+     */
+    @Test
+    void vectorsHaveThePacketsWidth() {
+        check(noClasses()
+                .that()
+                .doNotBelongToAnyOf(Lanes.class)
+                .should()
+                .accessFieldWhere(target(owner(resideInAPackage(VECTORS)))
+                        .and(target(owner(not(type(ShortVector.class)))))
+                        .and(target(nameStartingWith("SPECIES_"))))
+                .orShould()
+                .callMethodWhere(target(name("withShape")).or(target(name("withLanes")))));
     }
 
     private static void check(ArchRule rule) {
