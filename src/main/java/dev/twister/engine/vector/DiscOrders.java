@@ -82,7 +82,7 @@ final class DiscOrders {
         float least = Math.min(Math.abs(u), Math.abs(w));
         float most = Math.max(Math.abs(u), Math.abs(w));
         float ratio = most > 0f ? least / most : 0f;
-        // An arc tangent of a thousandth's error, in eighths of a circle.
+        // An arc tangent in eighths of a circle, at most a two-hundredth of one wrong.
         float eighths = ratio * (1.3476f - 0.3476f * ratio);
         float quarter = Math.abs(w) > Math.abs(u) ? 2f - eighths : eighths;
         float half = u < 0f ? 4f - quarter : quarter;
