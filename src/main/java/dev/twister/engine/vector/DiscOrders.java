@@ -1,8 +1,6 @@
 package dev.twister.engine.vector;
 
 import java.util.Arrays;
-import java.util.Comparator;
-import java.util.stream.IntStream;
 
 /**
  * The shadow samples of the unit disc, in the order along each of {@value #DIRECTIONS} directions: what a sphere's edge
@@ -51,26 +49,29 @@ final class DiscOrders {
     }
 
     private void order(int direction) {
-        float[] along = new float[count];
+        // A sample's number below the bits of where it lies, which are in the order of floats, as none is below 0.
+        long[] order = new long[count];
         for (int sample = 0; sample < count; sample++) {
-            along[sample] = source[2 * sample] * ALONG_U[direction] + source[2 * sample + 1] * ALONG_W[direction];
+            long place = Float.floatToRawIntBits(1f + Math.max(-1f, along(direction, sample)));
+            order[sample] = place << Integer.SIZE | sample;
         }
-        int[] order = IntStream.range(0, count)
-                .boxed()
-                .sorted(Comparator.comparingDouble(sample -> along[sample]))
-                .mapToInt(Integer::intValue)
-                .toArray();
+        Arrays.sort(order);
         int at = direction * 2 * count;
         int first = direction * (STEPS + 1);
         Arrays.fill(before, first, first + STEPS + 1, 0);
         for (int k = 0; k < count; k++) {
-            samples[at + 2 * k] = source[2 * order[k]];
-            samples[at + 2 * k + 1] = source[2 * order[k] + 1];
-            before[first + 1 + step(along[order[k]])]++;
+            int sample = (int) order[k];
+            samples[at + 2 * k] = source[2 * sample];
+            samples[at + 2 * k + 1] = source[2 * sample + 1];
+            before[first + 1 + step(along(direction, sample))]++;
         }
         for (int step = 1; step <= STEPS; step++) {
             before[first + step] += before[first + step - 1];
         }
+    }
+
+    private float along(int direction, int sample) {
+        return source[2 * sample] * ALONG_U[direction] + source[2 * sample + 1] * ALONG_W[direction];
     }
 
     private static int step(float along) {

@@ -74,7 +74,7 @@ final class PaddedSky {
             int room = BLANKS + Math.multiplyExact(NUMBERS_A_TEXEL, Math.multiplyExact(stride(), height + MORE_ROWS));
             floats = new float[halved ? 0 : room];
             halves = new short[halved ? room : 0];
-            shared = new int[fitShared(source) ? Math.multiplyExact(stride(), height + MORE_ROWS) : 0];
+            shared = new int[halved && fitShared(source) ? Math.multiplyExact(stride(), height + MORE_ROWS) : 0];
             for (int row = -1; row <= height; row++) {
                 copyRow(row);
             }
@@ -114,10 +114,10 @@ final class PaddedSky {
         int exponent = Math.getExponent(most) - (MANTISSA_BITS - 1);
         int bits = 0;
         if (exponent >= Float.MIN_EXPONENT) {
-            bits = (exponent - Float.MIN_EXPONENT + 1) << (NUMBERS_A_TEXEL * MANTISSA_BITS);
+            bits = (exponent + Float.MAX_EXPONENT) << (NUMBERS_A_TEXEL * MANTISSA_BITS);
+            float inverse = Float.intBitsToFloat((Float.MAX_EXPONENT - exponent) << (Float.PRECISION - 1));
             for (int channel = 0; channel < NUMBERS_A_TEXEL; channel++) {
-                bits |= ((int) Math.scalb(radiance[texel + channel], -exponent) & MANTISSA)
-                        << (MANTISSA_BITS * channel);
+                bits |= ((int) (radiance[texel + channel] * inverse) & MANTISSA) << (MANTISSA_BITS * channel);
             }
         }
         return bits;
