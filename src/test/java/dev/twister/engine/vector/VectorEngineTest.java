@@ -208,11 +208,17 @@ final class VectorEngineTest {
     }
 
     /**
-     * The shipped skies are Radiance pictures, whose numbers fit into halves of floats and share exponents: sevenths of them do
+     * The shipped skies are Radiance pictures, whose numbers fit into halves of floats and share exponents: seven tenths of them do
      * not fit, and blue ones far below the others share none.
      */
     @ParameterizedTest
-    @CsvSource({"128,0.7,1", "256,0.7,1", "512,0.7,1", "128,1,1e-4", "256,1,0.00006103515625", "512,1,0.00006103515625"
+    @CsvSource({
+        "128,0.7,1",
+        "256,0.7,1",
+        "512,0.7,1",
+        "128,1,0.00006103515625",
+        "256,1,0.00006103515625",
+        "512,1,0.00006103515625",
     })
     void drawsASkyThatNeedsMoreBits(int bits, float all, float blue) {
         Scene scene = SceneReader.read(Path.of("scenes", "mirrors.json"));
