@@ -142,6 +142,14 @@ final class Hull {
         radius = 0f;
     }
 
+    /** Starts in the ball about a level rectangle. */
+    void startIn(float leastX, float mostX, float y, float leastZ, float mostZ) {
+        startAt(0.5f * (leastX + mostX), y, 0.5f * (leastZ + mostZ));
+        float halfX = 0.5f * (mostX - leastX);
+        float halfZ = 0.5f * (mostZ - leastZ);
+        radius = (float) Math.sqrt(halfX * halfX + halfZ * halfZ);
+    }
+
     /** Holds the rays' mirror images in the level plane of that height instead. */
     void mirror(float height) {
         baseY = 2f * height - baseY;

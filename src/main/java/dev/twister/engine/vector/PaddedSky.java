@@ -64,6 +64,11 @@ final class PaddedSky {
         return halved ? Float.intBitsToFloat(halves[at] << LOWER_BITS) : floats[at];
     }
 
+    /** The bits of the same as a float. */
+    int bits(int at) {
+        return halved ? halves[at] << LOWER_BITS : Float.floatToRawIntBits(floats[at]);
+    }
+
     @SuppressWarnings("ReferenceEquality") // an input's arrays never change
     void take(FrameInput input) {
         if (input.skybox() != source) {

@@ -39,13 +39,24 @@ final class Shadows {
             } else {
                 Hull hull = tile.shadow.hull;
                 hull.startAround(tile, tile.shadows, Tile.POINT_X, Tile.SHADOW_OPEN);
-                endAtLight(hull, drawing);
-                hull.cull(drawing.bodies, Layout.FIRST_SPHERE, tile.shadow.tileCandidates);
-                if (tile.shadow.tileCandidates.count > 0) {
-                    ShadowCandidates.findDiscs(tile, drawing);
-                    sample(tile, drawing);
-                }
+                sampleAmongFew(tile, drawing, hull);
             }
+        }
+    }
+
+    /** The same for a tile of {@link GroundAlone}. */
+    static void findOnGround(Tile tile, Drawing drawing) {
+        if (tile.shadows.count > 0) {
+            sampleAmongFew(tile, drawing, tile.ground);
+        }
+    }
+
+    private static void sampleAmongFew(Tile tile, Drawing drawing, Hull hull) {
+        endAtLight(hull, drawing);
+        hull.cull(drawing.bodies, Layout.FIRST_SPHERE, tile.shadow.tileCandidates);
+        if (tile.shadow.tileCandidates.count > 0) {
+            ShadowCandidates.findDiscs(tile, drawing);
+            sample(tile, drawing);
         }
     }
 

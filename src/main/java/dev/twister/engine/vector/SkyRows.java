@@ -26,6 +26,9 @@ final class SkyRows {
     /** Of two vectors, the second one's lanes are counted on from the first one's 16. */
     private static final int LANE_BITS = 4;
 
+    /** Added to small numbers, rounds them to whole ones, which are then a float's lowest bits. */
+    private static final float ROUNDER = 3 << 22;
+
     private static final VectorSpecies<Short> HALVES = ShortVector.SPECIES_256;
 
     private SkyRows() {}
@@ -84,16 +87,19 @@ final class SkyRows {
             IntVector third = ((IntVector) ShortVector.fromArray(HALVES, halves, texel + 2 * below)
                             .convertShape(VectorOperators.ZERO_EXTEND_S2I, Lanes.INTS, 0))
                     .lanewise(VectorOperators.LSHL, PaddedSky.LOWER_BITS);
+            // Rounded to the nearest half a texel back, which is the texel to the left or, of a whole one, either.
             FloatVector toRight = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.SKY_TO_RIGHT)
-                    .sub(patches.left[k]);
+                    .sub(patches.left[k] + 0.5f);
             FloatVector toBottom = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.SKY_TO_BOTTOM)
-                    .sub(patches.top[k]);
-            IntVector column = (IntVector) toRight.convertShape(VectorOperators.F2I, Lanes.INTS, 0);
-            IntVector row = (IntVector) toBottom.convertShape(VectorOperators.F2I, Lanes.INTS, 0);
-            toRight = toRight.sub((FloatVector) column.convertShape(VectorOperators.I2F, Lanes.FLOATS, 0));
-            toBottom = toBottom.sub((FloatVector) row.convertShape(VectorOperators.I2F, Lanes.FLOATS, 0));
-            IntVector number = column.add(column.lanewise(VectorOperators.LSHL, 1))
-                    .add(row.lanewise(VectorOperators.LSHL, LANE_BITS));
+                    .sub(patches.top[k] + 0.5f);
+            FloatVector column = toRight.add(ROUNDER);
+            FloatVector row = toBottom.add(ROUNDER);
+            toRight = toRight.sub(column.sub(ROUNDER)).add(0.5f);
+            toBottom = toBottom.sub(row.sub(ROUNDER)).add(0.5f);
+            // The rounder's own bits are above those that choose a lane.
+            IntVector number = column.reinterpretAsInts()
+                    .add(column.reinterpretAsInts().lanewise(VectorOperators.LSHL, 1))
+                    .add(row.reinterpretAsInts().lanewise(VectorOperators.LSHL, LANE_BITS));
             VectorMask<Float> met =
                     FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.NOTHING);
             FloatVector throughput = FloatVector.zero(Lanes.FLOATS)

@@ -169,6 +169,9 @@ final class Tile {
     /** The region that holds the live rays, and the bodies in it. */
     final Hull rays = new Hull();
 
+    /** The region between what the tile's view rays meet of the plane and the light, in a tile of {@link GroundAlone}. */
+    final Hull ground = new Hull();
+
     final BodyList candidates = new BodyList();
 
     /** One packet, or one ray of it, on its way through the hierarchy, and what spheres it has found. */

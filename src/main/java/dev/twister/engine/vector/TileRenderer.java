@@ -1,9 +1,23 @@
 package dev.twister.engine.vector;
 
 import dev.twister.kernel.Layout;
+import java.util.Arrays;
 
 /** Draws tiles, stage by stage; one for each thread. */
 final class TileRenderer {
+    /** For fewer packets a chart is not worth its nodes. */
+    private static final int LEAST_CHARTED = Tile.SIZE / Lanes.COUNT / 4;
+
+    /** From the view rays of a chart's nodes to where they look. */
+    static final Stage[] NODES = {
+        (tile, drawing) -> ViewRays.start(tile, drawing),
+        (tile, drawing) -> SkyDirection.findRatios(tile),
+        (tile, drawing) -> SkyDirection.findArcTangents(tile, Tile.SKY_TO_RIGHT),
+        (tile, drawing) -> SkyDirection.findArcTangents(tile, Tile.SKY_TO_BOTTOM),
+        (tile, drawing) -> SkyDirection.findColumns(tile, drawing.sky),
+        (tile, drawing) -> SkyDirection.findRows(tile, drawing.sky),
+    };
+
     private static final Stage[] START = {
         (tile, drawing) -> ViewRays.start(tile, drawing),
         (tile, drawing) -> ViewRays.place(tile, drawing.input.camera()),
@@ -11,6 +25,7 @@ final class TileRenderer {
 
     private static final Stage[] HOLD_VIEW = {
         (tile, drawing) -> ViewRays.bound(tile, drawing),
+        (tile, drawing) -> tile.rays.cull(drawing.bodies, Layout.LIGHT, tile.candidates),
     };
 
     private static final Stage[] CULL = {
@@ -29,8 +44,11 @@ final class TileRenderer {
         (tile, drawing) -> PacketHits.find(tile, drawing),
     };
 
-    private static final Stage[] HIT = {
+    private static final Stage[] GROUND_HIT = {
         (tile, drawing) -> GroundHit.find(tile, drawing.planeHeight, drawing.planeHalfSide),
+    };
+
+    private static final Stage[] SORT_HITS = {
         (tile, drawing) -> HitSorting.sort(tile),
     };
 
@@ -93,14 +111,27 @@ final class TileRenderer {
         (tile, drawing) -> Bounce.leave(tile),
     };
 
+    private static final Stage[] GROUND_ALONE = {
+        (tile, drawing) -> ViewRays.start(tile, drawing),
+        (tile, drawing) -> GroundAlone.meet(tile, drawing),
+        (tile, drawing) -> GroundSurface.findColors(tile, drawing),
+        (tile, drawing) -> GroundAlone.findLight(tile, drawing),
+        (tile, drawing) -> Shadows.findOnGround(tile, drawing),
+        (tile, drawing) -> GroundAlone.findHighlight(tile, drawing),
+        (tile, drawing) -> Highlight.raise(tile, drawing),
+        (tile, drawing) -> Bounce.shade(tile, drawing.bodies, drawing.ambient),
+        (tile, drawing) -> GroundAlone.leave(tile),
+    };
+
     private static final Stage[] HOLD_ANEW = {
         (tile, drawing) -> tile.rays.startAround(tile, tile.live, Tile.ORIGIN_X, Tile.THROUGHPUT),
         (tile, drawing) -> tile.rays.holdRays(tile, tile.live),
+        (tile, drawing) -> tile.rays.cull(drawing.bodies, Layout.LIGHT, tile.candidates),
     };
 
     private static final Stage[] FINISH_PIXELS = {
         (tile, drawing) -> ToneStage.map(tile, drawing.input.rayTracingProperties(), drawing.pixelSamples),
-        (tile, drawing) -> ToneStage.pack(tile),
+        (tile, drawing) -> ToneStage.pack(tile, drawing.input.rayTracingProperties(), drawing.pixelSamples),
         (tile, drawing) -> TileOutput.write(tile, drawing.frame),
     };
 
@@ -110,28 +141,100 @@ final class TileRenderer {
 
     private final Tile tile = new Tile();
 
-    /** Makes room for a frame's bodies. */
-    void reserve(int bodies) {
+    /** Tiles that look past everything at the sky; what never changes in them is written once. */
+    private final Tile clear = new Tile();
+
+    private final SkyChart chart = new SkyChart();
+
+    private final Stage[] viewedSky = {
+        (tile, drawing) -> chart.spreadColumns(tile, drawing),
+        (tile, drawing) -> chart.spreadRows(tile, drawing),
+        (tile, drawing) -> chart.place(tile, drawing, 1f),
+    };
+
+    private final SkyWindow window = new SkyWindow();
+
+    private final Stage[] smallWindow = {(tile, drawing) -> window.addFromOne(tile)};
+    private final Stage[] largeWindow = {(tile, drawing) -> window.addFromTwo(tile)};
+
+    private final Stage[] mirroredSky = {
+        (tile, drawing) -> chart.spreadColumns(tile, drawing),
+        (tile, drawing) -> chart.spreadRows(tile, drawing),
+        (tile, drawing) -> chart.place(tile, drawing, -1f),
+    };
+
+    TileRenderer() {
+        clear.live.addAll();
+        clear.skies.addAll();
+        Arrays.fill(clear.values, Tile.HIT, Tile.HIT + Tile.SIZE, Layout.NOTHING);
+        Arrays.fill(clear.values, Tile.THROUGHPUT, Tile.THROUGHPUT + Tile.SIZE, 1f);
+    }
+
+    /** Prepares for a frame. */
+    void start(Drawing drawing) {
+        int bodies = drawing.input.bodies();
         tile.candidates.reserve(bodies);
         tile.shadow.reserveBodies(bodies);
         tile.near.reserveList(Shadows.MOST_NEAR + Lanes.COUNT);
+        chart.start(drawing);
     }
 
     /** Draws the tile of that number, counted along the rows of tiles from the top left. */
     void draw(Drawing drawing, int number) {
         tile.left = number % drawing.tilesAcross() * Tile.SIDE;
         tile.top = number / drawing.tilesAcross() * Tile.SIDE;
+        if (!drawing.crowded) {
+            Stage.runAll(HOLD_VIEW, tile, drawing);
+        }
+        if (seesSkyAlone(drawing) && chart.covers(tile, drawing)) {
+            drawSky(drawing);
+        } else {
+            drawAll(drawing);
+        }
+    }
+
+    private boolean seesSkyAlone(Drawing drawing) {
+        return !drawing.crowded && tile.candidates.count == 0 && tile.rays.rises(drawing.planeHeight);
+    }
+
+    /** Draws a tile whose view rays meet nothing. */
+    private void drawSky(Drawing drawing) {
+        clear.left = tile.left;
+        clear.top = tile.top;
+        ViewRays.blacken(clear);
+        for (int sample = 0; sample < drawing.pixelSamples; sample++) {
+            clear.sample = sample;
+            addChartedSky(clear, drawing, false);
+        }
+        finish(clear, drawing);
+    }
+
+    private void drawAll(Drawing drawing) {
+        boolean groundAlone = !drawing.crowded && tile.candidates.count == 0 && GroundAlone.fills(tile, drawing);
         listInside(drawing);
         ViewRays.blacken(tile);
         for (int sample = 0; sample < drawing.pixelSamples; sample++) {
             tile.sample = sample;
             if (sample > 0) {
-                // Following the last sample's rays has emptied it.
+                // Following the last sample's rays has changed both.
                 listInside(drawing);
+                if (!drawing.crowded) {
+                    Stage.runAll(HOLD_VIEW, tile, drawing);
+                }
             }
-            Stage.runAll(START, tile, drawing);
-            follow(drawing);
+            if (groundAlone) {
+                tile.last = drawing.bounceLimit == 0;
+                Stage.runAll(GROUND_ALONE, tile, drawing);
+                follow(drawing, 1);
+            } else {
+                Stage.runAll(START, tile, drawing);
+                follow(drawing, 0);
+            }
         }
+        finish(tile, drawing);
+    }
+
+    private static void finish(Tile tile, Drawing drawing) {
         Stage.runAll(drawing.frame.isLinear() ? FINISH_RADIANCE : FINISH_PIXELS, tile, drawing);
     }
 
@@ -149,22 +252,27 @@ final class TileRenderer {
         }
     }
 
-    private void follow(Drawing drawing) {
-        for (int bounce = 0; bounce <= drawing.bounceLimit && tile.live.count > 0; bounce++) {
+    private void follow(Drawing drawing, int firstBounce) {
+        for (int bounce = firstBounce; bounce <= drawing.bounceLimit && tile.live.count > 0; bounce++) {
             tile.last = bounce == drawing.bounceLimit;
+            boolean offPlane = bounce == 1 && tile.spheres.count == 0;
             if (drawing.crowded) {
                 Stage.runAll(NEAREST_OF_MANY, tile, drawing);
-                Stage.runAll(HIT, tile, drawing);
+                if (!offPlane) {
+                    Stage.runAll(GROUND_HIT, tile, drawing);
+                }
+                Stage.runAll(SORT_HITS, tile, drawing);
             } else {
-                meetFew(drawing, bounce);
+                meetFew(drawing, bounce, offPlane);
             }
             Stage.runFor(tile.lights.count, LIGHT, tile, drawing);
             if (tile.skies.count > 0) {
-                Stage.runAll(SKY, tile, drawing);
-                boolean inRows = SkyRows.FIT && drawing.sky.halved;
-                Stage.runAll(inRows ? SORT_SKY_IN_ROWS : SORT_SKY, tile, drawing);
-                Stage.runFor(tile.skyPatches.count, inRows ? SKY_ROWS : SKY_PATCHES, tile, drawing);
-                Stage.runFor(tile.scatteredSkies.count, SCATTERED_SKY, tile, drawing);
+                if ((bounce == 0 || offPlane) && tile.skies.count >= LEAST_CHARTED && chart.covers(tile, drawing)) {
+                    addChartedSky(tile, drawing, offPlane);
+                } else {
+                    Stage.runAll(SKY, tile, drawing);
+                    addSky(tile, drawing);
+                }
             }
             Stage.runFor(tile.grounds.count, GROUND, tile, drawing);
             Stage.runFor(tile.spheres.count, SPHERES, tile, drawing);
@@ -175,20 +283,40 @@ final class TileRenderer {
         }
     }
 
+    /** Adds the sky that a covered tile's view rays look at, or their mirror images. */
+    private void addChartedSky(Tile here, Drawing drawing, boolean mirrored) {
+        Stage.runAll(mirrored ? mirroredSky : viewedSky, here, drawing);
+        if (SkyWindow.FIT && chart.open(window, here, drawing, mirrored)) {
+            Stage.runAll(window.isSmall() ? smallWindow : largeWindow, here, drawing);
+        } else {
+            addSky(here, drawing);
+        }
+    }
+
+    private static void addSky(Tile tile, Drawing drawing) {
+        boolean inRows = SkyRows.FIT && drawing.sky.halved;
+        Stage.runAll(inRows ? SORT_SKY_IN_ROWS : SORT_SKY, tile, drawing);
+        Stage.runFor(tile.skyPatches.count, inRows ? SKY_ROWS : SKY_PATCHES, tile, drawing);
+        Stage.runFor(tile.scatteredSkies.count, SCATTERED_SKY, tile, drawing);
+    }
+
     /** Sorts the live rays by what they meet, where the hulls of all rays tell what cannot be met. */
-    private void meetFew(Drawing drawing, int bounce) {
-        boolean offPlane = bounce == 1 && tile.spheres.count == 0;
+    private void meetFew(Drawing drawing, int bounce, boolean offPlane) {
         if (offPlane) {
             tile.rays.mirror(drawing.planeHeight);
-        } else {
-            Stage.runAll(bounce == 0 ? HOLD_VIEW : HOLD_ANEW, tile, drawing);
+            Stage.runAll(CULL, tile, drawing);
+        } else if (bounce > 0) {
+            Stage.runAll(HOLD_ANEW, tile, drawing);
         }
-        Stage.runAll(CULL, tile, drawing);
-        if (tile.candidates.count == 0 && (offPlane || tile.rays.rises(drawing.planeHeight))) {
+        boolean upwards = offPlane || tile.rays.rises(drawing.planeHeight);
+        if (upwards && tile.candidates.count == 0) {
             Stage.runAll(NOTHING_HIT, tile, drawing);
         } else {
             Stage.runAll(NEAREST_OF_FEW, tile, drawing);
-            Stage.runAll(HIT, tile, drawing);
+            if (!upwards) {
+                Stage.runAll(GROUND_HIT, tile, drawing);
+            }
+            Stage.runAll(SORT_HITS, tile, drawing);
         }
     }
 }

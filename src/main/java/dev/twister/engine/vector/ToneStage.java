@@ -11,9 +11,18 @@ import jdk.incubator.vector.VectorOperators;
 final class ToneStage {
     private ToneStage() {}
 
-    /** Maps the sums of so many samples to [0, 1] and above. */
+    /** Maps the sums of so many samples to [0, 1] and above, unless all that is asked for is an exposure. */
     static void map(Tile tile, float[] properties, int samples) {
-        float scale = properties[Layout.EXPOSURE_SCALE] / samples;
+        if (!isPlain(properties)) {
+            mapAll(tile, properties, properties[Layout.EXPOSURE_SCALE] / samples);
+        }
+    }
+
+    private static boolean isPlain(float[] properties) {
+        return (int) properties[Layout.TONE_MAP] == ToneMapping.CLAMP && properties[Layout.SRGB] <= 0f;
+    }
+
+    private static void mapAll(Tile tile, float[] properties, float scale) {
         int operator = (int) properties[Layout.TONE_MAP];
         for (int column = Tile.RED; column <= Tile.BLUE; column += Tile.SIZE) {
             expose(tile.values, column, scale);
@@ -75,13 +84,17 @@ final class ToneStage {
         }
     }
 
-    /** Packs the mapped channels. */
-    static void pack(Tile tile) {
+    /** Packs the channels, mapped or still to be exposed. */
+    static void pack(Tile tile, float[] properties, int samples) {
+        float scale = isPlain(properties) ? properties[Layout.EXPOSURE_SCALE] / samples : 1f;
         float[] t = tile.values;
         for (int at = 0; at < Tile.SIZE; at += Lanes.COUNT) {
-            FloatVector red = Lanes.smaller(Lanes.load(t, at + Tile.RED), Lanes.all(1f));
-            FloatVector green = Lanes.smaller(Lanes.load(t, at + Tile.GREEN), Lanes.all(1f));
-            FloatVector blue = Lanes.smaller(Lanes.load(t, at + Tile.BLUE), Lanes.all(1f));
+            FloatVector red = Lanes.larger(Lanes.load(t, at + Tile.RED).mul(scale), Lanes.all(0f));
+            FloatVector green = Lanes.larger(Lanes.load(t, at + Tile.GREEN).mul(scale), Lanes.all(0f));
+            FloatVector blue = Lanes.larger(Lanes.load(t, at + Tile.BLUE).mul(scale), Lanes.all(0f));
+            red = Lanes.smaller(red, Lanes.all(1f));
+            green = Lanes.smaller(green, Lanes.all(1f));
+            blue = Lanes.smaller(blue, Lanes.all(1f));
             Lanes.truncated(red.mul(255f).add(0.5f))
                     .lanewise(VectorOperators.LSHL, 16)
                     .or(Lanes.truncated(green.mul(255f).add(0.5f)).lanewise(VectorOperators.LSHL, 8))

@@ -59,7 +59,7 @@ final class VectorEngine implements Engine {
         long start = System.nanoTime();
         drawing.take(input, frame, ways.walk(input));
         for (TileRenderer renderer : renderers) {
-            renderer.reserve(input.bodies());
+            renderer.start(drawing);
         }
         nextTile.set(0);
         try {

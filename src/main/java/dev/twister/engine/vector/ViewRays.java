@@ -5,6 +5,9 @@ import jdk.incubator.vector.FloatVector;
 
 /** Starts one view ray in each lane. */
 final class ViewRays {
+    /** Of a square's half side, from its middle to a corner. */
+    private static final float SQUARE_DIAGONAL = 1.4142135f;
+
     private ViewRays() {}
 
     /** The rays' directions, through the current samples. */
@@ -55,18 +58,22 @@ final class ViewRays {
                 camera[Layout.CAMERA_POSITION], camera[Layout.CAMERA_POSITION + 1], camera[Layout.CAMERA_POSITION + 2]);
         float u = middleX * step;
         float v = middleY * step;
-        rays.setAxis(turned(u, v, camera, 0), turned(u, v, camera, 1), turned(u, v, camera, 2));
-        float least = 1f;
-        for (int corner = 0; corner < 4; corner++) {
-            u = (middleX + (corner % 2 == 0 ? half : -half)) * step;
-            v = (middleY + (corner / 2 == 0 ? half : -half)) * step;
-            float x = turned(u, v, camera, 0);
-            float y = turned(u, v, camera, 1);
-            float z = turned(u, v, camera, 2);
-            float along = x * rays.axisX + y * rays.axisY + z * rays.axisZ;
-            least = Math.min(least, along / (float) Math.sqrt(x * x + y * y + z * z));
-        }
-        rays.holdCone(least);
+        float length = rays.setAxis(turned(u, v, camera, 0), turned(u, v, camera, 1), turned(u, v, camera, 2));
+        // From the middle a corner is that far, whichever way, and so seen under an angle of at most that sine.
+        float sine = SQUARE_DIAGONAL * half * step / length;
+        rays.holdCone((float) Math.sqrt(Math.max(0f, 1f - sine * sine)));
+    }
+
+    /**
+     * One coordinate of a ray through a corner of the tile, of no certain length.
+     *
+     * @param corner 0 to 3
+     * @param axis 0 for x, 1 for y, 2 for z
+     */
+    static float corner(Tile tile, Drawing drawing, int corner, int axis) {
+        float x = tile.left + corner % 2 * Tile.SIDE - drawing.width * 0.5f;
+        float y = drawing.input.height() * 0.5f - (drawing.input.firstRow() + tile.top + corner / 2 * Tile.SIDE);
+        return turned(x * drawing.viewportStep, y * drawing.viewportStep, drawing.input.camera(), axis);
     }
 
     private static float turned(float u, float v, float[] camera, int axis) {

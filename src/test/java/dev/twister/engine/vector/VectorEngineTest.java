@@ -232,6 +232,44 @@ final class VectorEngineTest {
         assertSame(bits, world.snapshot());
     }
 
+    /**
+     * Pixels as small as a large picture's: tiles of nothing but sky or ground, and a sky by polynomials. All together, for the
+     * reason of random scenes.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {128, 256, 512})
+    void drawsNarrowViews(int bits) {
+        Random random = new Random(20261123);
+        int pixels = 0;
+        int differing = 0;
+        try (Engine sequential = Engines.open("sequential");
+                Engine vector = WidthLoader.open(bits, 2)) {
+            for (int count = 0; count < asMany(bits, 160); count++) {
+                World world =
+                        shipped(List.of("benchmark", "teaching", "mirrors").get(count % 3));
+                Vector3 position = world.camera().position();
+                world.setCamera(new Camera(
+                        position,
+                        360 * random.nextDouble(),
+                        60 * random.nextDouble() - 30,
+                        2 + 16 * random.nextDouble()));
+                world.setSettings(world.settings()
+                        .withSize(80 + random.nextInt(30), 60 + random.nextInt(30))
+                        .withShadows(4)
+                        .withBounces(random.nextInt(4))
+                        .withSamplesPerPixel(1 + random.nextInt(2)));
+                FrameInput input = world.snapshot();
+                PictureDifference difference =
+                        PictureDifference.between(pixels(vector, input), pixels(sequential, input));
+                pixels += difference.pixels();
+                differing += difference.differing().length;
+            }
+        }
+        assertThat((long) differing * PictureDifference.PIXELS_AN_ODD_ONE)
+                .as("%d of %d pixels differ", differing, pixels)
+                .isLessThanOrEqualTo(pixels);
+    }
+
     @ParameterizedTest
     @ValueSource(ints = {128, 256, 512})
     void drawsBands(int bits) {
