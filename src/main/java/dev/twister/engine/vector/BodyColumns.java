@@ -14,6 +14,12 @@ final class BodyColumns {
     /** What {@link #surfaces} tell of a body: its centre, its radius, red, green, blue and its reflectivity. */
     static final int SURFACE_NUMBERS = 8;
 
+    /** By how many numbers a sphere's y, z and radius lie behind its x. */
+    static final int Y = 1;
+
+    static final int Z = 2;
+    static final int RADIUS = 3;
+
     private static final int RED = 4;
     private static final int GREEN = 5;
     private static final int BLUE = 6;
@@ -26,8 +32,14 @@ final class BodyColumns {
     /** The light's and the spheres'; far below zero for the plane and for the blanks that fill the last packet. */
     float[] radius = {};
 
-    /** All that shading asks, {@value #SURFACE_NUMBERS} numbers a body, body by body. */
+    /**
+     * All that shading asks, {@value #SURFACE_NUMBERS} numbers a body, at its {@link #surfacePlaces}: the spheres in the order of
+     * the hierarchy's leaves, as those that are near each other are met together.
+     */
     float[] surfaces = {};
+
+    /** Of each body, where its numbers begin. */
+    int[] surfacePlaces = {};
 
     /** The same in columns of {@link Lanes#COUNT}, from {@link Lanes#BORDER} on, where so many hold all bodies. */
     final float[] surfaceColumns = new float[Lanes.BORDER + SURFACE_NUMBERS * Lanes.COUNT];
@@ -43,6 +55,7 @@ final class BodyColumns {
                 && source.bodies() == input.bodies()
                 && source.bodyPositions() == input.bodyPositions()
                 && source.bodySizes() == input.bodySizes()
+                && source.hierarchy() == input.hierarchy()
                 && source.bodyColors() == input.bodyColors()
                 && source.bodyReflectivities() == input.bodyReflectivities();
         if (!same) {
@@ -60,18 +73,25 @@ final class BodyColumns {
             z = new float[padded];
             radius = new float[padded];
             surfaces = new float[SURFACE_NUMBERS * padded];
+            surfacePlaces = new int[padded];
         }
+        float[] hierarchy = input.hierarchy();
         for (int body = 0; body < count; body++) {
             x[body] = input.bodyPositions()[3 * body];
             y[body] = input.bodyPositions()[3 * body + 1];
             z[body] = input.bodyPositions()[3 * body + 2];
             radius[body] = input.bodySizes()[body];
-            copySurface(input, body);
+        }
+        for (int place = 0; place < count; place++) {
+            int sphere = place - Layout.FIRST_SPHERE;
+            int body = sphere < 0 ? place : (int) hierarchy[sphere * Layout.SPHERE_STRIDE + Layout.SPHERE_BODY];
+            copySurface(input, body, SURFACE_NUMBERS * place);
         }
         if (fitLanes()) {
-            for (int at = 0; at < SURFACE_NUMBERS * count; at++) {
-                int column = Lanes.BORDER + at % SURFACE_NUMBERS * Lanes.COUNT;
-                surfaceColumns[column + at / SURFACE_NUMBERS] = surfaces[at];
+            for (int body = 0; body < count; body++) {
+                for (int number = 0; number < SURFACE_NUMBERS; number++) {
+                    surfaceColumns[Lanes.BORDER + number * Lanes.COUNT + body] = surfaces[surfacePlaces[body] + number];
+                }
             }
         }
         radius[Layout.PLANE] = NOTHING_THERE;
@@ -80,12 +100,12 @@ final class BodyColumns {
         }
     }
 
-    private void copySurface(FrameInput input, int body) {
-        int at = SURFACE_NUMBERS * body;
+    private void copySurface(FrameInput input, int body, int at) {
+        surfacePlaces[body] = at;
         surfaces[at] = x[body];
-        surfaces[at + 1] = y[body];
-        surfaces[at + 2] = z[body];
-        surfaces[at + 3] = radius[body];
+        surfaces[at + Y] = y[body];
+        surfaces[at + Z] = z[body];
+        surfaces[at + RADIUS] = radius[body];
         surfaces[at + RED] = input.bodyColors()[3 * body];
         surfaces[at + GREEN] = input.bodyColors()[3 * body + 1];
         surfaces[at + BLUE] = input.bodyColors()[3 * body + 2];
@@ -97,19 +117,24 @@ final class BodyColumns {
         return count <= Lanes.COUNT;
     }
 
+    /** A sphere's, from where the rest of it is, too. */
+    float sphereRadius(int body) {
+        return surfaces[surfacePlaces[body] + RADIUS];
+    }
+
     float red(int body) {
-        return surfaces[SURFACE_NUMBERS * body + RED];
+        return surfaces[surfacePlaces[body] + RED];
     }
 
     float green(int body) {
-        return surfaces[SURFACE_NUMBERS * body + GREEN];
+        return surfaces[surfacePlaces[body] + GREEN];
     }
 
     float blue(int body) {
-        return surfaces[SURFACE_NUMBERS * body + BLUE];
+        return surfaces[surfacePlaces[body] + BLUE];
     }
 
     float reflectivity(int body) {
-        return surfaces[SURFACE_NUMBERS * body + REFLECTIVITY];
+        return surfaces[surfacePlaces[body] + REFLECTIVITY];
     }
 }

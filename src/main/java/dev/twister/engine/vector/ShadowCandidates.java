@@ -146,10 +146,12 @@ final class ShadowCandidates {
 
     /** One bit a lane where the sphere may meet the cone from the point to the disc. */
     static long between(float[] t, int at, BodyColumns bodies, int body) {
-        float radius = bodies.radius[body];
-        FloatVector x = Lanes.all(bodies.x[body]).sub(Lanes.load(t, at + Tile.POINT_X));
-        FloatVector y = Lanes.all(bodies.y[body]).sub(Lanes.load(t, at + Tile.POINT_Y));
-        FloatVector z = Lanes.all(bodies.z[body]).sub(Lanes.load(t, at + Tile.POINT_Z));
+        float[] spheres = bodies.surfaces;
+        int sphere = bodies.surfacePlaces[body];
+        float radius = spheres[sphere + BodyColumns.RADIUS];
+        FloatVector x = Lanes.all(spheres[sphere]).sub(Lanes.load(t, at + Tile.POINT_X));
+        FloatVector y = Lanes.all(spheres[sphere + BodyColumns.Y]).sub(Lanes.load(t, at + Tile.POINT_Y));
+        FloatVector z = Lanes.all(spheres[sphere + BodyColumns.Z]).sub(Lanes.load(t, at + Tile.POINT_Z));
         FloatVector along = Lanes.fma(
                 x,
                 Lanes.load(t, at + Tile.TO_LIGHT_X),
@@ -176,10 +178,12 @@ final class ShadowCandidates {
 
     /** One bit an open lane whose point neither lies on the sphere nor inside it. */
     static long isOutside(float[] t, int at, BodyColumns bodies, int body) {
-        float radius = bodies.radius[body];
-        FloatVector x = Lanes.all(bodies.x[body]).sub(Lanes.load(t, at + Tile.POINT_X));
-        FloatVector y = Lanes.all(bodies.y[body]).sub(Lanes.load(t, at + Tile.POINT_Y));
-        FloatVector z = Lanes.all(bodies.z[body]).sub(Lanes.load(t, at + Tile.POINT_Z));
+        float[] spheres = bodies.surfaces;
+        int sphere = bodies.surfacePlaces[body];
+        float radius = spheres[sphere + BodyColumns.RADIUS];
+        FloatVector x = Lanes.all(spheres[sphere]).sub(Lanes.load(t, at + Tile.POINT_X));
+        FloatVector y = Lanes.all(spheres[sphere + BodyColumns.Y]).sub(Lanes.load(t, at + Tile.POINT_Y));
+        FloatVector z = Lanes.all(spheres[sphere + BodyColumns.Z]).sub(Lanes.load(t, at + Tile.POINT_Z));
         return Lanes.fma(x, x, Lanes.fma(y, y, z.mul(z)))
                 .compare(VectorOperators.GT, radius * radius)
                 .and(Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f))
@@ -192,10 +196,12 @@ final class ShadowCandidates {
      * point, holds the disc's.
      */
     static long hidesDisc(float[] t, int at, BodyColumns bodies, int body) {
-        float radius = bodies.radius[body];
-        FloatVector x = Lanes.all(bodies.x[body]).sub(Lanes.load(t, at + Tile.POINT_X));
-        FloatVector y = Lanes.all(bodies.y[body]).sub(Lanes.load(t, at + Tile.POINT_Y));
-        FloatVector z = Lanes.all(bodies.z[body]).sub(Lanes.load(t, at + Tile.POINT_Z));
+        float[] spheres = bodies.surfaces;
+        int sphere = bodies.surfacePlaces[body];
+        float radius = spheres[sphere + BodyColumns.RADIUS];
+        FloatVector x = Lanes.all(spheres[sphere]).sub(Lanes.load(t, at + Tile.POINT_X));
+        FloatVector y = Lanes.all(spheres[sphere + BodyColumns.Y]).sub(Lanes.load(t, at + Tile.POINT_Y));
+        FloatVector z = Lanes.all(spheres[sphere + BodyColumns.Z]).sub(Lanes.load(t, at + Tile.POINT_Z));
         FloatVector along = Lanes.fma(
                 x,
                 Lanes.load(t, at + Tile.TO_LIGHT_X),

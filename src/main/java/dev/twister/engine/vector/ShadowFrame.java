@@ -47,7 +47,7 @@ final class ShadowFrame {
         BodyList found = scratch.candidates;
         for (int c = 0; c < found.count; c++) {
             int body = found.bodies[c];
-            limit(tile.values, at, body, bodies.radius[body], scratch.facts, c * ShadowScratch.STRIDE);
+            limit(tile.values, at, body, bodies.sphereRadius(body), scratch.facts, c * ShadowScratch.STRIDE);
         }
     }
 
@@ -56,7 +56,7 @@ final class ShadowFrame {
         BodyList found = scratch.candidates;
         long rays = 0;
         for (int c = 0; c < found.count; c++) {
-            rays |= needsRays(tile.values, at, bodies.radius[found.bodies[c]], scratch, c * ShadowScratch.STRIDE);
+            rays |= needsRays(tile.values, at, bodies.sphereRadius(found.bodies[c]), scratch, c * ShadowScratch.STRIDE);
         }
         scratch.conical = rays == 0;
     }
@@ -64,9 +64,11 @@ final class ShadowFrame {
     private static void place(Tile tile, int at, BodyColumns bodies, int body, ShadowScratch scratch, int to) {
         float[] t = tile.values;
         float[] frame = scratch.frame;
-        FloatVector x = Lanes.all(bodies.x[body]).sub(Lanes.load(t, at + Tile.POINT_X));
-        FloatVector y = Lanes.all(bodies.y[body]).sub(Lanes.load(t, at + Tile.POINT_Y));
-        FloatVector z = Lanes.all(bodies.z[body]).sub(Lanes.load(t, at + Tile.POINT_Z));
+        float[] spheres = bodies.surfaces;
+        int sphere = bodies.surfacePlaces[body];
+        FloatVector x = Lanes.all(spheres[sphere]).sub(Lanes.load(t, at + Tile.POINT_X));
+        FloatVector y = Lanes.all(spheres[sphere + BodyColumns.Y]).sub(Lanes.load(t, at + Tile.POINT_Y));
+        FloatVector z = Lanes.all(spheres[sphere + BodyColumns.Z]).sub(Lanes.load(t, at + Tile.POINT_Z));
         FloatVector along = Lanes.fma(
                 x,
                 Lanes.load(t, at + Tile.TO_LIGHT_X),

@@ -43,6 +43,7 @@ final class SphereSurface {
     private static void copy(Tile tile, BodyColumns bodies) {
         float[] t = tile.values;
         float[] surfaces = bodies.surfaces;
+        int[] places = bodies.surfacePlaces;
         for (int k = 0; k < tile.spheres.count; k++) {
             int at = tile.spheres.places[k];
             long rest = Lanes.load(t, at + Tile.HIT)
@@ -50,7 +51,7 @@ final class SphereSurface {
                     .toLong();
             while (rest != 0) {
                 int pixel = at + Long.numberOfTrailingZeros(rest);
-                int from = BodyColumns.SURFACE_NUMBERS * (int) t[pixel + Tile.HIT];
+                int from = places[(int) t[pixel + Tile.HIT]];
                 for (int number = 0; number < BodyColumns.SURFACE_NUMBERS; number++) {
                     t[pixel + Tile.SURFACE + number * Tile.SIZE] = surfaces[from + number];
                 }
