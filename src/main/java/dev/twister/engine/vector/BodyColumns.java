@@ -38,11 +38,11 @@ final class BodyColumns {
      */
     float[] surfaces = {};
 
-    /** Of each body, where its numbers begin. */
-    int[] surfacePlaces = {};
-
     /** The same in columns of {@link Lanes#COUNT}, from {@link Lanes#BORDER} on, where so many hold all bodies. */
     final float[] surfaceColumns = new float[Lanes.BORDER + SURFACE_NUMBERS * Lanes.COUNT];
+
+    /** Of each body, where its numbers begin in {@link #surfaces}. */
+    int[] surfacePlaces = {};
 
     /** Light, plane and spheres, without the blanks. */
     int count;

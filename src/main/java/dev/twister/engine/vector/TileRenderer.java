@@ -145,6 +145,7 @@ final class TileRenderer {
     private final Tile clear = new Tile();
 
     private final SkyChart chart = new SkyChart();
+    private final SkyWindow window = new SkyWindow();
 
     private final Stage[] viewedSky = {
         (tile, drawing) -> chart.spreadColumns(tile, drawing),
@@ -152,16 +153,14 @@ final class TileRenderer {
         (tile, drawing) -> chart.place(tile, drawing, 1f),
     };
 
-    private final SkyWindow window = new SkyWindow();
-
-    private final Stage[] smallWindow = {(tile, drawing) -> window.addFromOne(tile)};
-    private final Stage[] largeWindow = {(tile, drawing) -> window.addFromTwo(tile)};
-
     private final Stage[] mirroredSky = {
         (tile, drawing) -> chart.spreadColumns(tile, drawing),
         (tile, drawing) -> chart.spreadRows(tile, drawing),
         (tile, drawing) -> chart.place(tile, drawing, -1f),
     };
+
+    private final Stage[] smallWindow = {(tile, drawing) -> window.addFromOne(tile)};
+    private final Stage[] largeWindow = {(tile, drawing) -> window.addFromTwo(tile)};
 
     TileRenderer() {
         clear.live.addAll();
@@ -252,6 +251,7 @@ final class TileRenderer {
         }
     }
 
+    /** Follows the live rays, which have met and left so many surfaces, to their ends. */
     private void follow(Drawing drawing, int firstBounce) {
         for (int bounce = firstBounce; bounce <= drawing.bounceLimit && tile.live.count > 0; bounce++) {
             tile.last = bounce == drawing.bounceLimit;
@@ -293,6 +293,7 @@ final class TileRenderer {
         }
     }
 
+    /** Adds the sky at the columns and rows that the tile's packets look at. */
     private static void addSky(Tile tile, Drawing drawing) {
         boolean inRows = SkyRows.FIT && drawing.sky.halved;
         Stage.runAll(inRows ? SORT_SKY_IN_ROWS : SORT_SKY, tile, drawing);

@@ -9,6 +9,11 @@
  * same reason no method but those of {@code Lanes}, which the launcher has the JVM always inline, takes or returns a vector:
  * once in some dozens of JVMs a helper is not inlined, for good.
  *
+ * <p>What a whole tile has in common is found once: which bodies its rays may meet ({@link dev.twister.engine.vector.Hull}), where
+ * in the sky its view rays look ({@link dev.twister.engine.vector.SkyChart}) and at which texels
+ * ({@link dev.twister.engine.vector.SkyWindow}), and that all of them meet nothing, or the ground
+ * ({@link dev.twister.engine.vector.GroundAlone}).
+ *
  * <p>Where a product is added in one step, that is {@code Lanes.fma}, as not every CPU has the Vector API's own.
  */
 package dev.twister.engine.vector;
