@@ -8,7 +8,8 @@ import jdk.incubator.vector.VectorOperators;
 
 /**
  * The texels of the sky that a tile's rays look at, where so few are enough that a colour of all of them is one vector of 16
- * lanes or two, out of which each lane picks its four. Without helpers, for the reason that {@link ShadowConics} has.
+ * lanes or two, out of which each lane picks its four. Without helpers, for the reason that {@link ShadowConics} has; not even
+ * {@link Lanes#fma}, as in {@link SkyRows}. For that reason, too, what is done with one vector and with two is written out twice.
  */
 final class SkyWindow {
     /** Whether there are as many lanes. */

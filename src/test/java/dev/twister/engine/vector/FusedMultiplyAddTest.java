@@ -16,7 +16,7 @@ final class FusedMultiplyAddTest {
     void isAskedForInOnePlaceOnly() {
         noClasses()
                 .that()
-                .doNotBelongToAnyOf(Lanes.class, SkyRows.class)
+                .doNotBelongToAnyOf(Lanes.class, SkyRows.class, SkyWindow.class)
                 .should()
                 .callMethodWhere(target(name("fma"))
                         .and(target(owner(DescribedPredicate.not(name(Lanes.class.getName()))))))
