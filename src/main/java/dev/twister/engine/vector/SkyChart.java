@@ -51,8 +51,14 @@ final class SkyChart {
 
     private final float[] rowsAcross = new float[columnsAcross.length];
 
-    /** Pixels across the block of tiles, or 0 where no block is small enough. */
+    private final float[][] factorsOfBoth = {columnFactors, rowFactors};
+    private final float[][] acrossOfBoth = {columnsAcross, rowsAcross};
+
+    /** Pixels across the block of tiles. */
     private int width;
+
+    /** Whether not even blocks of one tile at the horizon are small enough. */
+    private boolean hopeless;
 
     /** Radians from one pixel to the next, at most. */
     private float step;
@@ -75,16 +81,22 @@ final class SkyChart {
     void start(Drawing drawing) {
         step = drawing.viewportStep / drawing.input.camera()[Layout.CAMERA_EYE_DISTANCE];
         int tiles = MOST_TILES;
-        while (tiles > 0 && error(tiles * Tile.SIDE, USUAL_LEVEL_SQUARED) > MOST_ERROR) {
+        while (tiles > 1 && error(tiles * Tile.SIDE, USUAL_LEVEL_SQUARED) > MOST_ERROR) {
             tiles /= 2;
         }
         width = tiles * Tile.SIDE;
+        hopeless = error(width, 1f) > MOST_ERROR;
         nodes.left = -1;
         for (int node = 0; node < NODES; node++) {
             int row = node / SIDE;
             nodes.values[Tile.PLACE_X + node] = (node - row * SIDE) * stepAcross();
             nodes.values[Tile.PLACE_Y + node] = row * stepDown();
         }
+    }
+
+    /** Whether the frame's pixels are so large that not even two tiles are one block. */
+    boolean isCoarse() {
+        return width <= Tile.SIDE;
     }
 
     /** Pixels from one node to the next. */
@@ -107,7 +119,7 @@ final class SkyChart {
 
     /** Whether the polynomials are exact enough for the tile; finds those of its block first, if they are another's. */
     boolean covers(Tile tile, Drawing drawing) {
-        if (width == 0) {
+        if (hopeless) {
             return false;
         }
         int left = tile.left - tile.left % width;
@@ -206,14 +218,11 @@ final class SkyChart {
         values[first + 3 * stride] = 0.5f * (one - two) + three / 6f;
     }
 
-    /** Works out what the pixels of a column of a covered tile share, of columns of the sky. */
-    void spreadColumns(Tile tile, Drawing drawing) {
-        spread(tile, drawing, columnFactors, columnsAcross);
-    }
-
-    /** The same of rows of the sky. */
-    void spreadRows(Tile tile, Drawing drawing) {
-        spread(tile, drawing, rowFactors, rowsAcross);
+    /** Works out what the pixels of a column of a covered tile share. */
+    void spread(Tile tile, Drawing drawing) {
+        for (int k = 0; k < factorsOfBoth.length; k++) {
+            spread(tile, drawing, factorsOfBoth[k], acrossOfBoth[k]);
+        }
     }
 
     private void spread(Tile tile, Drawing drawing, float[] factors, float[] to) {
@@ -238,14 +247,15 @@ final class SkyChart {
     /**
      * Writes the columns and rows of the padded sky that a covered tile's view rays look at.
      *
-     * @param turned 1, or -1 for the rays' mirror images in a level plane
+     * @param mirrored whether it is the rays' mirror images in a level plane that look
      */
-    void place(Tile tile, Drawing drawing, float turned) {
+    void place(Tile tile, Drawing drawing, boolean mirrored) {
         float[] offsets = drawing.input.pixelOffsets();
         float inverse = 1f / stepDown();
         float from = (offsets[2 * tile.sample + 1] - offsets[1]) * inverse;
         // The rows of a direction and its mirror image are as far from either end.
-        float end = turned < 0f ? drawing.sky.height + 1f : 0f;
+        float turned = mirrored ? -1f : 1f;
+        float end = mirrored ? drawing.sky.height + 1f : 0f;
         float[] t = tile.values;
         for (int k = 0; k < tile.skies.count; k++) {
             int at = tile.skies.places[k];

@@ -7,18 +7,18 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * The texels of the sky that a tile's rays look at, where so few are enough that a colour of all of them is one vector of 16
- * lanes or two, out of which each lane picks its four. Without helpers, for the reason that {@link ShadowConics} has; not even
- * {@link Lanes#fma}, as in {@link SkyRows}. For that reason, too, what is done with one vector and with two is written out twice.
+ * The texels of the sky that a tile's rays look at, where so few are enough that a colour of all of them is two vectors of 16
+ * lanes, out of which each lane picks its four. Without helpers, for the reason that {@link ShadowConics} has; not even
+ * {@link Lanes#fma}, as in {@link SkyRows}.
  */
 final class SkyWindow {
     /** Whether there are as many lanes. */
     static final boolean FIT = Lanes.COUNT == 16;
 
     /** Texels of a vector, and of two. */
-    private static final int SOME = 16;
+    private static final int HALF = 16;
 
-    private static final int MOST = 2 * SOME;
+    private static final int MOST = 2 * HALF;
 
     /** Added to small numbers, rounds them to whole ones, which are then a float's lowest bits. */
     private static final float ROUNDER = 3 << 22;
@@ -58,56 +58,8 @@ final class SkyWindow {
         }
     }
 
-    /** Whether the texels are one vector a colour. */
-    boolean isSmall() {
-        return columns * rows <= SOME;
-    }
-
-    /** Adds the radiance to the lanes that met nothing, where the window {@link #isSmall}. */
-    void addFromOne(Tile tile) {
-        float[] t = tile.values;
-        int[] colors = texels;
-        float fromLeft = left + 0.5f;
-        float fromTop = top + 0.5f;
-        float across = columns;
-        for (int k = 0; k < tile.skies.count; k++) {
-            int at = tile.skies.places[k];
-            FloatVector toRight = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.SKY_TO_RIGHT)
-                    .sub(fromLeft);
-            FloatVector toBottom = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.SKY_TO_BOTTOM)
-                    .sub(fromTop);
-            FloatVector column = toRight.add(ROUNDER);
-            FloatVector row = toBottom.add(ROUNDER).sub(ROUNDER);
-            toRight = toRight.sub(column.sub(ROUNDER)).add(0.5f);
-            toBottom = toBottom.sub(row).add(0.5f);
-            IntVector corner =
-                    row.fma(FloatVector.broadcast(Lanes.FLOATS, across), column).reinterpretAsInts();
-            IntVector right = corner.add(1);
-            IntVector below = corner.add(columns);
-            IntVector belowRight = right.add(columns);
-            VectorMask<Float> met =
-                    FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.NOTHING);
-            FloatVector throughput = FloatVector.zero(Lanes.FLOATS)
-                    .blend(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.THROUGHPUT), met);
-            for (int channel = 0; channel < PaddedSky.NUMBERS_A_TEXEL; channel++) {
-                int from = Lanes.BORDER + channel * MOST;
-                IntVector numbers = IntVector.fromArray(Lanes.INTS, colors, from);
-                FloatVector upper = corner.selectFrom(numbers).reinterpretAsFloats();
-                FloatVector upperRight = right.selectFrom(numbers).reinterpretAsFloats();
-                FloatVector lower = below.selectFrom(numbers).reinterpretAsFloats();
-                FloatVector lowerRight = belowRight.selectFrom(numbers).reinterpretAsFloats();
-                upper = upperRight.sub(upper).fma(toRight, upper);
-                lower = lowerRight.sub(lower).fma(toRight, lower);
-                int color = at + Tile.RED + channel * Tile.SIZE;
-                throughput
-                        .fma(lower.sub(upper).fma(toBottom, upper), FloatVector.fromArray(Lanes.FLOATS, t, color))
-                        .intoArray(t, color);
-            }
-        }
-    }
-
-    /** Adds the radiance to the lanes that met nothing, whatever the window's size. */
-    void addFromTwo(Tile tile) {
+    /** Adds the radiance to the lanes that met nothing. */
+    void add(Tile tile) {
         float[] t = tile.values;
         int[] colors = texels;
         float fromLeft = left + 0.5f;
@@ -135,7 +87,7 @@ final class SkyWindow {
             for (int channel = 0; channel < PaddedSky.NUMBERS_A_TEXEL; channel++) {
                 int from = Lanes.BORDER + channel * MOST;
                 IntVector first = IntVector.fromArray(Lanes.INTS, colors, from);
-                IntVector second = IntVector.fromArray(Lanes.INTS, colors, from + SOME);
+                IntVector second = IntVector.fromArray(Lanes.INTS, colors, from + HALF);
                 FloatVector upper = corner.selectFrom(first, second).reinterpretAsFloats();
                 FloatVector upperRight = right.selectFrom(first, second).reinterpretAsFloats();
                 FloatVector lower = below.selectFrom(first, second).reinterpretAsFloats();

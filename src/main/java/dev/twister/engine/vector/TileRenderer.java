@@ -8,28 +8,42 @@ final class TileRenderer {
     /** For fewer packets a chart is not worth its nodes. */
     private static final int LEAST_CHARTED = Tile.SIZE / Lanes.COUNT / 4;
 
+    /**
+     * Beside so many tiles of pictures of few pixels, what only larger ones come to is done for nothing: an engine is warmed up by
+     * small pictures, and what the JVM has not compiled by then makes the first large ones slow.
+     */
+    private static final int REHEARSALS = 20_000;
+
+    // Stages in several lists are one object each: the JVM compiles each object's code anew.
+    private static final Stage START_RAYS = (tile, drawing) -> ViewRays.start(tile, drawing);
+    private static final Stage CULL_RAYS =
+            (tile, drawing) -> tile.rays.cull(drawing.bodies, Layout.LIGHT, tile.candidates);
+    private static final Stage FIND_SKY_RATIOS = (tile, drawing) -> SkyDirection.findRatios(tile);
+    private static final Stage FIND_SKY_TO_RIGHT =
+            (tile, drawing) -> SkyDirection.findArcTangents(tile, Tile.SKY_TO_RIGHT);
+    private static final Stage FIND_SKY_TO_BOTTOM =
+            (tile, drawing) -> SkyDirection.findArcTangents(tile, Tile.SKY_TO_BOTTOM);
+    private static final Stage FIND_SKY_COLUMNS = (tile, drawing) -> SkyDirection.findColumns(tile, drawing.sky);
+    private static final Stage FIND_SKY_ROWS = (tile, drawing) -> SkyDirection.findRows(tile, drawing.sky);
+    private static final Stage COLOR_GROUND = (tile, drawing) -> GroundSurface.findColors(tile, drawing);
+    private static final Stage RAISE_HIGHLIGHTS = (tile, drawing) -> Highlight.raise(tile, drawing);
+    private static final Stage SHADE = (tile, drawing) -> Bounce.shade(tile, drawing.bodies, drawing.ambient);
+
     /** From the view rays of a chart's nodes to where they look. */
     static final Stage[] NODES = {
-        (tile, drawing) -> ViewRays.start(tile, drawing),
-        (tile, drawing) -> SkyDirection.findRatios(tile),
-        (tile, drawing) -> SkyDirection.findArcTangents(tile, Tile.SKY_TO_RIGHT),
-        (tile, drawing) -> SkyDirection.findArcTangents(tile, Tile.SKY_TO_BOTTOM),
-        (tile, drawing) -> SkyDirection.findColumns(tile, drawing.sky),
-        (tile, drawing) -> SkyDirection.findRows(tile, drawing.sky),
+        START_RAYS, FIND_SKY_RATIOS, FIND_SKY_TO_RIGHT, FIND_SKY_TO_BOTTOM, FIND_SKY_COLUMNS, FIND_SKY_ROWS,
     };
 
     private static final Stage[] START = {
-        (tile, drawing) -> ViewRays.start(tile, drawing),
-        (tile, drawing) -> ViewRays.place(tile, drawing.input.camera()),
+        START_RAYS, (tile, drawing) -> ViewRays.place(tile, drawing.input.camera()),
     };
 
     private static final Stage[] HOLD_VIEW = {
-        (tile, drawing) -> ViewRays.bound(tile, drawing),
-        (tile, drawing) -> tile.rays.cull(drawing.bodies, Layout.LIGHT, tile.candidates),
+        (tile, drawing) -> ViewRays.bound(tile, drawing), CULL_RAYS,
     };
 
     private static final Stage[] CULL = {
-        (tile, drawing) -> tile.rays.cull(drawing.bodies, Layout.LIGHT, tile.candidates),
+        CULL_RAYS,
     };
 
     private static final Stage[] NOTHING_HIT = {
@@ -57,11 +71,7 @@ final class TileRenderer {
     };
 
     private static final Stage[] SKY = {
-        (tile, drawing) -> SkyDirection.findRatios(tile),
-        (tile, drawing) -> SkyDirection.findArcTangents(tile, Tile.SKY_TO_RIGHT),
-        (tile, drawing) -> SkyDirection.findArcTangents(tile, Tile.SKY_TO_BOTTOM),
-        (tile, drawing) -> SkyDirection.findColumns(tile, drawing.sky),
-        (tile, drawing) -> SkyDirection.findRows(tile, drawing.sky),
+        FIND_SKY_RATIOS, FIND_SKY_TO_RIGHT, FIND_SKY_TO_BOTTOM, FIND_SKY_COLUMNS, FIND_SKY_ROWS,
     };
 
     private static final Stage[] SORT_SKY = {
@@ -89,8 +99,7 @@ final class TileRenderer {
     };
 
     private static final Stage[] GROUND = {
-        (tile, drawing) -> GroundSurface.findPoints(tile, drawing),
-        (tile, drawing) -> GroundSurface.findColors(tile, drawing),
+        (tile, drawing) -> GroundSurface.findPoints(tile, drawing), COLOR_GROUND,
     };
 
     private static final Stage[] SPHERES = {
@@ -105,28 +114,28 @@ final class TileRenderer {
         (tile, drawing) -> Shadows.find(tile, drawing),
         (tile, drawing) -> Highlight.findCosines(tile),
         (tile, drawing) -> Highlight.sort(tile),
-        (tile, drawing) -> Highlight.raise(tile, drawing),
-        (tile, drawing) -> Bounce.shade(tile, drawing.bodies, drawing.ambient),
+        RAISE_HIGHLIGHTS,
+        SHADE,
         (tile, drawing) -> Bounce.reflect(tile),
         (tile, drawing) -> Bounce.leave(tile),
     };
 
     private static final Stage[] GROUND_ALONE = {
-        (tile, drawing) -> ViewRays.start(tile, drawing),
+        START_RAYS,
         (tile, drawing) -> GroundAlone.meet(tile, drawing),
-        (tile, drawing) -> GroundSurface.findColors(tile, drawing),
+        COLOR_GROUND,
         (tile, drawing) -> GroundAlone.findLight(tile, drawing),
         (tile, drawing) -> Shadows.findOnGround(tile, drawing),
         (tile, drawing) -> GroundAlone.findHighlight(tile, drawing),
-        (tile, drawing) -> Highlight.raise(tile, drawing),
-        (tile, drawing) -> Bounce.shade(tile, drawing.bodies, drawing.ambient),
+        RAISE_HIGHLIGHTS,
+        SHADE,
         (tile, drawing) -> GroundAlone.leave(tile),
     };
 
     private static final Stage[] HOLD_ANEW = {
         (tile, drawing) -> tile.rays.startAround(tile, tile.live, Tile.ORIGIN_X, Tile.THROUGHPUT),
         (tile, drawing) -> tile.rays.holdRays(tile, tile.live),
-        (tile, drawing) -> tile.rays.cull(drawing.bodies, Layout.LIGHT, tile.candidates),
+        CULL_RAYS,
     };
 
     private static final Stage[] FINISH_PIXELS = {
@@ -147,20 +156,16 @@ final class TileRenderer {
     private final SkyChart chart = new SkyChart();
     private final SkyWindow window = new SkyWindow();
 
-    private final Stage[] viewedSky = {
-        (tile, drawing) -> chart.spreadColumns(tile, drawing),
-        (tile, drawing) -> chart.spreadRows(tile, drawing),
-        (tile, drawing) -> chart.place(tile, drawing, 1f),
+    /** Whether the chart is asked for the view rays' mirror images. */
+    private boolean mirrored;
+
+    private final Stage[] chartedSky = {
+        (tile, drawing) -> chart.spread(tile, drawing), (tile, drawing) -> chart.place(tile, drawing, mirrored),
     };
 
-    private final Stage[] mirroredSky = {
-        (tile, drawing) -> chart.spreadColumns(tile, drawing),
-        (tile, drawing) -> chart.spreadRows(tile, drawing),
-        (tile, drawing) -> chart.place(tile, drawing, -1f),
-    };
+    private final Stage[] skyInWindow = {(tile, drawing) -> window.add(tile)};
 
-    private final Stage[] smallWindow = {(tile, drawing) -> window.addFromOne(tile)};
-    private final Stage[] largeWindow = {(tile, drawing) -> window.addFromTwo(tile)};
+    private int rehearsals;
 
     TileRenderer() {
         clear.live.addAll();
@@ -185,10 +190,22 @@ final class TileRenderer {
         if (!drawing.crowded) {
             Stage.runAll(HOLD_VIEW, tile, drawing);
         }
+        if (chart.isCoarse() && rehearsals < REHEARSALS) {
+            rehearsals++;
+            rehearse(drawing);
+        }
         if (seesSkyAlone(drawing) && chart.covers(tile, drawing)) {
             drawSky(drawing);
         } else {
             drawAll(drawing);
+        }
+    }
+
+    private void rehearse(Drawing drawing) {
+        Stage.runAll(chartedSky, clear, drawing);
+        if (SkyWindow.FIT) {
+            chart.open(window, clear, drawing, false);
+            Stage.runAll(skyInWindow, clear, drawing);
         }
     }
 
@@ -284,10 +301,11 @@ final class TileRenderer {
     }
 
     /** Adds the sky that a covered tile's view rays look at, or their mirror images. */
-    private void addChartedSky(Tile here, Drawing drawing, boolean mirrored) {
-        Stage.runAll(mirrored ? mirroredSky : viewedSky, here, drawing);
+    private void addChartedSky(Tile here, Drawing drawing, boolean inPlane) {
+        mirrored = inPlane;
+        Stage.runAll(chartedSky, here, drawing);
         if (SkyWindow.FIT && chart.open(window, here, drawing, mirrored)) {
-            Stage.runAll(window.isSmall() ? smallWindow : largeWindow, here, drawing);
+            Stage.runAll(skyInWindow, here, drawing);
         } else {
             addSky(here, drawing);
         }

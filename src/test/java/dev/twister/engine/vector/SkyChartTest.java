@@ -111,11 +111,10 @@ final class SkyChartTest {
         if (chart.covers(tile, drawing)) {
             covered++;
             ViewRays.start(tile, drawing);
-            chart.spreadColumns(tile, drawing);
-            chart.spreadRows(tile, drawing);
-            chart.place(tile, drawing, 1f);
+            chart.spread(tile, drawing);
+            chart.place(tile, drawing, false);
             check(1);
-            chart.place(tile, drawing, -1f);
+            chart.place(tile, drawing, true);
             check(-1);
         } else {
             uncovered++;
