@@ -201,10 +201,11 @@ final class TileRenderer {
         }
     }
 
+    /** With whatever chart and window hold: only lanes come of it. */
     private void rehearse(Drawing drawing) {
+        clear.sample = 0;
         Stage.runAll(chartedSky, clear, drawing);
         if (SkyWindow.FIT) {
-            chart.open(window, clear, drawing, false);
             Stage.runAll(skyInWindow, clear, drawing);
         }
     }
