@@ -27,7 +27,7 @@ final class SkyRows {
     private static final int LANE_BITS = 4;
 
     /** Added to small numbers, rounds them to whole ones, which are then a float's lowest bits. */
-    private static final float ROUNDER = 3 << 22;
+    static final float ROUNDER = 3 << 22;
 
     private static final VectorSpecies<Short> HALVES = ShortVector.SPECIES_256;
 
@@ -87,7 +87,8 @@ final class SkyRows {
             IntVector third = ((IntVector) ShortVector.fromArray(HALVES, halves, texel + 2 * below)
                             .convertShape(VectorOperators.ZERO_EXTEND_S2I, Lanes.INTS, 0))
                     .lanewise(VectorOperators.LSHL, PaddedSky.LOWER_BITS);
-            // Rounded to the nearest half a texel back, which is the texel to the left or, of a whole one, either.
+            // Half a texel to the left, whose nearest whole number is the texel to the left; of a whole one it may be
+            // either.
             FloatVector toRight = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.SKY_TO_RIGHT)
                     .sub(patches.left[k] + 0.5f);
             FloatVector toBottom = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.SKY_TO_BOTTOM)

@@ -20,9 +20,6 @@ final class SkyWindow {
 
     private static final int MOST = 2 * HALF;
 
-    /** Added to small numbers, rounds them to whole ones, which are then a float's lowest bits. */
-    private static final float ROUNDER = 3 << 22;
-
     /** The bits of the texels' colours, row by row: red ones from {@link Lanes#BORDER} on, then green ones, then blue ones. */
     private final int[] texels = new int[Lanes.BORDER + PaddedSky.NUMBERS_A_TEXEL * MOST];
 
@@ -71,9 +68,9 @@ final class SkyWindow {
                     .sub(fromLeft);
             FloatVector toBottom = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.SKY_TO_BOTTOM)
                     .sub(fromTop);
-            FloatVector column = toRight.add(ROUNDER);
-            FloatVector row = toBottom.add(ROUNDER).sub(ROUNDER);
-            toRight = toRight.sub(column.sub(ROUNDER)).add(0.5f);
+            FloatVector column = toRight.add(SkyRows.ROUNDER);
+            FloatVector row = toBottom.add(SkyRows.ROUNDER).sub(SkyRows.ROUNDER);
+            toRight = toRight.sub(column.sub(SkyRows.ROUNDER)).add(0.5f);
             toBottom = toBottom.sub(row).add(0.5f);
             IntVector corner =
                     row.fma(FloatVector.broadcast(Lanes.FLOATS, across), column).reinterpretAsInts();
