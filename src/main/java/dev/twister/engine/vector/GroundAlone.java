@@ -80,7 +80,7 @@ final class GroundAlone {
         float lightX = bodies.x[Layout.LIGHT];
         float lightZ = bodies.z[Layout.LIGHT];
         float above = bodies.y[Layout.LIGHT] - drawing.planeHeight;
-        float least = bodies.reflectivity(Layout.PLANE) > 0f ? Math.min(0f, drawing.ambient) : drawing.ambient;
+        float least = bodies.reflectivity(Layout.PLANE) > 0f ? 0f : drawing.ambient;
         float[] t = tile.values;
         for (int k = 0; k < tile.grounds.count; k++) {
             int at = tile.grounds.places[k];

@@ -19,7 +19,7 @@ final class SkyChart {
 
     private static final int NODES = SIDE * SIDE;
 
-    /** In radians: what a float's rounding makes of a whole turn. */
+    /** In radians: two units in the last place of a whole turn as a float. */
     private static final float MOST_ERROR = 1e-6f;
 
     /** Tiles side by side in the largest block. */

@@ -5,7 +5,7 @@ import java.util.Arrays;
 
 /** Draws tiles, stage by stage; one for each thread. */
 final class TileRenderer {
-    /** For fewer packets a chart is not worth its nodes. */
+    /** Fewer packets go by arc tangents, as a chart has its nodes to find first; from how many on it pays was not measured. */
     private static final int LEAST_CHARTED = Tile.SIZE / Lanes.COUNT / 4;
 
     /**

@@ -29,6 +29,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import jdk.incubator.vector.FloatVector;
 import org.junit.jupiter.api.Test;
@@ -87,22 +88,13 @@ final class VectorEngineTest {
     @ValueSource(ints = {128, 256, 512})
     void drawsRandomScenes(int bits) {
         Random random = new Random(20261121);
-        int pixels = 0;
-        int differing = 0;
         try (Engine sequential = Engines.open("sequential");
                 Engine vector = WidthLoader.open(bits, 2)) {
-            for (int count = 0; count < asMany(bits, 400); count++) {
+            assertSameTogether(vector, sequential, asMany(bits, 400), PictureDifference.PIXELS_AN_ODD_ONE, () -> {
                 LitScene scene = RandomScenes.scene(random, random.nextInt(6));
-                FrameInput input = World.of(scene.scene(), scene.sky()).snapshot();
-                PictureDifference difference =
-                        PictureDifference.between(pixels(vector, input), pixels(sequential, input));
-                pixels += difference.pixels();
-                differing += difference.differing().length;
-            }
+                return World.of(scene.scene(), scene.sky()).snapshot();
+            });
         }
-        assertThat((long) differing * PictureDifference.PIXELS_AN_ODD_ONE)
-                .as("%d of %d pixels differ", differing, pixels)
-                .isLessThanOrEqualTo(pixels);
     }
 
     /** By the hierarchy, however few spheres there are, in leaves of one to three; the plain loop's pixels to the bit. */
@@ -131,18 +123,25 @@ final class VectorEngineTest {
 
     private static void assertSameOnRandomScenes(Engine plain, Engine vector, int scenes) {
         Random random = new Random(20261121);
-        int pixels = 0;
-        int differing = 0;
-        for (int count = 0; count < scenes; count++) {
+        assertSameTogether(vector, plain, scenes, 20 * PictureDifference.PIXELS_AN_ODD_ONE, () -> {
             LitScene scene = RandomScenes.scene(random, random.nextInt(6));
             FrameInput whole = World.of(scene.scene(), scene.sky()).snapshot();
-            FrameInput input = whole.withHierarchy(SphereHierarchy.of(
+            return whole.withHierarchy(SphereHierarchy.of(
                     whole.bodyPositions(), whole.bodySizes(), whole.bodies(), 1 + random.nextInt(3)));
-            PictureDifference difference = PictureDifference.between(pixels(vector, input), pixels(plain, input));
+        });
+    }
+
+    private static void assertSameTogether(
+            Engine actual, Engine expected, int pictures, int pixelsAnOddOne, Supplier<FrameInput> inputs) {
+        int pixels = 0;
+        int differing = 0;
+        for (int count = 0; count < pictures; count++) {
+            FrameInput input = inputs.get();
+            PictureDifference difference = PictureDifference.between(pixels(actual, input), pixels(expected, input));
             pixels += difference.pixels();
             differing += difference.differing().length;
         }
-        assertThat((long) differing * 20 * PictureDifference.PIXELS_AN_ODD_ONE)
+        assertThat((long) differing * pixelsAnOddOne)
                 .as("%d of %d pixels differ", differing, pixels)
                 .isLessThanOrEqualTo(pixels);
     }
@@ -240,34 +239,30 @@ final class VectorEngineTest {
     @ValueSource(ints = {128, 256, 512})
     void drawsNarrowViews(int bits) {
         Random random = new Random(20261123);
-        int pixels = 0;
-        int differing = 0;
         try (Engine sequential = Engines.open("sequential");
                 Engine vector = WidthLoader.open(bits, 2)) {
-            for (int count = 0; count < asMany(bits, 160); count++) {
-                World world =
-                        shipped(List.of("benchmark", "teaching", "mirrors").get(count % 3));
-                Vector3 position = world.camera().position();
-                world.setCamera(new Camera(
-                        position,
-                        360 * random.nextDouble(),
-                        60 * random.nextDouble() - 30,
-                        2 + 16 * random.nextDouble()));
-                world.setSettings(world.settings()
-                        .withSize(80 + random.nextInt(30), 60 + random.nextInt(30))
-                        .withShadows(4)
-                        .withBounces(random.nextInt(4))
-                        .withSamplesPerPixel(1 + random.nextInt(2)));
-                FrameInput input = world.snapshot();
-                PictureDifference difference =
-                        PictureDifference.between(pixels(vector, input), pixels(sequential, input));
-                pixels += difference.pixels();
-                differing += difference.differing().length;
-            }
+            assertSameTogether(
+                    vector,
+                    sequential,
+                    asMany(bits, 160),
+                    PictureDifference.PIXELS_AN_ODD_ONE,
+                    () -> narrowView(
+                            shipped(List.of("benchmark", "teaching", "mirrors").get(random.nextInt(3))), random));
         }
-        assertThat((long) differing * PictureDifference.PIXELS_AN_ODD_ONE)
-                .as("%d of %d pixels differ", differing, pixels)
-                .isLessThanOrEqualTo(pixels);
+    }
+
+    private static FrameInput narrowView(World world, Random random) {
+        world.setCamera(new Camera(
+                world.camera().position(),
+                360 * random.nextDouble(),
+                60 * random.nextDouble() - 30,
+                2 + 16 * random.nextDouble()));
+        world.setSettings(world.settings()
+                .withSize(80 + random.nextInt(30), 60 + random.nextInt(30))
+                .withShadows(4)
+                .withBounces(random.nextInt(4))
+                .withSamplesPerPixel(1 + random.nextInt(2)));
+        return world.snapshot();
     }
 
     @ParameterizedTest
