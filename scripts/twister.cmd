@@ -29,9 +29,9 @@ if errorlevel 1 (
 
 if defined sdk (
     set "TORNADOVM_HOME=%sdk%"
-    "%jdk%\bin\java" "@%sdk_arguments%" "@%TWISTER_HOME%\scripts\tornado.options" "@%TWISTER_HOME%\scripts\jvm.options" %TWISTER_JAVA_OPTIONS% -cp "%jar%;%target%\lib\*" dev.twister.cli.Main %*
+    "%jdk%\bin\java" "@%sdk_arguments%" "@%TWISTER_HOME%\scripts\tornado.options" "@%TWISTER_HOME%\scripts\jvm.options" "-XX:CompilerDirectivesFile=%TWISTER_HOME%\scripts\compiler.json" %TWISTER_JAVA_OPTIONS% -cp "%jar%;%target%\lib\*" dev.twister.cli.Main %*
 ) else (
-    "%jdk%\bin\java" "@%TWISTER_HOME%\scripts\jvm.options" %TWISTER_JAVA_OPTIONS% -cp "%jar%;%target%\lib\*" dev.twister.cli.Main %*
+    "%jdk%\bin\java" "@%TWISTER_HOME%\scripts\jvm.options" "-XX:CompilerDirectivesFile=%TWISTER_HOME%\scripts\compiler.json" %TWISTER_JAVA_OPTIONS% -cp "%jar%;%target%\lib\*" dev.twister.cli.Main %*
 )
 exit /b %ERRORLEVEL%
 
