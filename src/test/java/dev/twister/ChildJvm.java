@@ -1,12 +1,23 @@
 package dev.twister;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 
 /** Another JVM with the classes of the tests, started without any option of this one's. */
 public final class ChildJvm {
+    private static final long MOST_SECONDS = 300;
+
     private ChildJvm() {}
+
+    /** Starts one that is ended where it takes minutes, so that whoever reads its output or waits for it goes on. */
+    public static Process start(ProcessBuilder builder) throws IOException {
+        Process java = builder.start();
+        java.onExit().orTimeout(MOST_SECONDS, TimeUnit.SECONDS).exceptionally(_ -> java.destroyForcibly());
+        return java;
+    }
 
     /** One that is to run a class's main method without any option: without the Vector API, too. */
     public static ProcessBuilder of(Class<?> main, String... arguments) {

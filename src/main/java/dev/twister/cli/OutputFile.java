@@ -36,14 +36,19 @@ final class OutputFile {
         }
     }
 
-    /** Whether what is written to one file is lost when the other one is written; devices and pipes take both. */
+    /**
+     * Whether what is written to one file is lost when the other one is written; devices and pipes take both. Names that
+     * differ in case alone are one file on some systems, and nobody wants two such on the others.
+     */
     static boolean replaces(Path one, Path other) throws IOException {
         if (Files.exists(one) && Files.exists(other)) {
             return Files.isRegularFile(one) && Files.isSameFile(one, other);
         }
         Path place = WholeFile.behindLinks(one);
         Path otherPlace = WholeFile.behindLinks(other);
-        return place.getFileName().equals(otherPlace.getFileName())
+        return place.getFileName()
+                        .toString()
+                        .equalsIgnoreCase(otherPlace.getFileName().toString())
                 && Files.isSameFile(place.resolveSibling(""), otherPlace.resolveSibling(""));
     }
 

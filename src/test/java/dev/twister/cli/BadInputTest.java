@@ -65,6 +65,7 @@ class BadInputTest {
                 "benchmark --json FOLDER/missing/r.json | --json",
                 "benchmark --csv FOLDER | a file, not a folder",
                 "benchmark --json FOLDER/r --csv FOLDER/./r | --json and --csv are both FOLDER",
+                "benchmark --json FOLDER/Report.x --csv FOLDER/report.x | --json and --csv are both FOLDER",
                 "benchmark none.json --quick | none.json",
                 "benchmark --output FOLDER/a | --output is the folder of --paper",
                 "benchmark --paper --size 640x360 --output FOLDER/a | --paper has its own sizes",

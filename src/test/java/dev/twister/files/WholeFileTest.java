@@ -56,9 +56,8 @@ class WholeFileTest {
 
     @Test
     void theEndOfTheProcessLeavesNothingButWhatIsWrittenBecauseOfIt() throws IOException, InterruptedException {
-        Process java = ChildJvm.of(SlowMain.class, folder.toString())
-                .redirectError(ProcessBuilder.Redirect.INHERIT)
-                .start();
+        Process java = ChildJvm.start(
+                ChildJvm.of(SlowMain.class, folder.toString()).redirectError(ProcessBuilder.Redirect.INHERIT));
         Assumptions.assumeTrue(java.supportsNormalTermination(), "this system ends processes without a word to them");
         try (BufferedReader output = java.inputReader(StandardCharsets.UTF_8)) {
             assertThat(output.readLine()).isEqualTo("writing");

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 class WithoutVectorsTest {
     @Test
     void manySpheresMove() throws IOException, InterruptedException {
-        Process java = ChildJvm.of(MotionMain.class).redirectErrorStream(true).start();
+        Process java = ChildJvm.start(ChildJvm.of(MotionMain.class).redirectErrorStream(true));
         String output = new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertThat(java.waitFor()).as(output).isZero();
         assertThat(output).contains("fell");

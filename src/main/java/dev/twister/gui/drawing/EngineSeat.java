@@ -181,8 +181,10 @@ final class EngineSeat implements AutoCloseable {
     }
 
     private static String explain(String id, Throwable problem) {
-        return problem instanceof EngineException || problem instanceof UnknownEngineException
-                ? problem.getMessage()
-                : "engine " + id + " failed: " + problem;
+        return switch (problem) {
+            case EngineException _, UnknownEngineException _ -> problem.getMessage();
+            case OutOfMemoryError _ -> "engine " + id + ": there is not enough memory for this picture";
+            default -> "engine " + id + " failed: " + problem;
+        };
     }
 }

@@ -71,9 +71,8 @@ final class AllocationTest {
     private static String warmUp(int bits, boolean fused, String scene) throws IOException, InterruptedException {
         List<String> width =
                 List.of("-D" + Lanes.BITS_PROPERTY + "=" + bits, "-D" + FusedMultiplyAdd.PROPERTY + "=" + fused);
-        Process java = ChildJvm.asLaunched(width, WarmFrames.class, scene)
-                .redirectErrorStream(true)
-                .start();
+        Process java = ChildJvm.start(
+                ChildJvm.asLaunched(width, WarmFrames.class, scene).redirectErrorStream(true));
         String output = new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         java.waitFor();
         return output;

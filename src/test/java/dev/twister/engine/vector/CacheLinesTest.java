@@ -20,9 +20,8 @@ final class CacheLinesTest {
 
     @Test
     void arraysHaveABorderOfACacheLineWhereLanesSay() throws IOException, InterruptedException {
-        Process java = ChildJvm.asLaunched(List.of(), Borders.class)
-                .redirectError(ProcessBuilder.Redirect.DISCARD)
-                .start();
+        Process java = ChildJvm.start(
+                ChildJvm.asLaunched(List.of(), Borders.class).redirectError(ProcessBuilder.Redirect.DISCARD));
         String output = new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         java.waitFor();
         assertThat(output.lines()).hasSize(2 * 2 * Borders.ARRAYS).containsOnly("0");

@@ -22,7 +22,7 @@ final class VectorEnginesTest {
 
     @Test
     void saysWhichOptionIsMissing() throws IOException, InterruptedException {
-        Process java = ChildJvm.of(ObstacleMain.class).redirectErrorStream(true).start();
+        Process java = ChildJvm.start(ChildJvm.of(ObstacleMain.class).redirectErrorStream(true));
         String output = new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertThat(java.waitFor()).as(output).isZero();
         assertThat(output).contains("--add-modules jdk.incubator.vector");

@@ -343,6 +343,16 @@ class DrawingLoopTest {
     }
 
     @Test
+    void tooLittleMemoryIsToldInPlainWords() {
+        green.onFrame = () -> {
+            throw new OutOfMemoryError("a test's");
+        };
+        request(scene, 0);
+        awaitPicture(drawnBy(substitute));
+        assertThat(loop.status().engineFailure()).contains("engine green: there is not enough memory for this picture");
+    }
+
+    @Test
     void whereNothingWorksItWaits() {
         green.breaks = true;
         substitute.breaks = true;
