@@ -53,7 +53,7 @@ final class AutoEngine implements Engine {
         draw(input, frame);
         if (!succeeded) {
             double samples = (double) frame.width() * frame.height() * input.samplesPerPixel();
-            successor.mustBeat(frame.times().totalNanos() / samples);
+            successor.mustBeat(frame.times().totalNanos(), samples);
         }
     }
 

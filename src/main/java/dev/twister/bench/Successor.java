@@ -13,8 +13,8 @@ import java.util.function.Function;
 
 /**
  * An engine that is opened and warmed on a thread of its own, with small pictures of what is drawn meanwhile, until it
- * beats the one that draws. That one must have drawn a few frames by then: its first is the JVM's interpreter's, which
- * even the vector engine on a CPU without AVX beats.
+ * beats the one that draws. That one must have drawn a few frames by then, or a long one: its first is begun by the JVM's
+ * interpreter, which even the vector engine on a CPU without AVX beats.
  */
 final class Successor implements AutoCloseable {
     /** Some pictures a second are shown meanwhile. */
@@ -22,6 +22,9 @@ final class Successor implements AutoCloseable {
 
     /** How many frames of the engine that draws, its last ones, are to be beaten. */
     private static final int FRAMES_TO_BEAT = 3;
+
+    /** Frames that took so long all together were drawn by compiled code for most of it. */
+    private static final long LONG_NANOS = 2_000_000_000;
 
     /** What a cold JVM takes to compile the vector engine, twice over: frames that are no better then are given up. */
     static final Duration WARMING = Duration.ofSeconds(8);
@@ -32,6 +35,9 @@ final class Successor implements AutoCloseable {
     private final double[] nanosToBeat = new double[FRAMES_TO_BEAT];
 
     private long framesToBeat;
+    /** What all frames of the engine that draws took. */
+    private long drawnNanos;
+
     private volatile boolean closed;
     private boolean over;
     private boolean started;
@@ -69,6 +75,7 @@ final class Successor implements AutoCloseable {
     synchronized void follow(FrameInput input) {
         if (newest.filter(old -> !Work.of(old).equals(Work.of(input))).isPresent()) {
             framesToBeat = 0;
+            drawnNanos = 0;
         }
         newest = Optional.of(input);
         if (!started) {
@@ -77,16 +84,17 @@ final class Successor implements AutoCloseable {
         }
     }
 
-    /** How long the engine that draws took for a frame's pixels, for each of their samples. */
-    synchronized void mustBeat(double nanosPerSample) {
-        nanosToBeat[(int) (framesToBeat % FRAMES_TO_BEAT)] = nanosPerSample;
+    /** How long the engine that draws took for a frame, of so many samples of its pixels. */
+    synchronized void mustBeat(long nanos, double samples) {
+        nanosToBeat[(int) (framesToBeat % FRAMES_TO_BEAT)] = nanos / samples;
         framesToBeat++;
+        drawnNanos += nanos;
     }
 
     /** Where no more frames are drawn, those there are must do for what gets no faster. */
     private synchronized boolean isBeatenBy(double nanosPerSample, boolean settled) {
         int known = (int) Math.min(framesToBeat, FRAMES_TO_BEAT);
-        boolean enough = known == FRAMES_TO_BEAT || (known > 0 && settled);
+        boolean enough = known == FRAMES_TO_BEAT || (known > 0 && (settled || drawnNanos >= LONG_NANOS));
         return enough && Arrays.stream(nanosToBeat, 0, known).allMatch(frame -> nanosPerSample < frame);
     }
 

@@ -164,17 +164,37 @@ class AutoEngineTest {
             }
         };
         try (Successor successor = new Successor(_ -> Optional.of(fast))) {
-            successor.mustBeat(100);
+            successor.mustBeat(100, 1);
             successor.follow(input);
             fast.awaitFrames(frames + 1);
             assertThat(successor.take()).isEmpty();
 
-            successor.mustBeat(100);
-            successor.mustBeat(100);
+            successor.mustBeat(100, 1);
+            successor.mustBeat(100, 1);
             threeDrawn.countDown();
             while (successor.take().isEmpty()) {
                 Thread.onSpinWait();
             }
+        }
+    }
+
+    /** Of a frame that takes seconds the interpreter drew next to nothing. */
+    @Test
+    void oneThatBeatsALongFrameDoesNotWaitForThree() throws InterruptedException {
+        CountingEngine fast = new CountingEngine("vector", 99);
+        CountDownLatch compared = new CountDownLatch(1);
+        fast.pauses = frame -> {
+            if (frame == 1) {
+                Latches.await(compared);
+            }
+        };
+        try (Successor successor = new Successor(_ -> Optional.of(fast))) {
+            successor.mustBeat(2_000_000_000, 20_000_000);
+            successor.onReady(compared::countDown);
+            successor.follow(input);
+            Latches.await(compared);
+            assertThat(successor.take()).contains(fast);
+            assertThat(fast.frames).hasValue(1);
         }
     }
 
