@@ -183,7 +183,8 @@ final class EngineSeat implements AutoCloseable {
     private static String explain(String id, Throwable problem) {
         return switch (problem) {
             case EngineException _, UnknownEngineException _ -> problem.getMessage();
-            case OutOfMemoryError _ -> "engine " + id + ": there is not enough memory for this picture";
+            case OutOfMemoryError _ ->
+                "engine " + id + ": there is not enough memory for this picture; choose a smaller one";
             default -> "engine " + id + " failed: " + problem;
         };
     }

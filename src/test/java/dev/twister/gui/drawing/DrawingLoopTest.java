@@ -349,7 +349,8 @@ class DrawingLoopTest {
         };
         request(scene, 0);
         awaitPicture(drawnBy(substitute));
-        assertThat(loop.status().engineFailure()).contains("engine green: there is not enough memory for this picture");
+        assertThat(loop.status().engineFailure())
+                .contains("engine green: there is not enough memory for this picture; choose a smaller one");
     }
 
     @Test
