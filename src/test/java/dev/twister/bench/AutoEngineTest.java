@@ -14,6 +14,7 @@ import java.time.Duration;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
@@ -192,7 +193,7 @@ class AutoEngineTest {
             successor.mustBeat(2_000_000_000, 20_000_000);
             successor.onReady(compared::countDown);
             successor.follow(input);
-            Latches.await(compared);
+            assertThat(compared.await(10, TimeUnit.SECONDS)).isTrue();
             assertThat(successor.take()).contains(fast);
             assertThat(fast.frames).hasValue(1);
         }
