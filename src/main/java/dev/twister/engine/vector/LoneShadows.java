@@ -1,8 +1,5 @@
 package dev.twister.engine.vector;
 
-import jdk.incubator.vector.FloatVector;
-import jdk.incubator.vector.VectorOperators;
-
 /**
  * The visible part of the light where the points of a packet have little in common, point by point: lanes hold boxes and
  * spheres on the way to the candidates, and samples at its end.
@@ -23,28 +20,35 @@ final class LoneShadows {
         }
     }
 
-    /** The same by way of the whole hierarchy. */
-    static void find(Tile tile, int at, Drawing drawing) {
+    /** The same at the points of {@link Tile#lonely}, by way of the whole hierarchy. */
+    static void find(Tile tile, Drawing drawing) {
+        for (int first = 0; first < tile.lonely.count; first += Lanes.COUNT) {
+            find(tile, drawing, first, Math.min(Lanes.COUNT, tile.lonely.count - first));
+        }
+    }
+
+    private static void find(Tile tile, Drawing drawing, int first, int count) {
         float[] t = tile.values;
+        int[] pixels = tile.lonely.pixels;
         LoneCandidates candidates = tile.shadow.lone;
         PacketLeaves leaves = tile.packetLeaves;
-        tile.packetBeams.holdLines(t, at);
-        long open = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.SHADOW_OPEN)
-                .compare(VectorOperators.GT, 0f)
-                .toLong();
-        boolean found = leaves.find(drawing.hierarchy, tile.packetBeams, open);
+        tile.packetBeams.holdLines(t, pixels, first, count);
+        boolean found = leaves.find(drawing.hierarchy, tile.packetBeams, count);
+        if (found) {
+            tile.leafCandidates.find(drawing.hierarchy, tile.packetBeams, leaves);
+        }
         int from = leaves.first;
-        for (long rest = open; rest != 0L; rest &= rest - 1) {
-            int lane = Long.numberOfTrailingZeros(rest);
-            int end = leaves.end(from, lane);
-            if (found && from == end) {
-                t[at + lane + Tile.VISIBLE] = 1f;
+        for (int beam = 0; beam < count; beam++) {
+            int pixel = pixels[first + beam];
+            int end = leaves.end(from, beam);
+            if (found && !tile.leafCandidates.areIn(from, end)) {
+                t[pixel + Tile.VISIBLE] = 1f;
             } else {
-                candidates.start(t, at + lane, drawing.discRadius);
+                candidates.start(t, pixel, drawing.discRadius);
                 boolean dark = found
-                        ? addLeaves(leaves, from, end, drawing.hierarchy, candidates)
-                        : descend(tile, at + lane, drawing.hierarchy, candidates);
-                t[at + lane + Tile.VISIBLE] = dark ? 0f : visible(candidates, drawing);
+                        ? addLeaves(tile, from, end, drawing.hierarchy, candidates)
+                        : descend(tile, pixel, drawing.hierarchy, candidates);
+                t[pixel + Tile.VISIBLE] = dark ? 0f : visible(candidates, drawing);
             }
             from = end;
         }
@@ -55,11 +59,12 @@ final class LoneShadows {
     }
 
     /** Lists the candidates out of the leaves found; returns whether one of them hides the whole disc. */
-    private static boolean addLeaves(
-            PacketLeaves leaves, int from, int end, WideHierarchy hierarchy, LoneCandidates candidates) {
+    private static boolean addLeaves(Tile tile, int from, int end, WideHierarchy hierarchy, LoneCandidates candidates) {
+        int[] links = tile.packetLeaves.links;
+        LeafCandidates leafCandidates = tile.leafCandidates;
         boolean dark = false;
         for (int k = from; k < end && !dark; k++) {
-            dark = candidates.add(hierarchy, leaves.links[k]);
+            dark = leafCandidates.areIn(k) && candidates.add(hierarchy, links[k]);
         }
         return dark;
     }

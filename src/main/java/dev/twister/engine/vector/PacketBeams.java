@@ -7,7 +7,7 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * A {@link Beam} for each lane of a packet: its ray, or its point's lines to the light's disc. All are made at once;
+ * A {@link Beam} for each of as many pixels as there are lanes: its ray, or its point's lines to the light's disc. All are made at once;
  * {@link PacketLeaves} then tests each against as many boxes as there are lanes.
  */
 final class PacketBeams {
@@ -31,12 +31,24 @@ final class PacketBeams {
 
     private static final int HIGH = LOW + AXES;
 
+    /** Where the lines start, which way they go, and as how long a line. */
+    static final int ORIGIN = HIGH + AXES;
+
+    static final int DIRECTION = ORIGIN + AXES;
+    static final int LENGTH = DIRECTION + AXES;
+
+    /** Of lines to the light, their cone's half angle, and the body that they start on. */
+    static final int TANGENT = LENGTH + Lanes.COUNT;
+
+    static final int SECANT = TANGENT + Lanes.COUNT;
+    static final int OWN = SECANT + Lanes.COUNT;
+
     /** Bits an axis takes in {@link #nearSides}. */
     static final int SIDE_BITS = 8;
 
     static final int SIDE = (1 << SIDE_BITS) - 1;
 
-    final float[] facts = new float[HIGH + AXES];
+    final float[] facts = new float[OWN + Lanes.COUNT];
 
     /**
      * Of each lane, how far behind the low sides of {@link WideHierarchy#boxes} the near ones are, as far as the high ones or
@@ -44,28 +56,45 @@ final class PacketBeams {
      */
     final int[] nearSides = new int[Lanes.COUNT];
 
-    /** The packet's rays, as far as the closest hits so far. */
-    void holdRays(float[] t, int at) {
+    /**
+     * The rays of some pixels, as far as the closest hits so far.
+     *
+     * @param first the place of the first pixel's number
+     * @param count at most as many as there are lanes; what the other lanes hold means nothing
+     */
+    void holdRays(float[] t, int[] pixels, int first, int count) {
         for (int axis = 0; axis < 3; axis++) {
-            FloatVector direction = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_X + axis * Tile.SIZE);
+            gather(t, Tile.ORIGIN_X + axis * Tile.SIZE, pixels, first, count, ORIGIN + axis * Lanes.COUNT);
+            gather(t, Tile.DIRECTION_X + axis * Tile.SIZE, pixels, first, count, DIRECTION + axis * Lanes.COUNT);
+        }
+        gather(t, Tile.DISTANCE, pixels, first, count, LENGTH);
+        for (int axis = 0; axis < 3; axis++) {
+            FloatVector direction = FloatVector.fromArray(Lanes.FLOATS, facts, DIRECTION + axis * Lanes.COUNT);
             direction.sub(Beam.SPREAD).intoArray(facts, LOW + axis * Lanes.COUNT);
             direction.add(Beam.SPREAD).intoArray(facts, HIGH + axis * Lanes.COUNT);
         }
-        FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISTANCE)
+        FloatVector.fromArray(Lanes.FLOATS, facts, LENGTH)
                 .mul(1f + Beam.SPREAD)
                 .min(Beam.EVERYWHERE)
                 .intoArray(facts, END);
-        finish(t, at + Tile.ORIGIN_X);
+        finish();
     }
 
-    /** The lines from the packet's points to the light's disc, as far as its outermost sample. */
-    void holdLines(float[] t, int at) {
-        FloatVector distance = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.LIGHT_DISTANCE);
-        FloatVector radius =
-                FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISC_TANGENT).mul(distance);
+    /** The lines from some pixels' points to the light's disc, as far as its outermost sample; the pixels as above. */
+    void holdLines(float[] t, int[] pixels, int first, int count) {
+        for (int axis = 0; axis < 3; axis++) {
+            gather(t, Tile.POINT_X + axis * Tile.SIZE, pixels, first, count, ORIGIN + axis * Lanes.COUNT);
+            gather(t, Tile.TO_LIGHT_X + axis * Tile.SIZE, pixels, first, count, DIRECTION + axis * Lanes.COUNT);
+        }
+        gather(t, Tile.LIGHT_DISTANCE, pixels, first, count, LENGTH);
+        gather(t, Tile.DISC_TANGENT, pixels, first, count, TANGENT);
+        gather(t, Tile.DISC_SECANT, pixels, first, count, SECANT);
+        gather(t, Tile.HIT, pixels, first, count, OWN);
+        FloatVector distance = FloatVector.fromArray(Lanes.FLOATS, facts, LENGTH);
+        FloatVector radius = FloatVector.fromArray(Lanes.FLOATS, facts, TANGENT).mul(distance);
         FloatVector spread = distance.add(radius).mul(Beam.DISC_SPREAD);
         for (int axis = 0; axis < 3; axis++) {
-            FloatVector along = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.TO_LIGHT_X + axis * Tile.SIZE);
+            FloatVector along = FloatVector.fromArray(Lanes.FLOATS, facts, DIRECTION + axis * Lanes.COUNT);
             FloatVector reach =
                     along.mul(along).neg().add(1f).max(0f).sqrt().mul(radius).add(spread);
             FloatVector middle = along.mul(distance);
@@ -73,20 +102,26 @@ final class PacketBeams {
             middle.add(reach).intoArray(facts, HIGH + axis * Lanes.COUNT);
         }
         FloatVector.broadcast(Lanes.FLOATS, 1f + Beam.DISC_SPREAD).intoArray(facts, END);
-        finish(t, at + Tile.POINT_X);
+        finish();
     }
 
-    private void finish(float[] t, int origin) {
+    private void gather(float[] t, int column, int[] pixels, int first, int count, int to) {
+        for (int lane = 0; lane < count; lane++) {
+            facts[to + lane] = t[column + pixels[first + lane]];
+        }
+    }
+
+    private void finish() {
         IntVector.zero(Lanes.INTS).intoArray(nearSides, 0);
         for (int axis = 0; axis < 3; axis++) {
-            findPlanes(t, origin + axis * Tile.SIZE, axis);
+            findPlanes(axis);
         }
     }
 
     /** As {@link Slab#set}. */
-    private void findPlanes(float[] t, int from, int axis) {
+    private void findPlanes(int axis) {
         int column = axis * Lanes.COUNT;
-        FloatVector origin = FloatVector.fromArray(Lanes.FLOATS, t, from);
+        FloatVector origin = FloatVector.fromArray(Lanes.FLOATS, facts, ORIGIN + column);
         FloatVector low = FloatVector.fromArray(Lanes.FLOATS, facts, LOW + column);
         FloatVector high = FloatVector.fromArray(Lanes.FLOATS, facts, HIGH + column);
         VectorMask<Float> falling = high.compare(VectorOperators.LE, 0f);

@@ -8,7 +8,7 @@ import jdk.incubator.vector.VectorOperators;
 
 /**
  * Which sphere, or the light, each ray meets first, by way of the hierarchy: a packet's rays that keep together walk it
- * as one; each of the others has a way of its own, all of them level by level.
+ * as one; each of the others has a way of its own, as many as there are lanes of them level by level.
  */
 final class PacketHits {
     /** Where the directions' cosines about one of them are less, rays do not keep together. */
@@ -17,13 +17,14 @@ final class PacketHits {
     /** Fewer rays than these are better off alone. */
     private static final int FEWEST_TOGETHER = 4;
 
-    /** Where a ray meets more leaves, it is better off with those in front alone. */
+    /** Where rays meet more leaves at the mean, they are better off with those in front alone. */
     private static final int MOST_LEAVES = 24;
 
     private PacketHits() {}
 
     /** Writes the bodies met and their distances. */
     static void find(Tile tile, Drawing drawing) {
+        tile.lonely.clear();
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
             int goesOn = (int) LaneSteps.run(LaneSteps.START_PACKET, tile, drawing, at, 0);
@@ -32,9 +33,10 @@ final class PacketHits {
             if (together != 0) {
                 walkTogether(tile, drawing, at);
             }
-            if (together != goesOn) {
-                walkAlone(tile, drawing, at, goesOn & ~together);
-            }
+            tile.lonely.add(at, goesOn & ~together);
+        }
+        for (int from = 0; from < tile.lonely.count; from += Lanes.COUNT) {
+            walkAlone(tile, drawing, from, Math.min(Lanes.COUNT, tile.lonely.count - from));
         }
     }
 
@@ -70,27 +72,24 @@ final class PacketHits {
         return Float.intBitsToFloat((int) LaneSteps.run(LaneSteps.FARTHEST, tile, drawing, at, 0));
     }
 
-    private static void walkAlone(Tile tile, Drawing drawing, int at, long wanted) {
-        float[] t = tile.values;
+    /** So many of the rays on their own, from that one of them on. */
+    private static void walkAlone(Tile tile, Drawing drawing, int first, int count) {
         PacketLeaves leaves = tile.packetLeaves;
-        tile.packetBeams.holdRays(t, at);
-        boolean found = leaves.find(drawing.hierarchy, tile.packetBeams, wanted);
-        int from = leaves.first;
-        for (long rest = wanted; rest != 0L; rest &= rest - 1) {
-            int lane = Long.numberOfTrailingZeros(rest);
-            int end = leaves.end(from, lane);
-            if (found && end - from <= MOST_LEAVES) {
-                meet(tile, at + lane, drawing.hierarchy, leaves.links, from, end);
-            } else {
-                descend(tile, drawing, at + lane);
+        tile.packetBeams.holdRays(tile.values, tile.lonely.pixels, first, count);
+        boolean found = leaves.find(drawing.hierarchy, tile.packetBeams, count);
+        if (found && leaves.end - leaves.first <= count * MOST_LEAVES) {
+            tile.raySpheres.meet(tile, drawing.hierarchy, first, leaves.links, leaves.first, leaves.end);
+        } else {
+            for (int beam = 0; beam < count; beam++) {
+                descend(tile, drawing, first, beam);
             }
-            from = end;
         }
     }
 
     /** One ray and the spheres of the leaves that it meets before a hit, the nearest first. */
-    private static void descend(Tile tile, Drawing drawing, int pixel) {
+    private static void descend(Tile tile, Drawing drawing, int first, int number) {
         float[] t = tile.values;
+        int pixel = tile.lonely.pixels[first + number];
         Beam beam = tile.beam;
         Descent descent = tile.descent;
         WideHierarchy hierarchy = drawing.hierarchy;
@@ -99,69 +98,11 @@ final class PacketHits {
         descent.start(hierarchy, beam);
         int leaf = descent.nextLeaf(hierarchy, beam);
         while (leaf >= 0) {
-            tile.leafMet[0] = leaf;
-            meet(tile, pixel, hierarchy, tile.leafMet, 0, 1);
+            tile.leafMet[0] = number << WideHierarchy.BEAM_SHIFT | leaf;
+            tile.raySpheres.meet(tile, hierarchy, first, tile.leafMet, 0, 1);
             beam.endAt(t[pixel + Tile.DISTANCE]);
             leaf = descent.nextLeaf(hierarchy, beam);
         }
-    }
-
-    /**
-     * One ray and the spheres of some leaves: the nearest of those met, and of equals the one with the lowest number. Few
-     * rays meet any, so that what follows is done one by one.
-     */
-    private static void meet(Tile tile, int pixel, WideHierarchy hierarchy, int[] links, int from, int end) {
-        float[] t = tile.values;
-        float[] spheres = hierarchy.spheres.values;
-        float[] distances = tile.distances;
-        float leaving = t[pixel + Tile.LEAVING];
-        float closest = t[pixel + Tile.DISTANCE];
-        float hit = t[pixel + Tile.HIT];
-        FloatVector directionX = FloatVector.broadcast(Lanes.FLOATS, t[pixel + Tile.DIRECTION_X]);
-        FloatVector directionY = FloatVector.broadcast(Lanes.FLOATS, t[pixel + Tile.DIRECTION_Y]);
-        FloatVector directionZ = FloatVector.broadcast(Lanes.FLOATS, t[pixel + Tile.DIRECTION_Z]);
-        FloatVector originX = FloatVector.broadcast(Lanes.FLOATS, t[pixel + Tile.ORIGIN_X]);
-        FloatVector originY = FloatVector.broadcast(Lanes.FLOATS, t[pixel + Tile.ORIGIN_Y]);
-        FloatVector originZ = FloatVector.broadcast(Lanes.FLOATS, t[pixel + Tile.ORIGIN_Z]);
-        for (int k = from; k < end; k++) {
-            int first = WideHierarchy.firstBlock(links[k]);
-            for (int left = WideHierarchy.blocks(links[k]); left > 0; left--) {
-                FloatVector x =
-                        FloatVector.fromArray(Lanes.FLOATS, spheres, first).sub(originX);
-                FloatVector y = FloatVector.fromArray(Lanes.FLOATS, spheres, first + SphereColumns.Y * Lanes.COUNT)
-                        .sub(originY);
-                FloatVector z = FloatVector.fromArray(Lanes.FLOATS, spheres, first + SphereColumns.Z * Lanes.COUNT)
-                        .sub(originZ);
-                FloatVector radius =
-                        FloatVector.fromArray(Lanes.FLOATS, spheres, first + SphereColumns.RADIUS * Lanes.COUNT);
-                FloatVector along = Lanes.fma(x, directionX, Lanes.fma(y, directionY, z.mul(directionZ)));
-                FloatVector acrossX = x.sub(along.mul(directionX));
-                FloatVector acrossY = y.sub(along.mul(directionY));
-                FloatVector acrossZ = z.sub(along.mul(directionZ));
-                FloatVector acrossSquared =
-                        Lanes.fma(acrossX, acrossX, Lanes.fma(acrossY, acrossY, acrossZ.mul(acrossZ)));
-                FloatVector within = radius.mul(radius).sub(acrossSquared);
-                long met = along.compare(VectorOperators.GT, 0f)
-                        .and(within.compare(VectorOperators.GE, 0f))
-                        .toLong();
-                if (met != 0L) {
-                    along.sub(within.sqrt()).intoArray(distances, Lanes.BORDER);
-                    for (long rest = met; rest != 0L; rest &= rest - 1) {
-                        int lane = Long.numberOfTrailingZeros(rest);
-                        float distance = distances[Lanes.BORDER + lane];
-                        float body = spheres[first + SphereColumns.BODY * Lanes.COUNT + lane];
-                        boolean closer = distance < closest || (distance == closest && body < hit);
-                        if (closer && distance > 0f && body != leaving) {
-                            closest = distance;
-                            hit = body;
-                        }
-                    }
-                }
-                first += SphereColumns.COLUMNS * Lanes.COUNT;
-            }
-        }
-        t[pixel + Tile.DISTANCE] = closest;
-        t[pixel + Tile.HIT] = hit;
     }
 
     /** No hit yet; rays that have ended meet nothing any more. Returns one bit a ray that goes on. */

@@ -6,12 +6,12 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * The leaves that each of a packet's beams may meet, found level by level for all beams together: what is tested next does
+ * The leaves that each of some beams may meet, found level by level for all beams together: what is tested next does
  * not depend on what was found last, so that the CPU tests several nodes at a time. Without helpers, for the reason that
  * {@link ShadowConics} has.
  */
 final class PacketLeaves {
-    private static final int ROOM = 4096;
+    static final int ROOM = 4096;
 
     /** Links with the numbers of their beams above {@link WideHierarchy#BEAM_SHIFT}: nodes, then leaves, beam by beam. */
     final int[] links = new int[ROOM + Lanes.COUNT];
@@ -19,20 +19,19 @@ final class PacketLeaves {
     /** Where the leaves begin among the links, and the place behind the last. */
     int first;
 
-    private int end;
+    int end;
 
     /**
      * Finds them.
      *
-     * @param wanted one bit a beam
+     * @param count how many beams there are
      * @return whether there was room for all
      */
-    boolean find(WideHierarchy hierarchy, PacketBeams beams, long wanted) {
-        end = 0;
-        for (long rest = wanted; rest != 0L; rest &= rest - 1) {
-            links[end] = Long.numberOfTrailingZeros(rest) << WideHierarchy.BEAM_SHIFT;
-            end++;
+    boolean find(WideHierarchy hierarchy, PacketBeams beams, int count) {
+        for (int beam = 0; beam < count; beam++) {
+            links[beam] = beam << WideHierarchy.BEAM_SHIFT;
         }
+        end = count;
         open(hierarchy, beams);
         return end <= ROOM;
     }

@@ -20,6 +20,9 @@ final class Shadows {
         (tile, drawing, at) -> finish(tile, drawing, at),
     };
 
+    /** Fewer points than these are better off one by one from the start. */
+    private static final int FEWEST_TOGETHER = 1 + Lanes.COUNT / 4;
+
     /** Where more spheres are near a packet's lines, its points are better off one by one. */
     static final int MOST_TOGETHER = 32;
 
@@ -27,7 +30,7 @@ final class Shadows {
     static final int MOST_NEAR = 256;
 
     /** Where its lines meet more leaves, they are not even looked into. */
-    private static final int MOST_LEAVES = 36;
+    private static final int MOST_LEAVES = 18;
 
     private Shadows() {}
 
@@ -72,25 +75,31 @@ final class Shadows {
     /** Points on the ground and on spheres are looked at apart: between them there are many spheres that shade neither. */
     private static void sampleInCrowd(Tile tile, Drawing drawing) {
         float radius = drawing.discRadius * drawing.rim;
+        tile.lonely.clear();
         for (int k = 0; k < tile.shadows.count; k++) {
             int at = tile.shadows.places[k];
             int open = (int) LaneSteps.run(LaneSteps.OPEN, tile, drawing, at, 0);
             int ground = (int) LaneSteps.run(LaneSteps.OPEN_ON_GROUND, tile, drawing, at, 0);
             if (ground != 0 && ground != open) {
                 LaneSteps.run(LaneSteps.NARROW, tile, drawing, at, ground);
-                sampleInCrowd(tile, drawing, at, radius);
-                LaneSteps.run(LaneSteps.NARROW, tile, drawing, at, open & ~ground);
+                sampleInCrowd(tile, drawing, at, ground, radius);
+                open &= ~ground;
+                LaneSteps.run(LaneSteps.NARROW, tile, drawing, at, open);
             }
-            sampleInCrowd(tile, drawing, at, radius);
+            sampleInCrowd(tile, drawing, at, open, radius);
         }
+        LoneShadows.find(tile, drawing);
     }
 
-    private static void sampleInCrowd(Tile tile, Drawing drawing, int at, float radius) {
+    private static void sampleInCrowd(Tile tile, Drawing drawing, int at, int open, float radius) {
         SphereColumns near = tile.near;
-        tile.beam.holdLines(tile, drawing, at, radius);
-        int count = findNear(tile, drawing.hierarchy);
+        int count = MOST_NEAR + 1;
+        if (Integer.bitCount(open) >= FEWEST_TOGETHER) {
+            tile.beam.holdLines(tile, drawing, at, radius);
+            count = findNear(tile, drawing.hierarchy);
+        }
         if (count > MOST_NEAR) {
-            LoneShadows.find(tile, at, drawing);
+            tile.lonely.add(at, open);
         } else if (count > MOST_TOGETHER) {
             LoneShadows.findAmong(near, count, tile, at, drawing);
         } else if (count > 0 && ShadowCandidates.findAmong(near, count, tile, at, drawing)) {

@@ -25,10 +25,10 @@ final class SkyRadiance {
             long met = Lanes.load(t, at + Tile.HIT)
                     .compare(VectorOperators.EQ, Layout.NOTHING)
                     .toLong();
-            Lanes.pack(tile.pixels, at, met, tile.lonely, count);
+            Lanes.pack(tile.pixels, at, met, tile.lonely.pixels, count);
             count += Long.bitCount(met);
         }
-        tile.lonelyCount = count;
+        tile.lonely.count = count;
     }
 
     /** Turns columns and rows into the upper left texels and the fractions from them. */
@@ -59,8 +59,8 @@ final class SkyRadiance {
         int[] from = sky.shared;
         int[] to = tile.corners;
         int below = sky.stride();
-        for (int k = 0; k < tile.lonelyCount; k++) {
-            int pixel = tile.lonely[k];
+        for (int k = 0; k < tile.lonely.count; k++) {
+            int pixel = tile.lonely.pixels[k];
             int texel = tile.texels[pixel];
             int upperLeft = from[texel];
             int upperRight = from[texel + 1];
@@ -76,8 +76,8 @@ final class SkyRadiance {
     private static void fetchNumbers(Tile tile, PaddedSky sky) {
         float[] to = tile.cornerNumbers;
         int below = PaddedSky.NUMBERS_A_TEXEL * sky.stride();
-        for (int k = 0; k < tile.lonelyCount; k++) {
-            int pixel = tile.lonely[k];
+        for (int k = 0; k < tile.lonely.count; k++) {
+            int pixel = tile.lonely.pixels[k];
             int texel = PaddedSky.NUMBERS_A_TEXEL * tile.texels[pixel];
             for (int channel = 0; channel < PaddedSky.NUMBERS_A_TEXEL; channel++) {
                 int place = Tile.CORNERS * channel * Tile.SIZE + pixel;

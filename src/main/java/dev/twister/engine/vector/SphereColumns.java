@@ -29,6 +29,11 @@ final class SphereColumns {
     /** From one packet of spheres to the next. */
     int step;
 
+    /** Where, in blocks, the number of the sphere among the bodies lies whose number along the blocks that is. */
+    static int bodyPlace(int sphere) {
+        return FIRST + (sphere / Lanes.COUNT * COLUMNS + BODY) * Lanes.COUNT + sphere % Lanes.COUNT;
+    }
+
     /** Makes room for so many spheres, one column whole behind the other; what was there is lost where they grow. */
     void reserveList(int most) {
         if (stride < most + Lanes.COUNT) {

@@ -9,17 +9,20 @@ import jdk.incubator.vector.VectorOperators;
 final class SphereSurface {
     private static final int PICK = 0;
     private static final int COPY = 1;
+    private static final int COPY_OF_MANY = 2;
 
     /** By the numbers above; in an array, so that each keeps its own inlining budget: see {@link Stage}. */
     private static final Stage[] FETCHES = {
-        (tile, drawing) -> pick(tile, drawing.bodies), (tile, drawing) -> copy(tile, drawing.bodies),
+        (tile, drawing) -> pick(tile, drawing.bodies),
+        (tile, drawing) -> copy(tile, drawing.bodies),
+        (tile, drawing) -> copyOfMany(tile, drawing.bodies),
     };
 
     private SphereSurface() {}
 
     /** Copies each lane's sphere into the lane. The centre goes to the normal's columns. */
     static void fetch(Tile tile, Drawing drawing) {
-        FETCHES[drawing.bodies.fitLanes() ? PICK : COPY].run(tile, drawing);
+        FETCHES[drawing.bodies.fitLanes() ? PICK : drawing.crowded ? COPY_OF_MANY : COPY].run(tile, drawing);
     }
 
     /** Where one vector holds a column of all bodies. */
@@ -56,6 +59,40 @@ final class SphereSurface {
                     t[pixel + Tile.SURFACE + number * Tile.SIZE] = surfaces[from + number];
                 }
                 rest &= rest - 1;
+            }
+        }
+    }
+
+    /**
+     * The same where the caches do not hold all spheres: of each a number is read before any is copied, so that memory is waited
+     * for once, not sphere by sphere.
+     */
+    private static void copyOfMany(Tile tile, BodyColumns bodies) {
+        float[] t = tile.values;
+        float[] surfaces = bodies.surfaces;
+        int[] places = bodies.surfacePlaces;
+        int[] pixels = tile.lonely.pixels;
+        int count = 0;
+        for (int k = 0; k < tile.spheres.count; k++) {
+            int at = tile.spheres.places[k];
+            long here = Lanes.load(t, at + Tile.HIT)
+                    .compare(VectorOperators.GT, Layout.PLANE)
+                    .toLong();
+            Lanes.pack(tile.pixels, at, here, pixels, count);
+            count += Long.bitCount(here);
+        }
+        int[] from = tile.surfacePlaces;
+        for (int k = 0; k < count; k++) {
+            from[k] = places[(int) t[pixels[k] + Tile.HIT]];
+        }
+        float sum = 0f;
+        for (int k = 0; k < count; k++) {
+            sum += surfaces[from[k]];
+        }
+        tile.readAhead = sum;
+        for (int k = 0; k < count; k++) {
+            for (int number = 0; number < BodyColumns.SURFACE_NUMBERS; number++) {
+                t[pixels[k] + Tile.SURFACE + number * Tile.SIZE] = surfaces[from[k] + number];
             }
         }
     }

@@ -131,10 +131,14 @@ final class Tile {
     /** Every pixel's number. */
     final int[] pixels = new int[SIZE];
 
-    /** The pixels that look the sky up one by one; only the first {@link #lonelyCount} hold. */
-    final int[] lonely = new int[SIZE + Lanes.COUNT];
+    /** The pixels that go a way of their own: to the sky, to what they meet of a crowd, or to the light. */
+    final PixelList lonely = new PixelList();
 
-    int lonelyCount;
+    /** Of the spheres that are copied next, where they begin in {@link BodyColumns#surfaces}. */
+    final int[] surfacePlaces = new int[SIZE];
+
+    /** The sum of what was read for nothing but to have it in the caches; kept, as the compiler would leave it out. */
+    float readAhead;
 
     /** The four texels about each pixel's direction, as {@link PaddedSky#shared} has them, in columns. */
     final int[] corners = new int[Lanes.BORDER + CORNERS * SIZE];
@@ -181,15 +185,14 @@ final class Tile {
     final Leaves leaves = new Leaves();
     final PacketBeams packetBeams = new PacketBeams();
     final PacketLeaves packetLeaves = new PacketLeaves();
+    final RaySpheres raySpheres = new RaySpheres();
+    final LeafCandidates leafCandidates = new LeafCandidates();
     final Descent descent = new Descent();
-
-    /** Of one ray to each of a block of spheres, from {@link Lanes#BORDER} on. */
-    final float[] distances = new float[Lanes.BORDER + Lanes.COUNT];
 
     /** Of a block of spheres, one bit each that a packet's rays may meet. */
     long spheresMet;
 
-    /** The leaf that a ray on its way down has come to. */
+    /** The leaf that a ray on its way down has come to, with the ray's number above. */
     final int[] leafMet = new int[1];
 
     /** For one packet's shadows at a time. */

@@ -29,8 +29,11 @@ final class WideHierarchy {
     /** In a leaf's link, by how much its blocks are more than one, above the first block's number. */
     private static final int BLOCKS_SHIFT = BEAM_SHIFT - 4;
 
-    private static final int MORE_BLOCKS = 7;
+    static final int MORE_BLOCKS = 7;
     private static final int BLOCK = (1 << BLOCKS_SHIFT) - 1;
+
+    /** What is left of a sphere's number, counted along the blocks, with the number of a beam above. */
+    static final int SPHERE = (1 << BEAM_SHIFT) - 1;
 
     /** The low sides of a box that nothing meets; its high ones are their negatives. */
     private static final float INSIDE_OUT = 1e36f;
@@ -219,6 +222,11 @@ final class WideHierarchy {
     /** The place of a leaf's first block. */
     static int firstBlock(int link) {
         return SphereColumns.FIRST + (link & BLOCK) * SphereColumns.COLUMNS * Lanes.COUNT;
+    }
+
+    /** The number of a leaf's first block. */
+    static int block(int link) {
+        return link & BLOCK;
     }
 
     static int blocks(int link) {
