@@ -7,8 +7,8 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * A {@link Beam} for each of as many pixels as there are lanes: its ray, or its point's lines to the light's disc. All are made at once;
- * {@link PacketLeaves} then tests each against as many boxes as there are lanes.
+ * A {@link Beam} for each of as many pixels as there are lanes: its ray, or its point's lines to the light's disc. All are made
+ * at once; {@link PacketLeaves} then tests each against as many boxes as there are lanes.
  */
 final class PacketBeams {
     /** What a plane's t is made less or greater by, as a part of the origin's: it is rounded by three units of 2^-24. */
