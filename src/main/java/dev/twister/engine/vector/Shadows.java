@@ -30,7 +30,7 @@ final class Shadows {
     static final int MOST_NEAR = 256;
 
     /** Where its lines meet more leaves, they are not even looked into. */
-    private static final int MOST_LEAVES = 18;
+    private static final int MOST_LEAVES = 36;
 
     private Shadows() {}
 
