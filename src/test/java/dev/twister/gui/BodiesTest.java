@@ -7,7 +7,9 @@ import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.SphereOutline;
 import dev.twister.kernel.Layout;
+import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import java.nio.file.Path;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -278,13 +280,16 @@ class BodiesTest {
     }
 
     @Test
-    void aClickInAPictureOfBeforeASphereWasReplacedSelectsNoOther() {
+    void aClickInAPictureOfBeforeASphereWasReplacedSelectsWhatIsSeen() {
+        Point2D first = seenAt(Layout.FIRST_SPHERE);
         Point2D middle = seenAt(MIDDLE);
         driver.run(() -> {
             driver.studio.edit("delete sphere", scene -> BodyEdits.deleted(scene, Layout.FIRST_SPHERE));
-            driver.studio.edit(
-                    "insert sphere", scene -> BodyEdits.inserted(scene, BodyEdits.sphere(driver.studio.original(), 2)));
+            Sphere elsewhere = new Sphere(new Vector3(0, 20, 0), 1, new Rgb(1, 1, 1), 0);
+            driver.studio.edit("insert sphere", scene -> BodyEdits.inserted(scene, elsewhere));
             fire(MouseEvent.MOUSE_CLICKED, middle, view());
+            assertThat(selected()).isEqualTo(MIDDLE - 1);
+            fire(MouseEvent.MOUSE_CLICKED, first, view());
             assertThat(selected()).isEqualTo(Layout.NOTHING);
         });
         awaitRest();

@@ -33,7 +33,9 @@ class PictureBodiesTest {
     void whereAsManyCameAsWentEachIsTheSameSphereOrNone() {
         PictureBodies bodies = new PictureBodies(List.of(LEFT, RIGHT), List.of(RIGHT, sphere(5)), true);
         assertThat(bodies.inScene(FIRST)).isEqualTo(Layout.NOTHING);
-        assertThat(bodies.inPicture(FIRST)).isEqualTo(Layout.NOTHING);
+        assertThat(bodies.inScene(FIRST + 1)).isEqualTo(FIRST);
+        assertThat(bodies.inPicture(FIRST)).isEqualTo(FIRST + 1);
+        assertThat(bodies.inPicture(FIRST + 1)).isEqualTo(Layout.NOTHING);
         PictureBodies replaced = new PictureBodies(List.of(LEFT, RIGHT), List.of(LEFT, sphere(5)), true);
         assertThat(replaced.inScene(FIRST)).isEqualTo(FIRST);
         assertThat(replaced.inScene(FIRST + 1)).isEqualTo(Layout.NOTHING);

@@ -72,6 +72,22 @@ class EditedMotionTest {
     }
 
     @Test
+    void oneDeletedAndOneInsertedAtOnceLeaveTheOthersFalling() {
+        Simulation simulation = Simulation.of(FALLING);
+        Motion.run(simulation, SECONDS);
+        double height = Motion.place(simulation, 2, 1);
+        List<Sphere> spheres = new ArrayList<>(FALLING.spheres());
+        spheres.remove(0);
+        spheres.add(Motion.sphere(6, 5, 0, 0.5));
+        try (Simulation next = simulation.goOnIn(FALLING.withSpheres(spheres))) {
+            assertThat(Motion.place(next, 1, 1)).isEqualTo(height);
+            assertThat(next.velocity(1, 1)).isCloseTo(-SPEED, within(1e-9));
+            assertThat(Motion.place(next, 3, 1)).isEqualTo(5);
+            assertThat(next.velocity(3, 1)).isZero();
+        }
+    }
+
+    @Test
     void thePouredGoOnFallingAndComing() {
         Scene scene = FALLING.withPour(POUR);
         Simulation simulation = Simulation.of(scene);
