@@ -6,23 +6,25 @@ import dev.twister.engine.FrameFit;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.threads.Crew;
+import dev.twister.threads.Turns;
 import dev.twister.world.FrameInput;
 import java.util.Arrays;
-import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.IntConsumer;
 
 /** Draws tiles in SIMD lanes on some threads; once warm, a frame allocates nothing but its times. */
 final class VectorEngine implements Engine {
     /** With fewer bodies, a look at all of them a tile is faster; measured, see {@code benchmarks/NOTES.md}. */
     static final int CROWD = 250;
 
-    /** Taking turns waits until a thread's pixels are in memory, so not for each tile. */
-    private static final int TILES_A_TURN = 4;
+    /** Neighbours' pixels share cache lines, and taking turns waits until a thread's pixels are in memory, so not for each tile. */
+    private static final int LEAST_TILES_A_TURN = 4;
 
     private final int threads;
     private final Ways ways;
     private final TileRenderer[] renderers;
     private final Drawing drawing = new Drawing();
-    private final AtomicInteger nextTile = new AtomicInteger();
+    private final Turns turns;
+    private final IntConsumer[] tileTasks;
     private final Crew crew;
 
     /**
@@ -35,7 +37,10 @@ final class VectorEngine implements Engine {
         this.ways = ways;
         renderers = new TileRenderer[threads];
         Arrays.setAll(renderers, thread -> new TileRenderer());
-        crew = new Crew("vector", threads, this::drawTiles);
+        tileTasks = new IntConsumer[threads];
+        Arrays.setAll(tileTasks, thread -> tile -> renderers[thread].draw(drawing, tile));
+        turns = new Turns(threads, LEAST_TILES_A_TURN);
+        crew = new Crew("vector", threads, thread -> turns.take(tileTasks[thread]));
     }
 
     /** What {@link #device} says of so many threads. */
@@ -61,25 +66,13 @@ final class VectorEngine implements Engine {
         for (TileRenderer renderer : renderers) {
             renderer.start(drawing);
         }
-        nextTile.set(0);
+        turns.start(drawing.tiles());
         try {
             crew.work();
         } catch (IllegalStateException e) {
             throw new EngineException("engine vector: " + e.getMessage(), e);
         }
         frame.setTimes(FrameTimes.onJvm(System.nanoTime() - start));
-    }
-
-    private void drawTiles(int thread) {
-        TileRenderer renderer = renderers[thread];
-        int tiles = drawing.tiles();
-        int first = nextTile.getAndAdd(TILES_A_TURN);
-        while (first < tiles) {
-            for (int tile = first; tile < Math.min(first + TILES_A_TURN, tiles); tile++) {
-                renderer.draw(drawing, tile);
-            }
-            first = nextTile.getAndAdd(TILES_A_TURN);
-        }
     }
 
     @Override
