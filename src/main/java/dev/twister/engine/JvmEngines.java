@@ -49,7 +49,10 @@ public final class JvmEngines implements EngineProvider {
 
     private static void drawInParallel(FrameInput input, Frame frame) {
         int shortcuts = Shortcuts.of(input);
-        IntStream.range(0, frame.height()).parallel().forEach(row -> JvmKernel.drawRow(input, frame, row, shortcuts));
+        RowSpread rows = new RowSpread(frame.height());
+        IntStream.range(0, frame.height())
+                .parallel()
+                .forEach(index -> JvmKernel.drawRow(input, frame, rows.row(index), shortcuts));
     }
 
     private static void drawPlainly(FrameInput input, Frame frame) {
