@@ -6,11 +6,16 @@ public final class ViewRay {
 
     /** From left to right; the middle column of an even width is exactly 0. */
     public static float u(float x, int width, int height) {
-        return width > height ? (x - width * 0.5f + height * 0.5f) / height * 2f - 1f : x / width * 2f - 1f;
+        return (x - width * 0.5f) * step(width, height);
+    }
+
+    /** From one pixel to the next. */
+    public static float step(int width, int height) {
+        return 2f / (width > height ? height : width);
     }
 
     /** From bottom to top. */
     public static float v(float y, int width, int height) {
-        return width > height ? -(y / height * 2f - 1f) : -((y - height * 0.5f + width * 0.5f) / width * 2f - 1f);
+        return (height * 0.5f - y) * step(width, height);
     }
 }

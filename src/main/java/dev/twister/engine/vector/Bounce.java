@@ -59,10 +59,10 @@ final class Bounce {
                     .add(directionY.mul(normalY))
                     .add(directionZ.mul(normalZ))
                     .mul(-2f);
-            FloatVector x = Lanes.fma(twice, normalX, directionX);
-            FloatVector y = Lanes.fma(twice, normalY, directionY);
-            FloatVector z = Lanes.fma(twice, normalZ, directionZ);
-            FloatVector inverse = Lanes.inverseRoot(Lanes.fma(x, x, Lanes.fma(y, y, z.mul(z))));
+            FloatVector x = directionX.add(twice.mul(normalX));
+            FloatVector y = directionY.add(twice.mul(normalY));
+            FloatVector z = directionZ.add(twice.mul(normalZ));
+            FloatVector inverse = Lanes.inverseRoot(x.mul(x).add(y.mul(y)).add(z.mul(z)));
             x.mul(inverse).intoArray(t, at + Tile.DIRECTION_X);
             y.mul(inverse).intoArray(t, at + Tile.DIRECTION_Y);
             z.mul(inverse).intoArray(t, at + Tile.DIRECTION_Z);

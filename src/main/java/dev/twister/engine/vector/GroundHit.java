@@ -19,8 +19,8 @@ final class GroundHit {
             int at = tile.live.places[k];
             FloatVector along =
                     Lanes.all(height).sub(Lanes.load(t, at + Tile.ORIGIN_Y)).div(Lanes.load(t, at + Tile.DIRECTION_Y));
-            FloatVector x = Lanes.fma(along, Lanes.load(t, at + Tile.DIRECTION_X), Lanes.load(t, at + Tile.ORIGIN_X));
-            FloatVector z = Lanes.fma(along, Lanes.load(t, at + Tile.DIRECTION_Z), Lanes.load(t, at + Tile.ORIGIN_Z));
+            FloatVector x = Lanes.load(t, at + Tile.ORIGIN_X).add(along.mul(Lanes.load(t, at + Tile.DIRECTION_X)));
+            FloatVector z = Lanes.load(t, at + Tile.ORIGIN_Z).add(along.mul(Lanes.load(t, at + Tile.DIRECTION_Z)));
             FloatVector closest = Lanes.load(t, at + Tile.DISTANCE);
             FloatVector hit = Lanes.load(t, at + Tile.HIT);
             VectorMask<Float> tie =

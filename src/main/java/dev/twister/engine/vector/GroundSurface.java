@@ -18,10 +18,12 @@ final class GroundSurface {
                     .blend(
                             Lanes.load(t, at + Tile.DISTANCE),
                             Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.PLANE));
-            Lanes.fma(distance, Lanes.load(t, at + Tile.DIRECTION_X), Lanes.load(t, at + Tile.ORIGIN_X))
+            Lanes.load(t, at + Tile.ORIGIN_X)
+                    .add(distance.mul(Lanes.load(t, at + Tile.DIRECTION_X)))
                     .intoArray(t, at + Tile.POINT_X);
             Lanes.all(drawing.planeHeight).intoArray(t, at + Tile.POINT_Y);
-            Lanes.fma(distance, Lanes.load(t, at + Tile.DIRECTION_Z), Lanes.load(t, at + Tile.ORIGIN_Z))
+            Lanes.load(t, at + Tile.ORIGIN_Z)
+                    .add(distance.mul(Lanes.load(t, at + Tile.DIRECTION_Z)))
                     .intoArray(t, at + Tile.POINT_Z);
             Lanes.all(0f).intoArray(t, at + Tile.NORMAL_X);
             Lanes.all(1f).intoArray(t, at + Tile.NORMAL_Y);

@@ -20,7 +20,7 @@ final class LightDirection {
             FloatVector x = Lanes.all(lightX).sub(Lanes.load(t, at + Tile.POINT_X));
             FloatVector y = Lanes.all(lightY).sub(Lanes.load(t, at + Tile.POINT_Y));
             FloatVector z = Lanes.all(lightZ).sub(Lanes.load(t, at + Tile.POINT_Z));
-            FloatVector squared = Lanes.fma(x, x, Lanes.fma(y, y, z.mul(z)));
+            FloatVector squared = x.mul(x).add(y.mul(y)).add(z.mul(z));
             FloatVector inverse = Lanes.inverseRoot(squared);
             FloatVector unitX = x.mul(inverse);
             FloatVector unitY = y.mul(inverse);

@@ -138,11 +138,11 @@ final class PacketHits {
                     .sub(originY);
             FloatVector z = FloatVector.broadcast(Lanes.FLOATS, spheres[sphere + SphereColumns.Z * Lanes.COUNT])
                     .sub(originZ);
-            FloatVector along = Lanes.fma(x, directionX, Lanes.fma(y, directionY, z.mul(directionZ)));
+            FloatVector along = x.mul(directionX).add(y.mul(directionY)).add(z.mul(directionZ));
             FloatVector acrossX = x.sub(along.mul(directionX));
             FloatVector acrossY = y.sub(along.mul(directionY));
             FloatVector acrossZ = z.sub(along.mul(directionZ));
-            FloatVector across = Lanes.fma(acrossX, acrossX, Lanes.fma(acrossY, acrossY, acrossZ.mul(acrossZ)));
+            FloatVector across = acrossX.mul(acrossX).add(acrossY.mul(acrossY)).add(acrossZ.mul(acrossZ));
             FloatVector near = along.sub(FloatVector.broadcast(Lanes.FLOATS, radius * radius)
                     .sub(across)
                     .sqrt());

@@ -89,15 +89,12 @@ final class RaySpheres {
                         .sub(f[PacketBeams.ORIGIN + 2 * Lanes.COUNT + beam]);
                 FloatVector radius =
                         FloatVector.fromArray(Lanes.FLOATS, spheres, at + SphereColumns.RADIUS * Lanes.COUNT);
-                FloatVector toFoot = Lanes.fma(
-                        x,
-                        FloatVector.broadcast(Lanes.FLOATS, directionX),
-                        Lanes.fma(y, FloatVector.broadcast(Lanes.FLOATS, directionY), z.mul(directionZ)));
+                FloatVector toFoot = x.mul(directionX).add(y.mul(directionY)).add(z.mul(directionZ));
                 FloatVector acrossX = x.sub(toFoot.mul(directionX));
                 FloatVector acrossY = y.sub(toFoot.mul(directionY));
                 FloatVector acrossZ = z.sub(toFoot.mul(directionZ));
                 FloatVector inside = radius.mul(radius)
-                        .sub(Lanes.fma(acrossX, acrossX, Lanes.fma(acrossY, acrossY, acrossZ.mul(acrossZ))));
+                        .sub(acrossX.mul(acrossX).add(acrossY.mul(acrossY)).add(acrossZ.mul(acrossZ)));
                 VectorMask<Float> hit =
                         toFoot.compare(VectorOperators.GT, 0f).and(inside.compare(VectorOperators.GE, 0f));
                 if (Lanes.PACK) {

@@ -109,7 +109,8 @@ final class SphereSurface {
     }
 
     private static void findOffset(float[] t, int at, int direction, int origin, int center, int offset) {
-        Lanes.fma(Lanes.load(t, at + Tile.DISTANCE), Lanes.load(t, at + direction), Lanes.load(t, at + origin))
+        Lanes.load(t, at + origin)
+                .add(Lanes.load(t, at + Tile.DISTANCE).mul(Lanes.load(t, at + direction)))
                 .sub(Lanes.load(t, at + center))
                 .intoArray(t, at + offset);
     }
@@ -123,14 +124,14 @@ final class SphereSurface {
             FloatVector x = Lanes.load(t, at + Tile.FROM_CENTER_X);
             FloatVector y = Lanes.load(t, at + Tile.FROM_CENTER_Y);
             FloatVector z = Lanes.load(t, at + Tile.FROM_CENTER_Z);
-            FloatVector inverse = Lanes.inverseRoot(Lanes.fma(x, x, Lanes.fma(y, y, z.mul(z))));
+            FloatVector inverse = Lanes.inverseRoot(x.mul(x).add(y.mul(y)).add(z.mul(z)));
             FloatVector radius = Lanes.load(t, at + Tile.RADIUS);
             // A helper would take vectors and a mask, which become objects where it is not inlined.
             for (int axis = at; axis < at + 3 * Tile.SIZE; axis += Tile.SIZE) {
                 FloatVector unit = Lanes.load(t, axis + Tile.FROM_CENTER_X).mul(inverse);
                 FloatVector center = Lanes.load(t, axis + Tile.NORMAL_X);
                 Lanes.load(t, axis + Tile.POINT_X)
-                        .blend(Lanes.fma(unit, radius, center), here)
+                        .blend(center.add(unit.mul(radius)), here)
                         .intoArray(t, axis + Tile.POINT_X);
                 center.blend(unit, here).intoArray(t, axis + Tile.NORMAL_X);
             }

@@ -15,9 +15,12 @@ final class ViewRays {
         float[] camera = drawing.input.camera();
         float[] offsets = drawing.input.pixelOffsets();
         float step = drawing.viewportStep;
-        float left = tile.left + offsets[2 * tile.sample] - drawing.width * 0.5f;
-        float y = drawing.input.firstRow() + tile.top + offsets[2 * tile.sample + 1];
-        float above = drawing.input.height() * 0.5f - y;
+        float left = tile.left;
+        float fromLeft = offsets[2 * tile.sample];
+        float middleX = drawing.width * 0.5f;
+        float top = drawing.input.firstRow() + tile.top;
+        float fromTop = offsets[2 * tile.sample + 1];
+        float middleY = drawing.input.height() * 0.5f;
         float eye = camera[Layout.CAMERA_EYE_DISTANCE];
         float forwardX = eye * camera[Layout.CAMERA_FORWARD];
         float forwardY = eye * camera[Layout.CAMERA_FORWARD + 1];
@@ -32,14 +35,15 @@ final class ViewRays {
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
-            FloatVector u = Lanes.load(t, at + Tile.PLACE_X).add(left).mul(step);
-            FloatVector v =
-                    Lanes.all(above).sub(Lanes.load(t, at + Tile.PLACE_Y)).mul(step);
-            FloatVector directionX = Lanes.fma(u, Lanes.all(rightX), Lanes.fma(v, Lanes.all(upX), Lanes.all(forwardX)));
-            FloatVector directionY = Lanes.fma(u, Lanes.all(rightY), Lanes.fma(v, Lanes.all(upY), Lanes.all(forwardY)));
-            FloatVector directionZ = Lanes.fma(u, Lanes.all(rightZ), Lanes.fma(v, Lanes.all(upZ), Lanes.all(forwardZ)));
+            FloatVector x = Lanes.load(t, at + Tile.PLACE_X).add(left).add(fromLeft);
+            FloatVector y = Lanes.load(t, at + Tile.PLACE_Y).add(top).add(fromTop);
+            FloatVector u = x.sub(middleX).mul(step);
+            FloatVector v = Lanes.all(middleY).sub(y).mul(step);
+            FloatVector directionX = u.mul(rightX).add(v.mul(upX)).add(forwardX);
+            FloatVector directionY = u.mul(rightY).add(v.mul(upY)).add(forwardY);
+            FloatVector directionZ = u.mul(rightZ).add(v.mul(upZ)).add(forwardZ);
             FloatVector inverse = Lanes.inverseRoot(
-                    Lanes.fma(directionX, directionX, Lanes.fma(directionY, directionY, directionZ.mul(directionZ))));
+                    directionX.mul(directionX).add(directionY.mul(directionY)).add(directionZ.mul(directionZ)));
             directionX.mul(inverse).intoArray(t, at + Tile.DIRECTION_X);
             directionY.mul(inverse).intoArray(t, at + Tile.DIRECTION_Y);
             directionZ.mul(inverse).intoArray(t, at + Tile.DIRECTION_Z);

@@ -14,6 +14,8 @@
  * ({@link dev.twister.engine.vector.SkyWindow}), and that all of them meet nothing, or the ground
  * ({@link dev.twister.engine.vector.GroundAlone}).
  *
- * <p>Where a product is added in one step, that is {@code Lanes.fma}, as not every CPU has the Vector API's own.
+ * <p>Where a product is added in one step, that is {@code Lanes.fma}, as not every CPU has the Vector API's own. From the view ray
+ * by way of what it meets to the next ray no product is: products and sums are rounded there as the kernel rounds them, in its
+ * order, as a crowd of small mirrors shows every other bit.
  */
 package dev.twister.engine.vector;
