@@ -11,25 +11,34 @@ import jdk.incubator.vector.VectorOperators;
  * normal points up, all lanes have met the same, and mirrored rays only turn upwards or downwards.
  */
 final class GroundAlone {
+    /** Of tiles that see neither a sphere nor the light. */
+    enum View {
+        /** All view rays look past the plane. */
+        NOTHING,
+        /** All of them meet it, and what its highlight asks of the stages here is so. */
+        GROUND,
+        /** It may be that some do. */
+        PART
+    }
+
     /** So much of the plane's half side within its edges it is met for sure. */
     private static final float WITHIN = 0.9999f;
 
     private GroundAlone() {}
 
     /**
-     * Whether it is such a tile, if no sphere and not the light is in its view: the plane's part in view is a quadrilateral, which
-     * lies in the square if its corners do. If so, {@link Tile#ground} starts around it.
+     * What a tile sees whose view rays meet no sphere and not the light: the part of the level in view is a quadrilateral, which
+     * lies in the plane's square if its corners do. If so, {@link Tile#ground} starts around it.
      */
-    static boolean fills(Tile tile, Drawing drawing) {
+    static View view(Tile tile, Drawing drawing) {
         float[] camera = drawing.input.camera();
         float down = drawing.planeHeight - camera[Layout.CAMERA_POSITION + 1];
-        float reflectivity = drawing.bodies.reflectivity(Layout.PLANE);
-        boolean fills = reflectivity == (int) reflectivity;
-        float leastX = drawing.planeHalfSide;
-        float leastZ = leastX;
-        float mostX = -leastX;
-        float mostZ = -leastZ;
-        for (int corner = 0; corner < 4 && fills; corner++) {
+        boolean meets = true;
+        float leastX = Float.MAX_VALUE;
+        float leastZ = Float.MAX_VALUE;
+        float mostX = -Float.MAX_VALUE;
+        float mostZ = -Float.MAX_VALUE;
+        for (int corner = 0; corner < 4 && meets; corner++) {
             float along = down / ViewRays.corner(tile, drawing, corner, 1);
             float x = camera[Layout.CAMERA_POSITION] + along * ViewRays.corner(tile, drawing, corner, 0);
             float z = camera[Layout.CAMERA_POSITION + 2] + along * ViewRays.corner(tile, drawing, corner, 2);
@@ -37,12 +46,28 @@ final class GroundAlone {
             leastZ = Math.min(leastZ, z);
             mostX = Math.max(mostX, x);
             mostZ = Math.max(mostZ, z);
-            fills = along > 0f && Math.max(Math.abs(x), Math.abs(z)) < WITHIN * drawing.planeHalfSide;
+            // Beyond what is a number somewhere a ray is level, or nearly so.
+            meets = along > 0f && along < Float.MAX_VALUE;
         }
-        if (fills) {
+        View view = View.PART;
+        float within = WITHIN * drawing.planeHalfSide;
+        float outside = drawing.planeHalfSide / WITHIN;
+        if (meets && (leastX > outside || mostX < -outside || leastZ > outside || mostZ < -outside)) {
+            view = View.NOTHING;
+        } else if (meets
+                && leastX > -within
+                && mostX < within
+                && leastZ > -within
+                && mostZ < within
+                && isWhole(drawing.bodies.reflectivity(Layout.PLANE))) {
+            view = View.GROUND;
             tile.ground.startIn(leastX, mostX, drawing.planeHeight, leastZ, mostZ);
         }
-        return fills;
+        return view;
+    }
+
+    private static boolean isWhole(float power) {
+        return power == (int) power;
     }
 
     /** Lists all live packets as ground, and writes what they met, where, and a whole throughput. */

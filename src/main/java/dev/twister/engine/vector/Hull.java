@@ -150,6 +150,21 @@ final class Hull {
         radius = (float) Math.sqrt(halfX * halfX + halfZ * halfZ);
     }
 
+    /** Holds what another region holds. */
+    void hold(Hull other) {
+        baseX = other.baseX;
+        baseY = other.baseY;
+        baseZ = other.baseZ;
+        axisX = other.axisX;
+        axisY = other.axisY;
+        axisZ = other.axisZ;
+        radius = other.radius;
+        cosine = other.cosine;
+        sine = other.sine;
+        end = other.end;
+        everything = other.everything;
+    }
+
     /** Holds the rays' mirror images in the level plane of that height instead. */
     void mirror(float height) {
         baseY = 2f * height - baseY;

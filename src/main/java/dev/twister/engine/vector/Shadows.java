@@ -55,21 +55,22 @@ final class Shadows {
     }
 
     private static void sampleAmongFew(Tile tile, Drawing drawing, Hull hull) {
-        endAtLight(hull, drawing);
-        hull.cull(drawing.bodies, Layout.FIRST_SPHERE, tile.shadow.tileCandidates);
+        listBetween(hull, tile, drawing);
         if (tile.shadow.tileCandidates.count > 0) {
             ShadowCandidates.findDiscs(tile, drawing);
             sample(tile, drawing);
         }
     }
 
-    private static void endAtLight(Hull hull, Drawing drawing) {
+    /** Lists the spheres that may come between the light and what the hull, which is made to end at the light, starts around. */
+    static void listBetween(Hull hull, Tile tile, Drawing drawing) {
         BodyColumns bodies = drawing.bodies;
         hull.endIn(
                 bodies.x[Layout.LIGHT],
                 bodies.y[Layout.LIGHT],
                 bodies.z[Layout.LIGHT],
                 drawing.discRadius * drawing.rim);
+        hull.cull(drawing.bodies, Layout.FIRST_SPHERE, tile.shadow.tileCandidates);
     }
 
     /** Points on the ground and on spheres are looked at apart: between them there are many spheres that shade neither. */

@@ -176,6 +176,9 @@ final class Tile {
     /** The region between what the tile's view rays meet of the plane and the light, in a tile of {@link GroundAlone}. */
     final Hull ground = new Hull();
 
+    /** The region that holds the mirror images of the view rays of such a tile. */
+    final Hull mirrored = new Hull();
+
     final BodyList candidates = new BodyList();
 
     /** One packet, or one ray of it, on its way through the hierarchy, and what spheres it has found. */

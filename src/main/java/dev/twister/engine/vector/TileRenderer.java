@@ -132,6 +132,30 @@ final class TileRenderer {
         (tile, drawing) -> GroundAlone.leave(tile),
     };
 
+    private static final Stage[] SHADE_OPENLY = {
+        (tile, drawing) -> Shadows.listBetween(tile.ground, tile, drawing),
+    };
+
+    private static final Stage[] MIRROR_VIEW = {
+        (tile, drawing) -> tile.mirrored.cull(drawing.bodies, Layout.LIGHT, tile.candidates),
+    };
+
+    private static final Stage[] OPEN_GROUND = {
+        (tile, drawing) -> OpenGround.meet(tile, drawing), (tile, drawing) -> OpenGround.findCosines(tile, drawing),
+    };
+
+    private static final Stage[] ODD_POWER = {
+        (tile, drawing) -> OpenGround.root(tile),
+    };
+
+    private static final Stage[] MIRROR_LIT_GROUND = {
+        START_RAYS, (tile, drawing) -> OpenGround.leave(tile, drawing),
+    };
+
+    private static final Stage[] SHADE_OPEN_GROUND = {
+        (tile, drawing) -> OpenGround.raise(tile, drawing), (tile, drawing) -> OpenGround.shade(tile, drawing),
+    };
+
     private static final Stage[] HOLD_ANEW = {
         (tile, drawing) -> tile.rays.startAround(tile, tile.live, Tile.ORIGIN_X, Tile.THROUGHPUT),
         (tile, drawing) -> tile.rays.holdRays(tile, tile.live),
@@ -153,6 +177,9 @@ final class TileRenderer {
     /** Tiles that look past everything at the sky; what never changes in them is written once. */
     private final Tile clear = new Tile();
 
+    /** Tiles of {@link OpenGround}, likewise. */
+    private final Tile open = new Tile();
+
     private final SkyChart chart = new SkyChart();
     private final SkyWindow window = new SkyWindow();
 
@@ -168,9 +195,11 @@ final class TileRenderer {
     private int rehearsals;
 
     TileRenderer() {
-        clear.live.addAll();
-        clear.skies.addAll();
-        Arrays.fill(clear.values, Tile.HIT, Tile.HIT + Tile.SIZE, Layout.NOTHING);
+        for (Tile skyward : new Tile[] {clear, open}) {
+            skyward.live.addAll();
+            skyward.skies.addAll();
+            Arrays.fill(skyward.values, Tile.HIT, Tile.HIT + Tile.SIZE, Layout.NOTHING);
+        }
         Arrays.fill(clear.values, Tile.THROUGHPUT, Tile.THROUGHPUT + Tile.SIZE, 1f);
     }
 
@@ -194,10 +223,13 @@ final class TileRenderer {
             rehearsals++;
             rehearse(drawing);
         }
-        if (seesSkyAlone(drawing) && chart.covers(tile, drawing)) {
+        GroundAlone.View view = view(drawing);
+        if (view == GroundAlone.View.NOTHING && chart.covers(tile, drawing)) {
             drawSky(drawing);
+        } else if (view == GroundAlone.View.GROUND) {
+            drawGround(drawing);
         } else {
-            drawAll(drawing);
+            drawAll(drawing, false);
         }
     }
 
@@ -210,8 +242,12 @@ final class TileRenderer {
         }
     }
 
-    private boolean seesSkyAlone(Drawing drawing) {
-        return !drawing.crowded && tile.candidates.count == 0 && tile.rays.rises(drawing.planeHeight);
+    private GroundAlone.View view(Drawing drawing) {
+        GroundAlone.View view = GroundAlone.View.PART;
+        if (!drawing.crowded && tile.candidates.count == 0) {
+            view = tile.rays.rises(drawing.planeHeight) ? GroundAlone.View.NOTHING : GroundAlone.view(tile, drawing);
+        }
+        return view;
     }
 
     /** Draws a tile whose view rays meet nothing. */
@@ -226,19 +262,88 @@ final class TileRenderer {
         finish(clear, drawing);
     }
 
-    private void drawAll(Drawing drawing) {
-        boolean groundAlone = !drawing.crowded && tile.candidates.count == 0 && GroundAlone.fills(tile, drawing);
+    /** Draws a tile whose view rays all meet the ground. */
+    private void drawGround(Drawing drawing) {
+        if (!isLit(drawing)) {
+            drawAll(drawing, true);
+        } else if (!mirrors(drawing) || mirrorsSkyAlone(drawing)) {
+            drawOpenGround(drawing);
+        } else {
+            drawLitGround(drawing);
+        }
+    }
+
+    /** Whether nothing is between a tile's ground and the light. */
+    private boolean isLit(Drawing drawing) {
+        boolean lit = OpenGround.suits(drawing);
+        if (lit) {
+            Stage.runAll(SHADE_OPENLY, tile, drawing);
+            lit = tile.shadow.tileCandidates.count == 0;
+        }
+        return lit;
+    }
+
+    private static boolean mirrors(Drawing drawing) {
+        return drawing.bounceLimit > 0 && OpenGround.power(drawing) > 0;
+    }
+
+    private boolean mirrorsSkyAlone(Drawing drawing) {
+        tile.mirrored.hold(tile.rays);
+        tile.mirrored.mirror(drawing.planeHeight);
+        Stage.runAll(MIRROR_VIEW, tile, drawing);
+        return tile.candidates.count == 0 && chart.covers(tile, drawing);
+    }
+
+    /** Draws a tile of lit ground that mirrors the sky alone, or nothing. */
+    private void drawOpenGround(Drawing drawing) {
+        open.left = tile.left;
+        open.top = tile.top;
+        ViewRays.blacken(open);
+        for (int sample = 0; sample < drawing.pixelSamples; sample++) {
+            open.sample = sample;
+            shadeOpenGround(open, drawing);
+            if (mirrors(drawing)) {
+                addChartedSky(open, drawing, true);
+            }
+        }
+        finish(open, drawing);
+    }
+
+    private static void shadeOpenGround(Tile here, Drawing drawing) {
+        Stage.runAll(OPEN_GROUND, here, drawing);
+        Stage.runFor(OpenGround.power(drawing) % 2, ODD_POWER, here, drawing);
+        Stage.runAll(SHADE_OPEN_GROUND, here, drawing);
+    }
+
+    /** Draws a tile of lit ground that mirrors bodies. */
+    private void drawLitGround(Drawing drawing) {
         listInside(drawing);
         ViewRays.blacken(tile);
         for (int sample = 0; sample < drawing.pixelSamples; sample++) {
-            tile.sample = sample;
-            if (sample > 0) {
-                // Following the last sample's rays has changed both.
-                listInside(drawing);
-                if (!drawing.crowded) {
-                    Stage.runAll(HOLD_VIEW, tile, drawing);
-                }
+            startSample(drawing, sample);
+            shadeOpenGround(tile, drawing);
+            Stage.runAll(MIRROR_LIT_GROUND, tile, drawing);
+            follow(drawing, 1);
+        }
+        finish(tile, drawing);
+    }
+
+    private void startSample(Drawing drawing, int sample) {
+        tile.sample = sample;
+        if (sample > 0) {
+            // Following the last sample's rays has changed both.
+            listInside(drawing);
+            if (!drawing.crowded) {
+                Stage.runAll(HOLD_VIEW, tile, drawing);
             }
+        }
+    }
+
+    private void drawAll(Drawing drawing, boolean groundAlone) {
+        listInside(drawing);
+        ViewRays.blacken(tile);
+        for (int sample = 0; sample < drawing.pixelSamples; sample++) {
+            startSample(drawing, sample);
             if (groundAlone) {
                 tile.last = drawing.bounceLimit == 0;
                 Stage.runAll(GROUND_ALONE, tile, drawing);

@@ -80,7 +80,8 @@ final class ViewRays {
         return turned(x * drawing.viewportStep, y * drawing.viewportStep, drawing.input.camera(), axis);
     }
 
-    private static float turned(float u, float v, float[] camera, int axis) {
+    /** One coordinate of a ray through that place of the viewport, of no certain length. */
+    static float turned(float u, float v, float[] camera, int axis) {
         return u * camera[Layout.CAMERA_RIGHT + axis]
                 + v * camera[Layout.CAMERA_UP + axis]
                 + camera[Layout.CAMERA_EYE_DISTANCE] * camera[Layout.CAMERA_FORWARD + axis];

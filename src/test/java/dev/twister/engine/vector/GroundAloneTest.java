@@ -49,6 +49,22 @@ final class GroundAloneTest {
     }
 
     @Test
+    void tilesPastItsEdgesSeeNothing() {
+        // From 10 m above, a tile is 5 m wide.
+        look(0, 90, 9.99, 10);
+        assertThat(view(0, 0)).isEqualTo(GroundAlone.View.NOTHING);
+        assertThat(view(0, 1)).isEqualTo(GroundAlone.View.NOTHING);
+        assertThat(view(1, 1)).isEqualTo(GroundAlone.View.PART);
+        look(0, 90, 10.01, 10);
+        assertThat(view(0, 0)).isEqualTo(GroundAlone.View.PART);
+        // The last row but one below the horizon begins 10 m away, and the horizon's never ends.
+        look(0, 0, 19, 10);
+        assertThat(view(1, 3)).isEqualTo(GroundAlone.View.NOTHING);
+        assertThat(view(1, 2)).isEqualTo(GroundAlone.View.PART);
+        assertThat(view(1, 1)).as("above the horizon").isEqualTo(GroundAlone.View.PART);
+    }
+
+    @Test
     void isSeenFromBelowToo() {
         look(0, -90, 30, -10);
         assertThat(fills(0, 0)).isTrue();
@@ -79,8 +95,12 @@ final class GroundAloneTest {
     }
 
     private boolean fills(int column, int row) {
+        return view(column, row) == GroundAlone.View.GROUND;
+    }
+
+    private GroundAlone.View view(int column, int row) {
         tile.left = column * Tile.SIDE;
         tile.top = row * Tile.SIDE;
-        return GroundAlone.fills(tile, drawing);
+        return GroundAlone.view(tile, drawing);
     }
 }
