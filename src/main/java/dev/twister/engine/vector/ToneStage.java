@@ -9,6 +9,9 @@ import jdk.incubator.vector.VectorOperators;
 
 /** From a tile's linear colours to 8-bit ARGB: {@link ToneMapping}. */
 final class ToneStage {
+    /** Added to a number up to 255, it leaves the nearest whole one in the last byte, and no other bits but in the first. */
+    private static final float ROUNDER = 0x1p23f;
+
     private ToneStage() {}
 
     /** Maps the sums of so many samples to [0, 1] and above, unless all that is asked for is an exposure. */
@@ -87,18 +90,20 @@ final class ToneStage {
     /** Packs the channels, mapped or still to be exposed. */
     static void pack(Tile tile, float[] properties, int samples) {
         float scale = isPlain(properties) ? properties[Layout.EXPOSURE_SCALE] / samples : 1f;
+        float whole = 255f * scale;
+        float brightest = 1f / scale;
         float[] t = tile.values;
         for (int at = 0; at < Tile.SIZE; at += Lanes.COUNT) {
-            FloatVector red = Lanes.larger(Lanes.load(t, at + Tile.RED).mul(scale), Lanes.all(0f));
-            FloatVector green = Lanes.larger(Lanes.load(t, at + Tile.GREEN).mul(scale), Lanes.all(0f));
-            FloatVector blue = Lanes.larger(Lanes.load(t, at + Tile.BLUE).mul(scale), Lanes.all(0f));
-            red = Lanes.smaller(red, Lanes.all(1f));
-            green = Lanes.smaller(green, Lanes.all(1f));
-            blue = Lanes.smaller(blue, Lanes.all(1f));
-            Lanes.truncated(red.mul(255f).add(0.5f))
+            FloatVector red = Lanes.larger(Lanes.load(t, at + Tile.RED), Lanes.all(0f));
+            FloatVector green = Lanes.larger(Lanes.load(t, at + Tile.GREEN), Lanes.all(0f));
+            FloatVector blue = Lanes.larger(Lanes.load(t, at + Tile.BLUE), Lanes.all(0f));
+            red = Lanes.fma(Lanes.smaller(red, Lanes.all(brightest)), whole, ROUNDER);
+            green = Lanes.fma(Lanes.smaller(green, Lanes.all(brightest)), whole, ROUNDER);
+            blue = Lanes.fma(Lanes.smaller(blue, Lanes.all(brightest)), whole, ROUNDER);
+            red.reinterpretAsInts()
                     .lanewise(VectorOperators.LSHL, 16)
-                    .or(Lanes.truncated(green.mul(255f).add(0.5f)).lanewise(VectorOperators.LSHL, 8))
-                    .or(Lanes.truncated(blue.mul(255f).add(0.5f)))
+                    .or(green.reinterpretAsInts().lanewise(VectorOperators.LSHL, 8))
+                    .or(blue.reinterpretAsInts())
                     .or(PixelKernel.OPAQUE)
                     .intoArray(tile.argb, Lanes.BORDER + at);
         }
