@@ -2,6 +2,7 @@ package dev.twister.engine.vector;
 
 import dev.twister.image.Frame;
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.ViewRay;
 import dev.twister.world.FrameInput;
 
 /** What all threads read while a frame is drawn: the input, prepared for lanes. */
@@ -65,7 +66,7 @@ final class Drawing {
         bounceLimit = newInput.bounces();
         pixelSamples = (int) properties[Layout.PIXEL_SAMPLES];
         ambient = properties[Layout.AMBIENT];
-        viewportStep = 2f / Math.min(width, newInput.height());
+        viewportStep = ViewRay.step(width, newInput.height());
         planeHeight = newInput.bodyPositions()[3 * Layout.PLANE + 1];
         planeHalfSide = 0.5f * newInput.bodySizes()[Layout.PLANE];
         discRadius = 2f * newInput.bodySizes()[Layout.LIGHT];

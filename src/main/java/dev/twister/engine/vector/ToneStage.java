@@ -87,7 +87,10 @@ final class ToneStage {
         }
     }
 
-    /** Packs the channels, mapped or still to be exposed. */
+    /**
+     * Packs the channels, mapped or still to be exposed. Where rounding puts a channel on the other side of the middle between two
+     * numbers, it is one off {@link ToneMapping#quantized}'s.
+     */
     static void pack(Tile tile, float[] properties, int samples) {
         float scale = isPlain(properties) ? properties[Layout.EXPOSURE_SCALE] / samples : 1f;
         float whole = 255f * scale;

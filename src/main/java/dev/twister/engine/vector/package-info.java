@@ -16,6 +16,6 @@
  *
  * <p>Where a product is added in one step, that is {@code Lanes.fma}, as not every CPU has the Vector API's own. From the view ray
  * by way of what it meets to the next ray no product is: products and sums are rounded there as the kernel rounds them, in its
- * order, as a crowd of small mirrors shows every other bit.
+ * order, as a crowd of small mirrors shows every other bit. Tiles of ground alone, of which a crowd has none, are drawn their own way.
  */
 package dev.twister.engine.vector;

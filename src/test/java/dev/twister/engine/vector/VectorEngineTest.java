@@ -74,8 +74,8 @@ final class VectorEngineTest {
     }
 
     /**
-     * Of spheres 0.1 m wide at 60 m, each of which mirrors the others: a ray that is turned a hundred-millionth elsewhere than the
-     * kernel's ends at another sphere, and one pixel in some 500 was another one. So rays are to be the kernel's to the bit.
+     * Of tiny spheres, each of which mirrors the others: a ray whose last bit is not the kernel's may end at another sphere, and one
+     * pixel in some 700 was another one. So rays are to be the kernel's to the bit.
      */
     @Test
     void drawsWhatTinySpheresMirror() {
