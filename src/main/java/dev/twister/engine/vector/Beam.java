@@ -59,18 +59,18 @@ final class Beam {
     }
 
     /** The rays of the packet that keep {@link Tile#TOGETHER}. */
-    void holdRays(Tile tile, Drawing drawing, int at) {
-        rays(x, tile, drawing, at, Tile.ORIGIN_X, Tile.DIRECTION_X);
-        rays(y, tile, drawing, at, Tile.ORIGIN_Y, Tile.DIRECTION_Y);
-        rays(z, tile, drawing, at, Tile.ORIGIN_Z, Tile.DIRECTION_Z);
+    void holdRays(Tile tile, int at) {
+        rays(x, tile, at, Tile.ORIGIN_X, Tile.DIRECTION_X);
+        rays(y, tile, at, Tile.ORIGIN_Y, Tile.DIRECTION_Y);
+        rays(z, tile, at, Tile.ORIGIN_Z, Tile.DIRECTION_Z);
         finish();
     }
 
-    private void rays(Slab slab, Tile tile, Drawing drawing, int at, int origin, int direction) {
-        LaneSteps.run(LaneSteps.BOUND_TOGETHER, tile, drawing, at, origin);
+    private void rays(Slab slab, Tile tile, int at, int origin, int direction) {
+        LaneSteps.boundTogether(tile, at, origin);
         float originLow = low;
         float originHigh = high;
-        LaneSteps.run(LaneSteps.BOUND_TOGETHER, tile, drawing, at, direction);
+        LaneSteps.boundTogether(tile, at, direction);
         slab.set(originLow, originHigh, low - SPREAD, high + SPREAD);
     }
 
@@ -94,11 +94,11 @@ final class Beam {
     /** The lines from the packet's open points to a ball about the light, which holds the disc whatever way it faces. */
     void holdLines(Tile tile, Drawing drawing, int at, float radius) {
         BodyColumns bodies = drawing.bodies;
-        LaneSteps.run(LaneSteps.BOUND_OPEN, tile, drawing, at, Tile.POINT_X);
+        LaneSteps.boundOpen(tile, at, Tile.POINT_X);
         linesOfAll(x, bodies.x[Layout.LIGHT], radius);
-        LaneSteps.run(LaneSteps.BOUND_OPEN, tile, drawing, at, Tile.POINT_Y);
+        LaneSteps.boundOpen(tile, at, Tile.POINT_Y);
         linesOfAll(y, bodies.y[Layout.LIGHT], radius);
-        LaneSteps.run(LaneSteps.BOUND_OPEN, tile, drawing, at, Tile.POINT_Z);
+        LaneSteps.boundOpen(tile, at, Tile.POINT_Z);
         linesOfAll(z, bodies.z[Layout.LIGHT], radius);
         end = 1f + DISC_SPREAD;
         finish();

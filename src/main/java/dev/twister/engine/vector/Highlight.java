@@ -10,17 +10,6 @@ import jdk.incubator.vector.VectorOperators;
 
 /** The specular part of Blinn-Phong: {@link Shading#specular}. */
 final class Highlight {
-    // Stages, so that each keeps its own inlining budget, and not run where there is nothing to do: see Stage.
-    private static final Stage[] OF_ONE_WHOLE_POWER = {(tile, drawing) -> raiseAll(tile)};
-    private static final Stage[] OF_WHOLE_POWERS = {
-        (tile, drawing) -> raiseEach(tile, tile.wholePowers, Tile.SPECULAR_WEIGHT)
-    };
-    private static final Stage[] OF_FRACTIONS = {
-        (tile, drawing) -> findFractions(tile),
-        (tile, drawing) -> raiseEach(tile, tile.fractionPowers, Tile.FRACTION_POWER),
-        (tile, drawing) -> weigh(tile.values, tile.fractionPowers),
-    };
-
     private Highlight() {}
 
     /** Writes {@code max(0, N.H)}, at most 1, and 0 where the light is behind, to the specular column. */
@@ -84,14 +73,22 @@ final class Highlight {
     }
 
     /** Raises the cosines to the reflectivities' powers and multiplies them by their weights where anything shines. */
-    static void raise(Tile tile, Drawing drawing) {
-        Stage.runFor(tile.onePower.count, OF_ONE_WHOLE_POWER, tile, drawing);
-        Stage.runFor(tile.wholePowers.count, OF_WHOLE_POWERS, tile, drawing);
-        Stage.runFor(tile.fractionPowers.count, OF_FRACTIONS, tile, drawing);
+    static void raise(Tile tile) {
+        if (tile.onePower.count > 0) {
+            Stages.raiseToOnePower(tile);
+        }
+        if (tile.wholePowers.count > 0) {
+            Stages.raiseToWholePowers(tile);
+        }
+        if (tile.fractionPowers.count > 0) {
+            Stages.findFractions(tile);
+            Stages.raiseToFractionPowers(tile);
+            Stages.weighFractions(tile);
+        }
     }
 
     /** All lanes to the power of the first that shines, by repeated squaring, times their weights. */
-    private static void raiseAll(Tile tile) {
+    static void raiseAll(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.onePower.count; k++) {
             int at = tile.onePower.places[k];
@@ -108,7 +105,7 @@ final class Highlight {
     }
 
     /** Each lane to its own power's whole part, times that column's number. */
-    private static void raiseEach(Tile tile, PacketList packets, int factor) {
+    static void raiseEach(Tile tile, PacketList packets, int factor) {
         float[] t = tile.values;
         for (int k = 0; k < packets.count; k++) {
             int at = packets.places[k];
@@ -127,7 +124,7 @@ final class Highlight {
     }
 
     /** Each lane to its own power's fraction, to a column of its own: a square root for each of its binary digits. */
-    private static void findFractions(Tile tile) {
+    static void findFractions(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.fractionPowers.count; k++) {
             int at = tile.fractionPowers.places[k];
@@ -148,7 +145,7 @@ final class Highlight {
         }
     }
 
-    private static void weigh(float[] t, PacketList packets) {
+    static void weigh(float[] t, PacketList packets) {
         for (int k = 0; k < packets.count; k++) {
             int at = packets.places[k];
             Lanes.load(t, at + Tile.SPECULAR)

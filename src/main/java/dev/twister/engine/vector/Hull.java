@@ -24,25 +24,6 @@ final class Hull {
 
     private static final float BIGGEST = 1e30f;
 
-    /** Along each axis; called in a loop, so that each keeps its own inlining budget: see {@link Stage}. */
-    private static final Extent[] EXTENTS = {
-        (hull, tile, packets, column, lanes) -> {
-            float half = hull.spread(tile, packets, column, lanes);
-            hull.baseX = hull.middle;
-            return half;
-        },
-        (hull, tile, packets, column, lanes) -> {
-            float half = hull.spread(tile, packets, column + Tile.SIZE, lanes);
-            hull.baseY = hull.middle;
-            return half;
-        },
-        (hull, tile, packets, column, lanes) -> {
-            float half = hull.spread(tile, packets, column + 2 * Tile.SIZE, lanes);
-            hull.baseZ = hull.middle;
-            return half;
-        },
-    };
-
     float baseX;
     float baseY;
     float baseZ;
@@ -179,17 +160,20 @@ final class Hull {
 
     /** Starts in a ball about the origins of the live rays, or the points of the lanes whose {@code lanes} column is above 0. */
     void startAround(Tile tile, PacketList packets, int column, int lanes) {
-        float squared = 0f;
-        for (Extent extent : EXTENTS) {
-            float half = extent.find(this, tile, packets, column, lanes);
-            squared += half * half;
-        }
-        radius = (float) Math.sqrt(squared);
+        float halfX = Stages.spreadOfHull(this, tile, packets, column, lanes);
+        baseX = middle;
+        float halfY = Stages.spreadOfHull(this, tile, packets, column + Tile.SIZE, lanes);
+        baseY = middle;
+        float halfZ = Stages.spreadOfHull(this, tile, packets, column + 2 * Tile.SIZE, lanes);
+        baseZ = middle;
+        radius = (float) Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
     }
 
+    /** What {@link #spread} found last. */
     private float middle;
 
-    private float spread(Tile tile, PacketList packets, int column, int lanes) {
+    /** Half of what the lanes spread along one axis; sets the middle. */
+    float spread(Tile tile, PacketList packets, int column, int lanes) {
         float[] t = tile.values;
         FloatVector least = Lanes.all(BIGGEST);
         FloatVector most = Lanes.all(-BIGGEST);
@@ -255,11 +239,5 @@ final class Hull {
                 .and(along.neg().compare(VectorOperators.LE, generous))
                 .and(along.sub(generous).compare(VectorOperators.LE, end))
                 .toLong();
-    }
-
-    /** Half of what the origins spread along one axis; sets the middle. */
-    @FunctionalInterface
-    private interface Extent {
-        float find(Hull hull, Tile tile, PacketList packets, int column, int lanes);
     }
 }

@@ -27,9 +27,9 @@ final class PacketHits {
         tile.lonely.clear();
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
-            int goesOn = (int) LaneSteps.run(LaneSteps.START_PACKET, tile, drawing, at, 0);
-            LaneSteps.run(LaneSteps.MEET_LIGHT, tile, drawing, at, 0);
-            int together = (int) LaneSteps.run(LaneSteps.GATHER, tile, drawing, at, goesOn);
+            int goesOn = (int) LaneSteps.startPacket(tile, at);
+            LaneSteps.meetLight(tile, drawing, at);
+            int together = (int) LaneSteps.gather(tile, at, goesOn);
             if (together != 0) {
                 walkTogether(tile, drawing, at);
             }
@@ -44,8 +44,8 @@ final class PacketHits {
         Beam beam = tile.beam;
         Descent descent = tile.descent;
         WideHierarchy hierarchy = drawing.hierarchy;
-        beam.holdRays(tile, drawing, at);
-        beam.endAt(farthest(tile, drawing, at));
+        beam.holdRays(tile, at);
+        beam.endAt(farthest(tile, at));
         descent.start(hierarchy, beam);
         int leaf = descent.nextLeaf(hierarchy, beam);
         while (leaf >= 0) {
@@ -55,21 +55,20 @@ final class PacketHits {
                 long near = beam.meeting(hierarchy.spheres, first);
                 tested |= near != 0L;
                 if (near != 0L) {
-                    tile.spheresMet = near;
-                    LaneSteps.run(LaneSteps.MEET_SPHERES, tile, drawing, at, first);
+                    LaneSteps.meetSpheres(tile, drawing, at, first, near);
                 }
                 first += hierarchy.spheres.step;
             }
             if (tested) {
-                beam.endAt(farthest(tile, drawing, at));
+                beam.endAt(farthest(tile, at));
             }
             leaf = descent.nextLeaf(hierarchy, beam);
         }
     }
 
     /** Metres along the rays beyond which nothing matters to any of them. */
-    private static float farthest(Tile tile, Drawing drawing, int at) {
-        return Float.intBitsToFloat((int) LaneSteps.run(LaneSteps.FARTHEST, tile, drawing, at, 0));
+    private static float farthest(Tile tile, int at) {
+        return Float.intBitsToFloat((int) LaneSteps.farthest(tile, at));
     }
 
     /** So many of the rays on their own, from that one of them on. */

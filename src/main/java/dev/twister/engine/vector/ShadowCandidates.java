@@ -52,7 +52,7 @@ final class ShadowCandidates {
     static boolean findAmong(SphereColumns near, int count, Tile tile, int at, Drawing drawing) {
         ShadowScratch scratch = tile.shadow;
         scratch.startPacket();
-        LaneSteps.run(LaneSteps.BETWEEN, tile, drawing, at, count);
+        LaneSteps.findBetweens(tile, at, count);
         int bodies = SphereColumns.FIRST + SphereColumns.BODY * near.stride;
         for (int sphere = 0; sphere < count; sphere++) {
             long between = scratch.betweens[sphere];
@@ -60,13 +60,13 @@ final class ShadowCandidates {
                 judge(tile, drawing, at, (int) near.values[bodies + sphere], between);
             }
         }
-        return LaneSteps.run(LaneSteps.FINISH_PACKET, tile, drawing, at, 0) != 0;
+        return LaneSteps.finishPacket(tile, at) != 0;
     }
 
     private static void judge(Tile tile, Drawing drawing, int at, int body, long between) {
-        long shaded = between & LaneSteps.run(LaneSteps.OUTSIDE, tile, drawing, at, body);
+        long shaded = between & LaneSteps.isOutside(tile, drawing, at, body);
         if (shaded != 0) {
-            tile.shadow.add(body, shaded, LaneSteps.run(LaneSteps.HIDES_DISC, tile, drawing, at, body));
+            tile.shadow.add(body, shaded, LaneSteps.hidesDisc(tile, drawing, at, body));
         }
     }
 

@@ -32,21 +32,8 @@ final class ShadowConics {
     /** From the bit of a number below 0, where a sample is blocked, to a 1: fewer steps than to compare and to choose. */
     private static final int SIGN = 31;
 
-    private static final int COUNT_ONE = 0;
-    private static final int COUNT_FEW = 1;
-    private static final int LOWER = 2;
-    private static final int COUNT_LOWEST = 3;
-
     /** A conic where nothing blocks: any number above 0. */
     private static final float ABOVE = 1f;
-
-    /** By the numbers above; in an array, so that each keeps its own inlining budget: see {@link Stage}. */
-    private static final Pass[] PASSES = {
-        (scratch, none, candidate) -> countOne(scratch, candidate),
-        (scratch, none, candidate) -> countFew(scratch, candidate),
-        (scratch, from, candidate) -> lower(scratch, from, candidate),
-        (scratch, none, samples) -> countLowest(scratch, samples),
-    };
 
     private ShadowConics() {}
 
@@ -77,7 +64,11 @@ final class ShadowConics {
     static void count(ShadowScratch scratch) {
         if (ShadowRange.areApart(scratch)) {
             for (int c = 0; c < scratch.candidates.count; c++) {
-                PASSES[scratch.sorted ? COUNT_ONE : COUNT_FEW].run(scratch, 0, c);
+                if (scratch.sorted) {
+                    Stages.countConic(scratch, c);
+                } else {
+                    Stages.countConicOfFew(scratch, c);
+                }
             }
         } else if (scratch.candidates.count == 2) {
             countTwo(scratch);
@@ -87,7 +78,7 @@ final class ShadowConics {
     }
 
     /** Those of one candidate. */
-    private static void countOne(ShadowScratch scratch, int candidate) {
+    static void countOne(ShadowScratch scratch, int candidate) {
         float[] facts = scratch.facts;
         float[] disc = scratch.disc;
         int to = 2 * scratch.tos[candidate];
@@ -115,7 +106,7 @@ final class ShadowConics {
      * Those of one candidate where they are few. The count stays in memory: as a vector that a loop of one round hands on, it
      * would become an object in some JVMs.
      */
-    private static void countFew(ShadowScratch scratch, int candidate) {
+    static void countFew(ShadowScratch scratch, int candidate) {
         float[] facts = scratch.facts;
         float[] disc = scratch.disc;
         int to = 2 * scratch.tos[candidate];
@@ -182,13 +173,13 @@ final class ShadowConics {
         scratch.reserveConics(samples);
         Arrays.fill(scratch.conics, Lanes.BORDER, Lanes.BORDER + samples * Lanes.COUNT, ABOVE);
         for (int c = 0; c < scratch.candidates.count; c++) {
-            PASSES[LOWER].run(scratch, from, c);
+            Stages.lowerConics(scratch, from, c);
         }
-        PASSES[COUNT_LOWEST].run(scratch, 0, samples);
+        Stages.countLowestConics(scratch, samples);
     }
 
     /** Lowers what is there at each sample of a candidate's range to its conic, the first sample there being that one. */
-    private static void lower(ShadowScratch scratch, int from, int candidate) {
+    static void lower(ShadowScratch scratch, int from, int candidate) {
         int of = candidate * ShadowScratch.STRIDE;
         float[] facts = scratch.facts;
         float[] disc = scratch.disc;
@@ -212,7 +203,7 @@ final class ShadowConics {
     }
 
     /** Counts the samples at which the lowest conic is below 0. */
-    private static void countLowest(ShadowScratch scratch, int samples) {
+    static void countLowest(ShadowScratch scratch, int samples) {
         float[] conics = scratch.conics;
         IntVector blocked = IntVector.zero(Lanes.INTS);
         for (int sample = 0; sample < samples; sample++) {
@@ -222,11 +213,5 @@ final class ShadowConics {
         Lanes.toFloats(blocked)
                 .add(FloatVector.fromArray(Lanes.FLOATS, scratch.frame, ShadowScratch.BLOCKED))
                 .intoArray(scratch.frame, ShadowScratch.BLOCKED);
-    }
-
-    /** One way over all samples. */
-    @FunctionalInterface
-    private interface Pass {
-        void run(ShadowScratch scratch, int from, int which);
     }
 }

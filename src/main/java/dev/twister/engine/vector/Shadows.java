@@ -6,20 +6,6 @@ import jdk.incubator.vector.VectorOperators;
 
 /** The visible part of the light at the points of a tile. */
 final class Shadows {
-    /** What is done for a packet with lanes neither in the light nor in the dark. */
-    private static final PacketStage[] SAMPLING = {
-        (tile, drawing, at) -> ShadowFrame.findAxes(tile, at, drawing, tile.shadow),
-        (tile, drawing, at) -> ShadowFrame.placeAll(tile, at, drawing.bodies, tile.shadow),
-        (tile, drawing, at) -> ShadowFrame.limitAll(tile, at, drawing.bodies, tile.shadow),
-        (tile, drawing, at) -> ShadowFrame.judgeAll(tile, at, drawing.bodies, tile.shadow),
-        (tile, drawing, at) -> ShadowConics.prepare(tile.shadow),
-        (tile, drawing, at) -> ShadowRange.choose(drawing, tile.shadow),
-        (tile, drawing, at) -> ShadowRange.findPlaces(tile.values, at, tile.shadow),
-        (tile, drawing, at) -> ShadowRange.find(drawing, tile.shadow),
-        (tile, drawing, at) -> count(tile, drawing, at),
-        (tile, drawing, at) -> finish(tile, drawing, at),
-    };
-
     /** Fewer points than these are better off one by one from the start. */
     private static final int FEWEST_TOGETHER = 1 + Lanes.COUNT / 4;
 
@@ -79,13 +65,13 @@ final class Shadows {
         tile.lonely.clear();
         for (int k = 0; k < tile.shadows.count; k++) {
             int at = tile.shadows.places[k];
-            int open = (int) LaneSteps.run(LaneSteps.OPEN, tile, drawing, at, 0);
-            int ground = (int) LaneSteps.run(LaneSteps.OPEN_ON_GROUND, tile, drawing, at, 0);
+            int open = (int) LaneSteps.open(tile, at);
+            int ground = (int) LaneSteps.openOnGround(tile, at);
             if (ground != 0 && ground != open) {
-                LaneSteps.run(LaneSteps.NARROW, tile, drawing, at, ground);
+                LaneSteps.narrow(tile, at, ground);
                 sampleInCrowd(tile, drawing, at, ground, radius);
                 open &= ~ground;
-                LaneSteps.run(LaneSteps.NARROW, tile, drawing, at, open);
+                LaneSteps.narrow(tile, at, open);
             }
             sampleInCrowd(tile, drawing, at, open, radius);
         }
@@ -135,10 +121,18 @@ final class Shadows {
         }
     }
 
+    /** Counts samples for a packet with lanes neither in the light nor in the dark. */
     private static void sample(Tile tile, Drawing drawing, int at) {
-        for (PacketStage stage : SAMPLING) {
-            stage.run(tile, drawing, at);
-        }
+        Stages.findShadowAxes(tile, drawing, at);
+        Stages.placeCandidates(tile, drawing, at);
+        Stages.limitCandidates(tile, drawing, at);
+        Stages.judgeCandidates(tile, drawing, at);
+        Stages.prepareConics(tile);
+        Stages.chooseRange(tile, drawing);
+        Stages.findRangePlaces(tile, at);
+        Stages.findRanges(tile, drawing);
+        Stages.countBlocked(tile, drawing, at);
+        Stages.finishShadows(tile, drawing, at);
     }
 
     /** Writes how many samples are blocked. */
@@ -153,7 +147,7 @@ final class Shadows {
     }
 
     /** Writes the visible parts of the open lanes. */
-    private static void finish(Tile tile, Drawing drawing, int at) {
+    static void finish(Tile tile, Drawing drawing, int at) {
         float[] t = tile.values;
         FloatVector blocked = Lanes.load(tile.shadow.frame, ShadowScratch.BLOCKED);
         FloatVector visible = Lanes.all(1f).sub(blocked.div(drawing.shadowSamples));

@@ -126,7 +126,7 @@ final class SkyChart {
         if (nodes.left != left || nodes.top != tile.top) {
             nodes.left = left;
             nodes.top = tile.top;
-            Stage.runAll(TileRenderer.NODES, nodes, drawing);
+            TileRenderer.findNodes(nodes, drawing);
             exact = judge(drawing.sky.width);
             if (exact) {
                 findFactors(Tile.SKY_TO_RIGHT, columnFactors);

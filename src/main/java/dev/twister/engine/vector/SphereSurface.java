@@ -7,26 +7,21 @@ import jdk.incubator.vector.VectorOperators;
 
 /** Spheres where they are met; lanes of a packet that met something else keep what they had. */
 final class SphereSurface {
-    private static final int PICK = 0;
-    private static final int COPY = 1;
-    private static final int COPY_OF_MANY = 2;
-
-    /** By the numbers above; in an array, so that each keeps its own inlining budget: see {@link Stage}. */
-    private static final Stage[] FETCHES = {
-        (tile, drawing) -> pick(tile, drawing.bodies),
-        (tile, drawing) -> copy(tile, drawing.bodies),
-        (tile, drawing) -> copyOfMany(tile, drawing.bodies),
-    };
-
     private SphereSurface() {}
 
     /** Copies each lane's sphere into the lane. The centre goes to the normal's columns. */
     static void fetch(Tile tile, Drawing drawing) {
-        FETCHES[drawing.bodies.fitLanes() ? PICK : drawing.crowded ? COPY_OF_MANY : COPY].run(tile, drawing);
+        if (drawing.bodies.fitLanes()) {
+            Stages.pickSpheres(tile, drawing);
+        } else if (drawing.crowded) {
+            Stages.copySpheresOfMany(tile, drawing);
+        } else {
+            Stages.copySpheres(tile, drawing);
+        }
     }
 
     /** Where one vector holds a column of all bodies. */
-    private static void pick(Tile tile, BodyColumns bodies) {
+    static void pick(Tile tile, BodyColumns bodies) {
         float[] t = tile.values;
         float[] columns = bodies.surfaceColumns;
         for (int k = 0; k < tile.spheres.count; k++) {
@@ -43,7 +38,7 @@ final class SphereSurface {
     }
 
     /** Lane by lane. */
-    private static void copy(Tile tile, BodyColumns bodies) {
+    static void copy(Tile tile, BodyColumns bodies) {
         float[] t = tile.values;
         float[] surfaces = bodies.surfaces;
         int[] places = bodies.surfacePlaces;
@@ -67,7 +62,7 @@ final class SphereSurface {
      * The same where the caches do not hold all spheres: of each a number is read before any is copied, so that memory is waited
      * for once, not sphere by sphere.
      */
-    private static void copyOfMany(Tile tile, BodyColumns bodies) {
+    static void copyOfMany(Tile tile, BodyColumns bodies) {
         float[] t = tile.values;
         float[] surfaces = bodies.surfaces;
         int[] places = bodies.surfacePlaces;

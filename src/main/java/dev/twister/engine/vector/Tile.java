@@ -192,9 +192,6 @@ final class Tile {
     final LeafCandidates leafCandidates = new LeafCandidates();
     final Descent descent = new Descent();
 
-    /** Of a block of spheres, one bit each that a packet's rays may meet. */
-    long spheresMet;
-
     /** The leaf that a ray on its way down has come to, with the ray's number above. */
     final int[] leafMet = new int[1];
 

@@ -14,164 +14,6 @@ final class TileRenderer {
      */
     private static final int REHEARSALS = 20_000;
 
-    // Stages in several lists are one object each: the JVM compiles each object's code anew.
-    private static final Stage START_RAYS = (tile, drawing) -> ViewRays.start(tile, drawing);
-    private static final Stage CULL_RAYS =
-            (tile, drawing) -> tile.rays.cull(drawing.bodies, Layout.LIGHT, tile.candidates);
-    private static final Stage FIND_SKY_RATIOS = (tile, drawing) -> SkyDirection.findRatios(tile);
-    private static final Stage FIND_SKY_TO_RIGHT =
-            (tile, drawing) -> SkyDirection.findArcTangents(tile, Tile.SKY_TO_RIGHT);
-    private static final Stage FIND_SKY_TO_BOTTOM =
-            (tile, drawing) -> SkyDirection.findArcTangents(tile, Tile.SKY_TO_BOTTOM);
-    private static final Stage FIND_SKY_COLUMNS = (tile, drawing) -> SkyDirection.findColumns(tile, drawing.sky);
-    private static final Stage FIND_SKY_ROWS = (tile, drawing) -> SkyDirection.findRows(tile, drawing.sky);
-    private static final Stage COLOR_GROUND = (tile, drawing) -> GroundSurface.findColors(tile, drawing);
-    private static final Stage RAISE_HIGHLIGHTS = (tile, drawing) -> Highlight.raise(tile, drawing);
-    private static final Stage SHADE = (tile, drawing) -> Bounce.shade(tile, drawing.bodies, drawing.ambient);
-
-    /** From the view rays of a chart's nodes to where they look. */
-    static final Stage[] NODES = {
-        START_RAYS, FIND_SKY_RATIOS, FIND_SKY_TO_RIGHT, FIND_SKY_TO_BOTTOM, FIND_SKY_COLUMNS, FIND_SKY_ROWS,
-    };
-
-    private static final Stage[] START = {
-        START_RAYS, (tile, drawing) -> ViewRays.place(tile, drawing.input.camera()),
-    };
-
-    private static final Stage[] HOLD_VIEW = {
-        (tile, drawing) -> ViewRays.bound(tile, drawing), CULL_RAYS,
-    };
-
-    private static final Stage[] CULL = {
-        CULL_RAYS,
-    };
-
-    private static final Stage[] NOTHING_HIT = {
-        (tile, drawing) -> HitSorting.sortSkies(tile),
-    };
-
-    private static final Stage[] NEAREST_OF_FEW = {
-        (tile, drawing) -> NearestSphere.find(tile, drawing.bodies, tile.candidates),
-    };
-
-    private static final Stage[] NEAREST_OF_MANY = {
-        (tile, drawing) -> PacketHits.find(tile, drawing),
-    };
-
-    private static final Stage[] GROUND_HIT = {
-        (tile, drawing) -> GroundHit.find(tile, drawing.planeHeight, drawing.planeHalfSide),
-    };
-
-    private static final Stage[] SORT_HITS = {
-        (tile, drawing) -> HitSorting.sort(tile),
-    };
-
-    private static final Stage[] LIGHT = {
-        (tile, drawing) -> LightHit.add(tile, drawing.bodies),
-    };
-
-    private static final Stage[] SKY = {
-        FIND_SKY_RATIOS, FIND_SKY_TO_RIGHT, FIND_SKY_TO_BOTTOM, FIND_SKY_COLUMNS, FIND_SKY_ROWS,
-    };
-
-    private static final Stage[] SORT_SKY = {
-        (tile, drawing) -> SkyPatches.sort(tile),
-    };
-
-    private static final Stage[] SKY_PATCHES = {
-        (tile, drawing) -> SkyPatches.add(tile, drawing.sky),
-    };
-
-    private static final Stage[] SORT_SKY_IN_ROWS = {
-        (tile, drawing) -> SkyRows.sort(tile),
-    };
-
-    private static final Stage[] SKY_ROWS = {
-        (tile, drawing) -> SkyRows.add(tile, drawing.sky),
-    };
-
-    private static final Stage[] SCATTERED_SKY = {
-        (tile, drawing) -> SkyRadiance.listPixels(tile),
-        (tile, drawing) -> SkyRadiance.findTexels(tile, drawing.sky),
-        (tile, drawing) -> SkyRadiance.fetch(tile, drawing.sky),
-        (tile, drawing) -> SkyRadiance.unpack(tile, drawing.sky),
-        (tile, drawing) -> SkyRadiance.add(tile),
-    };
-
-    private static final Stage[] GROUND = {
-        (tile, drawing) -> GroundSurface.findPoints(tile, drawing), COLOR_GROUND,
-    };
-
-    private static final Stage[] SPHERES = {
-        (tile, drawing) -> SphereSurface.fetch(tile, drawing),
-        (tile, drawing) -> SphereSurface.findOffsets(tile),
-        (tile, drawing) -> SphereSurface.findPoints(tile),
-    };
-
-    private static final Stage[] SURFACE = {
-        (tile, drawing) -> LightDirection.find(tile, drawing.bodies),
-        (tile, drawing) -> LightDirection.sort(tile, drawing.ambient),
-        (tile, drawing) -> Shadows.find(tile, drawing),
-        (tile, drawing) -> Highlight.findCosines(tile),
-        (tile, drawing) -> Highlight.sort(tile),
-        RAISE_HIGHLIGHTS,
-        SHADE,
-        (tile, drawing) -> Bounce.reflect(tile),
-        (tile, drawing) -> Bounce.leave(tile),
-    };
-
-    private static final Stage[] GROUND_ALONE = {
-        START_RAYS,
-        (tile, drawing) -> GroundAlone.meet(tile, drawing),
-        COLOR_GROUND,
-        (tile, drawing) -> GroundAlone.findLight(tile, drawing),
-        (tile, drawing) -> Shadows.findOnGround(tile, drawing),
-        (tile, drawing) -> GroundAlone.findHighlight(tile, drawing),
-        RAISE_HIGHLIGHTS,
-        SHADE,
-        (tile, drawing) -> GroundAlone.leave(tile),
-    };
-
-    private static final Stage[] SHADE_OPENLY = {
-        (tile, drawing) -> Shadows.listBetween(tile.ground, tile, drawing),
-    };
-
-    private static final Stage[] MIRROR_VIEW = {
-        (tile, drawing) -> tile.mirrored.cull(drawing.bodies, Layout.LIGHT, tile.candidates),
-    };
-
-    private static final Stage[] OPEN_GROUND = {
-        (tile, drawing) -> OpenGround.meet(tile, drawing), (tile, drawing) -> OpenGround.findCosines(tile, drawing),
-    };
-
-    private static final Stage[] ODD_POWER = {
-        (tile, drawing) -> OpenGround.root(tile),
-    };
-
-    private static final Stage[] MIRROR_LIT_GROUND = {
-        START_RAYS, (tile, drawing) -> OpenGround.leave(tile, drawing),
-    };
-
-    private static final Stage[] SHADE_OPEN_GROUND = {
-        (tile, drawing) -> OpenGround.raise(tile, drawing), (tile, drawing) -> OpenGround.shade(tile, drawing),
-    };
-
-    private static final Stage[] HOLD_ANEW = {
-        (tile, drawing) -> tile.rays.startAround(tile, tile.live, Tile.ORIGIN_X, Tile.THROUGHPUT),
-        (tile, drawing) -> tile.rays.holdRays(tile, tile.live),
-        CULL_RAYS,
-    };
-
-    private static final Stage[] FINISH_PIXELS = {
-        (tile, drawing) -> ToneStage.map(tile, drawing.input.rayTracingProperties(), drawing.pixelSamples),
-        (tile, drawing) -> ToneStage.pack(tile, drawing.input.rayTracingProperties(), drawing.pixelSamples),
-        (tile, drawing) -> TileOutput.write(tile, drawing.frame),
-    };
-
-    private static final Stage[] FINISH_RADIANCE = {
-        (tile, drawing) -> TileOutput.writeLinear(tile, drawing.frame, 1f / drawing.pixelSamples),
-    };
-
     private final Tile tile = new Tile();
 
     /** Tiles that look past everything at the sky; what never changes in them is written once. */
@@ -182,15 +24,6 @@ final class TileRenderer {
 
     private final SkyChart chart = new SkyChart();
     private final SkyWindow window = new SkyWindow();
-
-    /** Whether the chart is asked for the view rays' mirror images. */
-    private boolean mirrored;
-
-    private final Stage[] chartedSky = {
-        (tile, drawing) -> chart.spread(tile, drawing), (tile, drawing) -> chart.place(tile, drawing, mirrored),
-    };
-
-    private final Stage[] skyInWindow = {(tile, drawing) -> window.add(tile)};
 
     private int rehearsals;
 
@@ -216,8 +49,10 @@ final class TileRenderer {
     void draw(Drawing drawing, int number) {
         tile.left = number % drawing.tilesAcross() * Tile.SIDE;
         tile.top = number / drawing.tilesAcross() * Tile.SIDE;
+        TileOutput.approachNext(tile, drawing.frame);
         if (!drawing.crowded) {
-            Stage.runAll(HOLD_VIEW, tile, drawing);
+            Stages.boundRays(tile, drawing);
+            Stages.cullRays(tile, drawing);
         }
         if (chart.isCoarse() && rehearsals < REHEARSALS) {
             rehearsals++;
@@ -236,9 +71,9 @@ final class TileRenderer {
     /** With whatever chart and window hold: only lanes come of it. */
     private void rehearse(Drawing drawing) {
         clear.sample = 0;
-        Stage.runAll(chartedSky, clear, drawing);
+        placeChartedSky(clear, drawing, false);
         if (SkyWindow.FIT) {
-            Stage.runAll(skyInWindow, clear, drawing);
+            Stages.addSkyInWindow(window, clear);
         }
     }
 
@@ -277,7 +112,7 @@ final class TileRenderer {
     private boolean isLit(Drawing drawing) {
         boolean lit = OpenGround.suits(drawing);
         if (lit) {
-            Stage.runAll(SHADE_OPENLY, tile, drawing);
+            Stages.listBetweenGroundAndLight(tile, drawing);
             lit = tile.shadow.tileCandidates.count == 0;
         }
         return lit;
@@ -290,7 +125,7 @@ final class TileRenderer {
     private boolean mirrorsSkyAlone(Drawing drawing) {
         tile.mirrored.hold(tile.rays);
         tile.mirrored.mirror(drawing.planeHeight);
-        Stage.runAll(MIRROR_VIEW, tile, drawing);
+        Stages.cullMirrored(tile, drawing);
         return tile.candidates.count == 0 && chart.covers(tile, drawing);
     }
 
@@ -310,9 +145,13 @@ final class TileRenderer {
     }
 
     private static void shadeOpenGround(Tile here, Drawing drawing) {
-        Stage.runAll(OPEN_GROUND, here, drawing);
-        Stage.runFor(OpenGround.power(drawing) % 2, ODD_POWER, here, drawing);
-        Stage.runAll(SHADE_OPEN_GROUND, here, drawing);
+        Stages.meetOpenGround(here, drawing);
+        Stages.findCosinesOfOpenGround(here, drawing);
+        if (OpenGround.power(drawing) % 2 > 0) {
+            Stages.rootCosinesOfOpenGround(here);
+        }
+        Stages.raiseHighlightOfOpenGround(here, drawing);
+        Stages.shadeOpenGround(here, drawing);
     }
 
     /** Draws a tile of lit ground that mirrors bodies. */
@@ -322,7 +161,8 @@ final class TileRenderer {
         for (int sample = 0; sample < drawing.pixelSamples; sample++) {
             startSample(drawing, sample);
             shadeOpenGround(tile, drawing);
-            Stage.runAll(MIRROR_LIT_GROUND, tile, drawing);
+            Stages.startRays(tile, drawing);
+            Stages.leaveOpenGround(tile, drawing);
             follow(drawing, 1);
         }
         finish(tile, drawing);
@@ -334,7 +174,8 @@ final class TileRenderer {
             // Following the last sample's rays has changed both.
             listInside(drawing);
             if (!drawing.crowded) {
-                Stage.runAll(HOLD_VIEW, tile, drawing);
+                Stages.boundRays(tile, drawing);
+                Stages.cullRays(tile, drawing);
             }
         }
     }
@@ -346,10 +187,11 @@ final class TileRenderer {
             startSample(drawing, sample);
             if (groundAlone) {
                 tile.last = drawing.bounceLimit == 0;
-                Stage.runAll(GROUND_ALONE, tile, drawing);
+                shadeGroundAlone(drawing);
                 follow(drawing, 1);
             } else {
-                Stage.runAll(START, tile, drawing);
+                Stages.startRays(tile, drawing);
+                Stages.placeRays(tile, drawing);
                 follow(drawing, 0);
             }
         }
@@ -357,7 +199,13 @@ final class TileRenderer {
     }
 
     private static void finish(Tile tile, Drawing drawing) {
-        Stage.runAll(drawing.frame.isLinear() ? FINISH_RADIANCE : FINISH_PIXELS, tile, drawing);
+        if (drawing.frame.isLinear()) {
+            Stages.writeRadiance(tile, drawing);
+        } else {
+            Stages.mapTones(tile, drawing);
+            Stages.packPixels(tile, drawing);
+            Stages.writePixels(tile, drawing);
+        }
     }
 
     /** Lists the packets with a pixel of the frame in them: all of most tiles. */
@@ -380,38 +228,92 @@ final class TileRenderer {
             tile.last = bounce == drawing.bounceLimit;
             boolean offPlane = bounce == 1 && tile.spheres.count == 0;
             if (drawing.crowded) {
-                Stage.runAll(NEAREST_OF_MANY, tile, drawing);
+                Stages.findNearestOfMany(tile, drawing);
                 if (!offPlane) {
-                    Stage.runAll(GROUND_HIT, tile, drawing);
+                    Stages.findGround(tile, drawing);
                 }
-                Stage.runAll(SORT_HITS, tile, drawing);
+                Stages.sortHits(tile);
             } else {
                 meetFew(drawing, bounce, offPlane);
             }
-            Stage.runFor(tile.lights.count, LIGHT, tile, drawing);
+            if (tile.lights.count > 0) {
+                Stages.addLight(tile, drawing);
+            }
             if (tile.skies.count > 0) {
                 if ((bounce == 0 || offPlane) && tile.skies.count >= LEAST_CHARTED && chart.covers(tile, drawing)) {
                     addChartedSky(tile, drawing, offPlane);
                 } else {
-                    Stage.runAll(SKY, tile, drawing);
+                    findSky(tile, drawing);
                     addSky(tile, drawing);
                 }
             }
-            Stage.runFor(tile.grounds.count, GROUND, tile, drawing);
-            Stage.runFor(tile.spheres.count, SPHERES, tile, drawing);
-            Stage.runFor(tile.surfaces.count, SURFACE, tile, drawing);
-            if (tile.surfaces.count == 0) {
+            if (tile.grounds.count > 0) {
+                Stages.findGroundPoints(tile, drawing);
+                Stages.colorGround(tile, drawing);
+            }
+            if (tile.spheres.count > 0) {
+                Stages.fetchSpheres(tile, drawing);
+                Stages.findSphereOffsets(tile);
+                Stages.findSpherePoints(tile);
+            }
+            if (tile.surfaces.count > 0) {
+                shadeSurfaces(drawing);
+            } else {
                 tile.live.clear();
             }
         }
     }
 
+    /** Adds what the surfaces send towards the eye, and starts the rays that go on. */
+    private void shadeSurfaces(Drawing drawing) {
+        Stages.findLightDirections(tile, drawing);
+        Stages.sortLightDirections(tile, drawing);
+        Stages.findShadows(tile, drawing);
+        Stages.findHighlightCosines(tile);
+        Stages.sortHighlights(tile);
+        Stages.raiseHighlights(tile);
+        Stages.shade(tile, drawing);
+        Stages.reflect(tile);
+        Stages.leave(tile);
+    }
+
+    /** The same from the view rays on, which all meet the ground. */
+    private void shadeGroundAlone(Drawing drawing) {
+        Stages.startRays(tile, drawing);
+        Stages.meetGroundAlone(tile, drawing);
+        Stages.colorGround(tile, drawing);
+        Stages.findLightOfGroundAlone(tile, drawing);
+        Stages.findShadowsOnGround(tile, drawing);
+        Stages.findHighlightOfGroundAlone(tile, drawing);
+        Stages.raiseHighlights(tile);
+        Stages.shade(tile, drawing);
+        Stages.leaveGroundAlone(tile);
+    }
+
+    /** From the view rays of a chart's nodes to where in the panorama they look. */
+    static void findNodes(Tile nodes, Drawing drawing) {
+        Stages.startRays(nodes, drawing);
+        findSky(nodes, drawing);
+    }
+
+    private static void findSky(Tile tile, Drawing drawing) {
+        Stages.findSkyRatios(tile);
+        Stages.findAnglesAround(tile);
+        Stages.findElevations(tile);
+        Stages.findSkyColumns(tile, drawing);
+        Stages.findSkyRows(tile, drawing);
+    }
+
+    private void placeChartedSky(Tile here, Drawing drawing, boolean mirrored) {
+        Stages.spreadChart(chart, here, drawing);
+        Stages.placeChart(chart, here, drawing, mirrored);
+    }
+
     /** Adds the sky that a covered tile's view rays look at, or their mirror images. */
-    private void addChartedSky(Tile here, Drawing drawing, boolean inPlane) {
-        mirrored = inPlane;
-        Stage.runAll(chartedSky, here, drawing);
+    private void addChartedSky(Tile here, Drawing drawing, boolean mirrored) {
+        placeChartedSky(here, drawing, mirrored);
         if (SkyWindow.FIT && chart.open(window, here, drawing, mirrored)) {
-            Stage.runAll(skyInWindow, here, drawing);
+            Stages.addSkyInWindow(window, here);
         } else {
             addSky(here, drawing);
         }
@@ -419,29 +321,45 @@ final class TileRenderer {
 
     /** Adds the sky at the columns and rows that the tile's packets look at. */
     private static void addSky(Tile tile, Drawing drawing) {
-        boolean inRows = SkyRows.FIT && drawing.sky.halved;
-        Stage.runAll(inRows ? SORT_SKY_IN_ROWS : SORT_SKY, tile, drawing);
-        Stage.runFor(tile.skyPatches.count, inRows ? SKY_ROWS : SKY_PATCHES, tile, drawing);
-        Stage.runFor(tile.scatteredSkies.count, SCATTERED_SKY, tile, drawing);
+        if (SkyRows.FIT && drawing.sky.halved) {
+            Stages.sortSkyInRows(tile);
+            if (tile.skyPatches.count > 0) {
+                Stages.addSkyInRows(tile, drawing);
+            }
+        } else {
+            Stages.sortSkyInPatches(tile);
+            if (tile.skyPatches.count > 0) {
+                Stages.addSkyInPatches(tile, drawing);
+            }
+        }
+        if (tile.scatteredSkies.count > 0) {
+            Stages.listScattered(tile);
+            Stages.findScatteredTexels(tile, drawing);
+            Stages.fetchScattered(tile, drawing);
+            Stages.unpackScattered(tile, drawing);
+            Stages.addScattered(tile);
+        }
     }
 
     /** Sorts the live rays by what they meet, where the hulls of all rays tell what cannot be met. */
     private void meetFew(Drawing drawing, int bounce, boolean offPlane) {
         if (offPlane) {
             tile.rays.mirror(drawing.planeHeight);
-            Stage.runAll(CULL, tile, drawing);
+            Stages.cullRays(tile, drawing);
         } else if (bounce > 0) {
-            Stage.runAll(HOLD_ANEW, tile, drawing);
+            Stages.holdOrigins(tile);
+            Stages.holdDirections(tile);
+            Stages.cullRays(tile, drawing);
         }
         boolean upwards = offPlane || tile.rays.rises(drawing.planeHeight);
         if (upwards && tile.candidates.count == 0) {
-            Stage.runAll(NOTHING_HIT, tile, drawing);
+            Stages.sortSkies(tile);
         } else {
-            Stage.runAll(NEAREST_OF_FEW, tile, drawing);
+            Stages.findNearestOfFew(tile, drawing);
             if (!upwards) {
-                Stage.runAll(GROUND_HIT, tile, drawing);
+                Stages.findGround(tile, drawing);
             }
-            Stage.runAll(SORT_HITS, tile, drawing);
+            Stages.sortHits(tile);
         }
     }
 }

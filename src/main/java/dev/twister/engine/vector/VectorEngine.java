@@ -27,6 +27,10 @@ final class VectorEngine implements Engine {
     private final IntConsumer[] tileTasks;
     private final Crew crew;
 
+    static {
+        StageInlining.ensure();
+    }
+
     /**
      * Starts the threads.
      *

@@ -1,0 +1,86 @@
+package dev.twister.engine.vector;
+
+import com.sun.management.HotSpotDiagnosticMXBean;
+import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.management.JMException;
+import javax.management.ObjectName;
+
+/**
+ * What the JVM's compiler must know of this package: which methods it always inlines, and which never. The launcher tells it in
+ * {@code scripts/jvm.options}; a JVM that somebody else starts is told while it runs, before any of them is compiled. Untold, it
+ * makes objects of vectors, and frames take four times as long.
+ */
+final class StageInlining {
+    private static final String PACKAGE = "dev/twister/engine/vector/";
+
+    /** The helpers that take or return vectors. */
+    static final List<String> ALWAYS = List.of(PACKAGE + "Lanes.*");
+
+    /** The stages, each of which has an inlining budget of its own. */
+    static final List<String> NEVER = List.of(PACKAGE + "Stages.*", PACKAGE + "LaneSteps.*");
+
+    private static final Logger LOGGER = System.getLogger(StageInlining.class.getName());
+
+    private StageInlining() {}
+
+    /** Tells the compiler where the launcher has not. */
+    static void ensure() {
+        if (!isToldByOptions()) {
+            try {
+                tell();
+            } catch (IOException | JMException e) {
+                LOGGER.log(
+                        Level.WARNING,
+                        "the engine vector is slow in this JVM, whose compiler takes no directives ({0}); start it with"
+                                + " @scripts/jvm.options",
+                        e.getMessage());
+            }
+        }
+    }
+
+    private static boolean isToldByOptions() {
+        HotSpotDiagnosticMXBean diagnostics = ManagementFactory.getPlatformMXBean(HotSpotDiagnosticMXBean.class);
+        boolean told = false;
+        if (diagnostics != null) {
+            try {
+                String commands = diagnostics.getVMOption("CompileCommand").getValue();
+                told = NEVER.stream().allMatch(commands::contains);
+            } catch (IllegalArgumentException noSuchOption) {
+                LOGGER.log(Level.DEBUG, "this JVM has no CompileCommand", noSuchOption);
+            }
+        }
+        return told;
+    }
+
+    private static void tell() throws IOException, JMException {
+        Path file = Files.createTempFile("twister-", ".json");
+        try {
+            Files.writeString(file, directives());
+            ManagementFactory.getPlatformMBeanServer()
+                    .invoke(
+                            new ObjectName("com.sun.management:type=DiagnosticCommand"),
+                            "compilerDirectivesAdd",
+                            new Object[] {new String[] {file.toString()}},
+                            new String[] {String[].class.getName()});
+        } finally {
+            Files.deleteIfExists(file);
+        }
+    }
+
+    /** In the JVM's own form, see {@code jcmd}'s {@code Compiler.directives_add}. */
+    private static String directives() {
+        String inlining = Stream.concat(
+                        ALWAYS.stream().map(methods -> "\"+" + methods + "\""),
+                        NEVER.stream().map(methods -> "\"-" + methods + "\""))
+                .collect(Collectors.joining(", "));
+        return "[{match: \"" + PACKAGE + "*.*\", inline: [" + inlining + "]}]";
+    }
+}
