@@ -1,7 +1,7 @@
 package dev.twister.bench;
 
-import com.sun.management.HotSpotDiagnosticMXBean;
 import com.sun.management.OperatingSystemMXBean;
+import dev.twister.engine.JvmOptions;
 import java.lang.management.ManagementFactory;
 
 /** What this JVM says of itself. */
@@ -23,15 +23,6 @@ final class Jvm {
     }
 
     private static boolean usesGraal() {
-        HotSpotDiagnosticMXBean diagnostics = ManagementFactory.getPlatformMXBean(HotSpotDiagnosticMXBean.class);
-        if (diagnostics == null) {
-            return false;
-        }
-        try {
-            return Boolean.parseBoolean(
-                    diagnostics.getVMOption("UseJVMCICompiler").getValue());
-        } catch (IllegalArgumentException noSuchOption) {
-            return false;
-        }
+        return JvmOptions.value("UseJVMCICompiler").map(Boolean::parseBoolean).orElse(false);
     }
 }

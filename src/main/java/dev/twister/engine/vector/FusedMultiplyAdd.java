@@ -1,7 +1,6 @@
 package dev.twister.engine.vector;
 
-import com.sun.management.HotSpotDiagnosticMXBean;
-import java.lang.management.ManagementFactory;
+import dev.twister.engine.JvmOptions;
 
 /** Whether the CPU multiplies and adds in one step, which those before 2013, and some small or virtual ones since, do not. */
 final class FusedMultiplyAdd {
@@ -17,14 +16,6 @@ final class FusedMultiplyAdd {
     }
 
     private static boolean jvmUsesIt() {
-        HotSpotDiagnosticMXBean diagnostics = ManagementFactory.getPlatformMXBean(HotSpotDiagnosticMXBean.class);
-        if (diagnostics == null) {
-            return true;
-        }
-        try {
-            return Boolean.parseBoolean(diagnostics.getVMOption("UseFMA").getValue());
-        } catch (IllegalArgumentException noSuchOption) {
-            return true;
-        }
+        return JvmOptions.value("UseFMA").map(Boolean::parseBoolean).orElse(true);
     }
 }

@@ -1,6 +1,6 @@
 package dev.twister.engine.vector;
 
-import com.sun.management.HotSpotDiagnosticMXBean;
+import dev.twister.engine.JvmOptions;
 import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
@@ -47,17 +47,8 @@ final class StageInlining {
     }
 
     private static boolean isToldByOptions() {
-        HotSpotDiagnosticMXBean diagnostics = ManagementFactory.getPlatformMXBean(HotSpotDiagnosticMXBean.class);
-        boolean told = false;
-        if (diagnostics != null) {
-            try {
-                String commands = diagnostics.getVMOption("CompileCommand").getValue();
-                told = NEVER.stream().allMatch(commands::contains);
-            } catch (IllegalArgumentException noSuchOption) {
-                LOGGER.log(Level.DEBUG, "this JVM has no CompileCommand", noSuchOption);
-            }
-        }
-        return told;
+        String commands = JvmOptions.value("CompileCommand").orElse("");
+        return NEVER.stream().allMatch(commands::contains);
     }
 
     private static void tell() throws IOException, JMException {
