@@ -58,19 +58,24 @@ final class Beam {
         end = Math.min(metres * (1f + SPREAD), EVERYWHERE);
     }
 
-    /** The rays of the packet that keep {@link Tile#TOGETHER}. */
-    void holdRays(Tile tile, int at) {
-        rays(x, tile, at, Tile.ORIGIN_X, Tile.DIRECTION_X);
-        rays(y, tile, at, Tile.ORIGIN_Y, Tile.DIRECTION_Y);
-        rays(z, tile, at, Tile.ORIGIN_Z, Tile.DIRECTION_Z);
+    /**
+     * The rays of some packets that keep {@link Tile#TOGETHER}.
+     *
+     * @param first which of {@link Tile#together} is the first
+     * @param end which is the first that is not held any more
+     */
+    void holdRays(Tile tile, int first, int end) {
+        rays(x, tile, first, end, Tile.ORIGIN_X, Tile.DIRECTION_X);
+        rays(y, tile, first, end, Tile.ORIGIN_Y, Tile.DIRECTION_Y);
+        rays(z, tile, first, end, Tile.ORIGIN_Z, Tile.DIRECTION_Z);
         finish();
     }
 
-    private void rays(Slab slab, Tile tile, int at, int origin, int direction) {
-        LaneSteps.boundTogether(tile, at, origin);
+    private void rays(Slab slab, Tile tile, int first, int end, int origin, int direction) {
+        LaneSteps.boundTogether(tile, first, end, origin);
         float originLow = low;
         float originHigh = high;
-        LaneSteps.boundTogether(tile, at, direction);
+        LaneSteps.boundTogether(tile, first, end, direction);
         slab.set(originLow, originHigh, low - SPREAD, high + SPREAD);
     }
 
@@ -91,14 +96,18 @@ final class Beam {
         slab.set(t[point], t[point], axis * distance - reach, axis * distance + reach);
     }
 
-    /** The lines from the packet's open points to a ball about the light, which holds the disc whatever way it faces. */
-    void holdLines(Tile tile, Drawing drawing, int at, float radius) {
+    /**
+     * The lines from a packet's open points to a ball about the light, which holds the disc whatever way it faces.
+     *
+     * @param number which of {@link Tile#shadows} the packet is
+     */
+    void holdLines(Tile tile, Drawing drawing, int number, float radius) {
         BodyColumns bodies = drawing.bodies;
-        LaneSteps.boundOpen(tile, at, Tile.POINT_X);
+        LaneSteps.boundOpen(tile, number, Tile.POINT_X);
         linesOfAll(x, bodies.x[Layout.LIGHT], radius);
-        LaneSteps.boundOpen(tile, at, Tile.POINT_Y);
+        LaneSteps.boundOpen(tile, number, Tile.POINT_Y);
         linesOfAll(y, bodies.y[Layout.LIGHT], radius);
-        LaneSteps.boundOpen(tile, at, Tile.POINT_Z);
+        LaneSteps.boundOpen(tile, number, Tile.POINT_Z);
         linesOfAll(z, bodies.z[Layout.LIGHT], radius);
         end = 1f + DISC_SPREAD;
         finish();
@@ -110,24 +119,30 @@ final class Beam {
     }
 
     /**
-     * Finds the least and the greatest of a packet's values, by ints in the same order, as a float's minimum minds NaN and -0
+     * Finds the least and the greatest of some packets' values, by ints in the same order, as a float's minimum minds NaN and -0
      * at every step.
      *
-     * @param lanes the place of what is above 0 in the lanes that count
+     * @param packets the places of the packets
+     * @param first which is the first
+     * @param end which is the first that is not looked at any more
+     * @param lanes the column of what is above 0 in the lanes that count
      */
-    void bound(float[] t, int at, int lanes) {
-        IntVector bits = FloatVector.fromArray(Lanes.FLOATS, t, at).reinterpretAsInts();
-        IntVector ordered = bits.lanewise(
-                VectorOperators.XOR, bits.lanewise(VectorOperators.ASHR, 31).lanewise(VectorOperators.LSHR, 1));
-        VectorMask<Integer> counts = FloatVector.fromArray(Lanes.FLOATS, t, lanes)
-                .reinterpretAsInts()
-                .compare(VectorOperators.GT, 0);
-        int least = IntVector.broadcast(Lanes.INTS, Integer.MAX_VALUE)
-                .blend(ordered, counts)
-                .reduceLanes(VectorOperators.MIN);
-        int greatest = IntVector.broadcast(Lanes.INTS, Integer.MIN_VALUE)
-                .blend(ordered, counts)
-                .reduceLanes(VectorOperators.MAX);
+    void bound(float[] t, int[] packets, int first, int end, int column, int lanes) {
+        IntVector leasts = IntVector.broadcast(Lanes.INTS, Integer.MAX_VALUE);
+        IntVector greatests = IntVector.broadcast(Lanes.INTS, Integer.MIN_VALUE);
+        for (int k = first; k < end; k++) {
+            IntVector bits =
+                    FloatVector.fromArray(Lanes.FLOATS, t, packets[k] + column).reinterpretAsInts();
+            IntVector ordered = bits.lanewise(
+                    VectorOperators.XOR, bits.lanewise(VectorOperators.ASHR, 31).lanewise(VectorOperators.LSHR, 1));
+            VectorMask<Integer> counts = FloatVector.fromArray(Lanes.FLOATS, t, packets[k] + lanes)
+                    .reinterpretAsInts()
+                    .compare(VectorOperators.GT, 0);
+            leasts = leasts.blend(leasts.min(ordered), counts);
+            greatests = greatests.blend(greatests.max(ordered), counts);
+        }
+        int least = leasts.reduceLanes(VectorOperators.MIN);
+        int greatest = greatests.reduceLanes(VectorOperators.MAX);
         low = Float.intBitsToFloat(least ^ least >> 31 >>> 1);
         high = Float.intBitsToFloat(greatest ^ greatest >> 31 >>> 1);
     }

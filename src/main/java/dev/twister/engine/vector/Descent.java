@@ -18,12 +18,18 @@ final class Descent {
     /** Starts with the root. */
     void start(WideHierarchy hierarchy, Beam beam) {
         waiting = 0;
-        open(hierarchy, beam, 0);
+        open(hierarchy.boxes, hierarchy.links, beam, WideHierarchy.ROOT);
+    }
+
+    /** Starts with what a tile's beam has found. */
+    void start(Entrance entrance, Beam beam) {
+        waiting = 0;
+        open(entrance.boxes, entrance.links, beam, 0);
     }
 
     /** Adds the node's children that the beam may meet before its end, the nearest last. */
-    private void open(WideHierarchy hierarchy, Beam beam, int node) {
-        long met = beam.meeting(hierarchy.boxes, WideHierarchy.FIRST + node * WideHierarchy.BOX_STRIDE, childEntries);
+    private void open(float[] boxes, int[] links, Beam beam, int node) {
+        long met = beam.meeting(boxes, WideHierarchy.FIRST + node * WideHierarchy.BOX_STRIDE, childEntries);
         int bottom = waiting;
         while (met != 0L) {
             int child = Long.numberOfTrailingZeros(met);
@@ -36,7 +42,7 @@ final class Descent {
                 place--;
             }
             entries[place] = entry;
-            children[place] = hierarchy.links[WideHierarchy.FIRST + node * Lanes.COUNT + child];
+            children[place] = links[WideHierarchy.FIRST + node * Lanes.COUNT + child];
             waiting++;
         }
     }
@@ -55,7 +61,7 @@ final class Descent {
                 if (WideHierarchy.isLeaf(child)) {
                     leaf = child;
                 } else {
-                    open(hierarchy, beam, child);
+                    open(hierarchy.boxes, hierarchy.links, beam, child);
                 }
             }
         }

@@ -54,11 +54,15 @@ final class LaneSteps {
         PacketHits.meet(tile.values, at, drawing.light.values, SphereColumns.FIRST, 1);
     }
 
-    static void boundTogether(Tile tile, int at, int column) {
-        tile.beam.bound(tile.values, at + column, at + Tile.TOGETHER);
+    static void boundTogether(Tile tile, int first, int end, int column) {
+        tile.beam.bound(tile.values, tile.together.places, first, end, column, Tile.TOGETHER);
     }
 
-    static void boundOpen(Tile tile, int at, int column) {
-        tile.beam.bound(tile.values, at + column, at + Tile.SHADOW_OPEN);
+    static void boundOpen(Tile tile, int number, int column) {
+        tile.beam.bound(tile.values, tile.shadows.places, number, number + 1, column, Tile.SHADOW_OPEN);
+    }
+
+    static int listRootChildren(WideHierarchy hierarchy, PacketBeams beams, int count, int[] links) {
+        return RootChildren.list(hierarchy, beams, count, links);
     }
 }

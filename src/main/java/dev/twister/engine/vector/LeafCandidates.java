@@ -9,23 +9,30 @@ import jdk.incubator.vector.VectorOperators;
  * the light: most have none, and then nothing more is asked of them.
  */
 final class LeafCandidates {
-    /** Of each leaf among the links, which lanes of any of its blocks hold candidates. */
-    private final long[] lanes = new long[PacketLeaves.ROOM + Lanes.COUNT];
+    /** Links to the leaves that hold any, with the numbers of their beams above. */
+    final int[] links = new int[PacketLeaves.ROOM + Lanes.COUNT];
+
+    int count;
+
+    /** One bit a beam that any of them is for. */
+    int shaded;
 
     /** Finds them by {@link SoftShadow#judge}'s margins, and without its frame. */
     void find(WideHierarchy hierarchy, PacketBeams beams, PacketLeaves leaves) {
         float[] spheres = hierarchy.spheres.values;
         float[] f = beams.facts;
-        int[] links = leaves.links;
+        int[] from = leaves.links;
+        int kept = 0;
+        int any = 0;
         for (int k = leaves.first; k < leaves.end; k++) {
-            int beam = links[k] >>> WideHierarchy.BEAM_SHIFT;
-            int at = WideHierarchy.firstBlock(links[k]);
+            int beam = from[k] >>> WideHierarchy.BEAM_SHIFT;
+            int at = WideHierarchy.firstBlock(from[k]);
             float axisX = f[PacketBeams.DIRECTION + beam];
             float axisY = f[PacketBeams.DIRECTION + Lanes.COUNT + beam];
             float axisZ = f[PacketBeams.DIRECTION + 2 * Lanes.COUNT + beam];
             float distance = f[PacketBeams.LENGTH + beam];
             long found = 0L;
-            for (int left = WideHierarchy.blocks(links[k]); left > 0; left--) {
+            for (int left = WideHierarchy.blocks(from[k]); left > 0; left--) {
                 FloatVector x = FloatVector.fromArray(Lanes.FLOATS, spheres, at).sub(f[PacketBeams.ORIGIN + beam]);
                 FloatVector y = FloatVector.fromArray(Lanes.FLOATS, spheres, at + SphereColumns.Y * Lanes.COUNT)
                         .sub(f[PacketBeams.ORIGIN + Lanes.COUNT + beam]);
@@ -53,21 +60,12 @@ final class LeafCandidates {
                         .toLong();
                 at += SphereColumns.COLUMNS * Lanes.COUNT;
             }
-            lanes[k] = found;
+            links[kept] = from[k];
+            int one = found != 0L ? 1 : 0;
+            kept += one;
+            any |= one << beam;
         }
-    }
-
-    /** Whether there are any in the leaf of that place among the links. */
-    boolean areIn(int leaf) {
-        return lanes[leaf] != 0L;
-    }
-
-    /** Whether there are any in leaves from that place on, to before the other. */
-    boolean areIn(int from, int end) {
-        long any = 0L;
-        for (int leaf = from; leaf < end; leaf++) {
-            any |= lanes[leaf];
-        }
-        return any != 0L;
+        count = kept;
+        shaded = any;
     }
 }

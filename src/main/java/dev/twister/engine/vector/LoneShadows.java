@@ -32,25 +32,24 @@ final class LoneShadows {
         int[] pixels = tile.lonely.pixels;
         LoneCandidates candidates = tile.shadow.lone;
         PacketLeaves leaves = tile.packetLeaves;
-        tile.packetBeams.holdLines(t, pixels, first, count);
+        tile.packetBeams.holdLines(t, pixels, first);
         boolean found = leaves.find(drawing.hierarchy, tile.packetBeams, count);
+        int shaded = (1 << count) - 1;
         if (found) {
             tile.leafCandidates.find(drawing.hierarchy, tile.packetBeams, leaves);
-        }
-        int from = leaves.first;
-        for (int beam = 0; beam < count; beam++) {
-            int pixel = pixels[first + beam];
-            int end = leaves.end(from, beam);
-            if (found && !tile.leafCandidates.areIn(from, end)) {
-                t[pixel + Tile.VISIBLE] = 1f;
-            } else {
-                candidates.start(t, pixel, drawing.discRadius);
-                boolean dark = found
-                        ? addLeaves(tile, from, end, drawing.hierarchy, candidates)
-                        : descend(tile, pixel, drawing.hierarchy, candidates);
-                t[pixel + Tile.VISIBLE] = dark ? 0f : visible(candidates, drawing);
+            shaded = tile.leafCandidates.shaded;
+            for (int beam = 0; beam < count; beam++) {
+                t[pixels[first + beam] + Tile.VISIBLE] = 1f;
             }
-            from = end;
+        }
+        for (int rest = shaded; rest != 0; rest &= rest - 1) {
+            int beam = Integer.numberOfTrailingZeros(rest);
+            int pixel = pixels[first + beam];
+            candidates.start(t, pixel, drawing.discRadius);
+            boolean dark = found
+                    ? addLeaves(tile, beam, drawing.hierarchy, candidates)
+                    : descend(tile, pixel, drawing.hierarchy, candidates);
+            t[pixel + Tile.VISIBLE] = dark ? 0f : visible(candidates, drawing);
         }
     }
 
@@ -59,12 +58,12 @@ final class LoneShadows {
     }
 
     /** Lists the candidates out of the leaves found; returns whether one of them hides the whole disc. */
-    private static boolean addLeaves(Tile tile, int from, int end, WideHierarchy hierarchy, LoneCandidates candidates) {
-        int[] links = tile.packetLeaves.links;
-        LeafCandidates leafCandidates = tile.leafCandidates;
+    private static boolean addLeaves(Tile tile, int beam, WideHierarchy hierarchy, LoneCandidates candidates) {
+        LeafCandidates leaves = tile.leafCandidates;
         boolean dark = false;
-        for (int k = from; k < end && !dark; k++) {
-            dark = leafCandidates.areIn(k) && candidates.add(hierarchy, links[k]);
+        for (int k = 0; k < leaves.count && !dark; k++) {
+            int link = leaves.links[k];
+            dark = link >>> WideHierarchy.BEAM_SHIFT == beam && candidates.add(hierarchy, link);
         }
         return dark;
     }

@@ -59,15 +59,21 @@ final class PacketBeams {
     /**
      * The rays of some pixels, as far as the closest hits so far.
      *
+     * @param pixels as many as there are lanes from the first on; where there are fewer rays, what the other lanes hold means nothing
      * @param first the place of the first pixel's number
-     * @param count at most as many as there are lanes; what the other lanes hold means nothing
      */
-    void holdRays(float[] t, int[] pixels, int first, int count) {
-        for (int axis = 0; axis < 3; axis++) {
-            gather(t, Tile.ORIGIN_X + axis * Tile.SIZE, pixels, first, count, ORIGIN + axis * Lanes.COUNT);
-            gather(t, Tile.DIRECTION_X + axis * Tile.SIZE, pixels, first, count, DIRECTION + axis * Lanes.COUNT);
+    void holdRays(float[] t, int[] pixels, int first) {
+        // Lane by lane, and for all lanes: a vector that is gathered becomes an object in some JVMs.
+        for (int lane = 0; lane < Lanes.COUNT; lane++) {
+            int pixel = pixels[first + lane];
+            facts[ORIGIN + lane] = t[Tile.ORIGIN_X + pixel];
+            facts[ORIGIN + Lanes.COUNT + lane] = t[Tile.ORIGIN_Y + pixel];
+            facts[ORIGIN + 2 * Lanes.COUNT + lane] = t[Tile.ORIGIN_Z + pixel];
+            facts[DIRECTION + lane] = t[Tile.DIRECTION_X + pixel];
+            facts[DIRECTION + Lanes.COUNT + lane] = t[Tile.DIRECTION_Y + pixel];
+            facts[DIRECTION + 2 * Lanes.COUNT + lane] = t[Tile.DIRECTION_Z + pixel];
+            facts[LENGTH + lane] = t[Tile.DISTANCE + pixel];
         }
-        gather(t, Tile.DISTANCE, pixels, first, count, LENGTH);
         for (int axis = 0; axis < 3; axis++) {
             FloatVector direction = FloatVector.fromArray(Lanes.FLOATS, facts, DIRECTION + axis * Lanes.COUNT);
             direction.sub(Beam.SPREAD).intoArray(facts, LOW + axis * Lanes.COUNT);
@@ -81,15 +87,20 @@ final class PacketBeams {
     }
 
     /** The lines from some pixels' points to the light's disc, as far as its outermost sample; the pixels as above. */
-    void holdLines(float[] t, int[] pixels, int first, int count) {
-        for (int axis = 0; axis < 3; axis++) {
-            gather(t, Tile.POINT_X + axis * Tile.SIZE, pixels, first, count, ORIGIN + axis * Lanes.COUNT);
-            gather(t, Tile.TO_LIGHT_X + axis * Tile.SIZE, pixels, first, count, DIRECTION + axis * Lanes.COUNT);
+    void holdLines(float[] t, int[] pixels, int first) {
+        for (int lane = 0; lane < Lanes.COUNT; lane++) {
+            int pixel = pixels[first + lane];
+            facts[ORIGIN + lane] = t[Tile.POINT_X + pixel];
+            facts[ORIGIN + Lanes.COUNT + lane] = t[Tile.POINT_Y + pixel];
+            facts[ORIGIN + 2 * Lanes.COUNT + lane] = t[Tile.POINT_Z + pixel];
+            facts[DIRECTION + lane] = t[Tile.TO_LIGHT_X + pixel];
+            facts[DIRECTION + Lanes.COUNT + lane] = t[Tile.TO_LIGHT_Y + pixel];
+            facts[DIRECTION + 2 * Lanes.COUNT + lane] = t[Tile.TO_LIGHT_Z + pixel];
+            facts[LENGTH + lane] = t[Tile.LIGHT_DISTANCE + pixel];
+            facts[TANGENT + lane] = t[Tile.DISC_TANGENT + pixel];
+            facts[SECANT + lane] = t[Tile.DISC_SECANT + pixel];
+            facts[OWN + lane] = t[Tile.HIT + pixel];
         }
-        gather(t, Tile.LIGHT_DISTANCE, pixels, first, count, LENGTH);
-        gather(t, Tile.DISC_TANGENT, pixels, first, count, TANGENT);
-        gather(t, Tile.DISC_SECANT, pixels, first, count, SECANT);
-        gather(t, Tile.HIT, pixels, first, count, OWN);
         FloatVector distance = FloatVector.fromArray(Lanes.FLOATS, facts, LENGTH);
         FloatVector radius = FloatVector.fromArray(Lanes.FLOATS, facts, TANGENT).mul(distance);
         FloatVector spread = distance.add(radius).mul(Beam.DISC_SPREAD);
@@ -103,12 +114,6 @@ final class PacketBeams {
         }
         FloatVector.broadcast(Lanes.FLOATS, 1f + Beam.DISC_SPREAD).intoArray(facts, END);
         finish();
-    }
-
-    private void gather(float[] t, int column, int[] pixels, int first, int count, int to) {
-        for (int lane = 0; lane < count; lane++) {
-            facts[to + lane] = t[column + pixels[first + lane]];
-        }
     }
 
     private void finish() {

@@ -25,28 +25,44 @@ final class PacketHits {
     /** Writes the bodies met and their distances. */
     static void find(Tile tile, Drawing drawing) {
         tile.lonely.clear();
+        tile.together.clear();
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
             int goesOn = (int) LaneSteps.startPacket(tile, at);
             LaneSteps.meetLight(tile, drawing, at);
             int together = (int) LaneSteps.gather(tile, at, goesOn);
             if (together != 0) {
-                walkTogether(tile, drawing, at);
+                tile.together.add(at);
             }
             tile.lonely.add(at, goesOn & ~together);
+        }
+        if (tile.together.count > 0) {
+            walkTogether(tile, drawing);
         }
         for (int from = 0; from < tile.lonely.count; from += Lanes.COUNT) {
             walkAlone(tile, drawing, from, Math.min(Lanes.COUNT, tile.lonely.count - from));
         }
     }
 
-    private static void walkTogether(Tile tile, Drawing drawing, int at) {
+    private static void walkTogether(Tile tile, Drawing drawing) {
+        tile.beam.holdRays(tile, 0, tile.together.count);
+        tile.beam.endAt(Beam.EVERYWHERE);
+        if (tile.entrance.find(drawing.hierarchy, tile.beam)) {
+            for (int k = 0; k < tile.together.count; k++) {
+                walkTogether(tile, drawing, k);
+            }
+        }
+    }
+
+    /** One packet, from where all begin. */
+    private static void walkTogether(Tile tile, Drawing drawing, int number) {
+        int at = tile.together.places[number];
         Beam beam = tile.beam;
         Descent descent = tile.descent;
         WideHierarchy hierarchy = drawing.hierarchy;
-        beam.holdRays(tile, at);
+        beam.holdRays(tile, number, number + 1);
         beam.endAt(farthest(tile, at));
-        descent.start(hierarchy, beam);
+        descent.start(tile.entrance, beam);
         int leaf = descent.nextLeaf(hierarchy, beam);
         while (leaf >= 0) {
             boolean tested = false;
@@ -74,7 +90,7 @@ final class PacketHits {
     /** So many of the rays on their own, from that one of them on. */
     private static void walkAlone(Tile tile, Drawing drawing, int first, int count) {
         PacketLeaves leaves = tile.packetLeaves;
-        tile.packetBeams.holdRays(tile.values, tile.lonely.pixels, first, count);
+        tile.packetBeams.holdRays(tile.values, tile.lonely.pixels, first);
         boolean found = leaves.find(drawing.hierarchy, tile.packetBeams, count);
         if (found && leaves.end - leaves.first <= count * MOST_LEAVES) {
             tile.raySpheres.meet(tile, drawing.hierarchy, first, leaves.links, leaves.first, leaves.end);

@@ -13,7 +13,7 @@ import jdk.incubator.vector.VectorOperators;
 final class PacketLeaves {
     static final int ROOM = 4096;
 
-    /** Links with the numbers of their beams above {@link WideHierarchy#BEAM_SHIFT}: nodes, then leaves, beam by beam. */
+    /** Links with the numbers of their beams above {@link WideHierarchy#BEAM_SHIFT}: nodes, then leaves. */
     final int[] links = new int[ROOM + Lanes.COUNT];
 
     /** Where the leaves begin among the links, and the place behind the last. */
@@ -28,21 +28,16 @@ final class PacketLeaves {
      * @return whether there was room for all
      */
     boolean find(WideHierarchy hierarchy, PacketBeams beams, int count) {
-        for (int beam = 0; beam < count; beam++) {
-            links[beam] = beam << WideHierarchy.BEAM_SHIFT;
+        if (Lanes.PACK && hierarchy.rootChildren < count) {
+            end = LaneSteps.listRootChildren(hierarchy, beams, count, links);
+        } else {
+            for (int beam = 0; beam < count; beam++) {
+                links[beam] = beam << WideHierarchy.BEAM_SHIFT;
+            }
+            end = count;
         }
-        end = count;
         open(hierarchy, beams);
         return end <= ROOM;
-    }
-
-    /** The place behind a beam's leaves, which begin there. */
-    int end(int from, int beam) {
-        int at = from;
-        while (at < end && links[at] >>> WideHierarchy.BEAM_SHIFT == beam) {
-            at++;
-        }
-        return at;
     }
 
     /**

@@ -69,20 +69,21 @@ final class Shadows {
             int ground = (int) LaneSteps.openOnGround(tile, at);
             if (ground != 0 && ground != open) {
                 LaneSteps.narrow(tile, at, ground);
-                sampleInCrowd(tile, drawing, at, ground, radius);
+                sampleInCrowd(tile, drawing, k, ground, radius);
                 open &= ~ground;
                 LaneSteps.narrow(tile, at, open);
             }
-            sampleInCrowd(tile, drawing, at, open, radius);
+            sampleInCrowd(tile, drawing, k, open, radius);
         }
         LoneShadows.find(tile, drawing);
     }
 
-    private static void sampleInCrowd(Tile tile, Drawing drawing, int at, int open, float radius) {
+    private static void sampleInCrowd(Tile tile, Drawing drawing, int number, int open, float radius) {
+        int at = tile.shadows.places[number];
         SphereColumns near = tile.near;
         int count = MOST_NEAR + 1;
         if (Integer.bitCount(open) >= FEWEST_TOGETHER) {
-            tile.beam.holdLines(tile, drawing, at, radius);
+            tile.beam.holdLines(tile, drawing, number, radius);
             count = findNear(tile, drawing.hierarchy);
         }
         if (count > MOST_NEAR) {

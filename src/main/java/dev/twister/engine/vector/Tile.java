@@ -181,7 +181,10 @@ final class Tile {
 
     final BodyList candidates = new BodyList();
 
-    /** One packet, or one ray of it, on its way through the hierarchy, and what spheres it has found. */
+    /** Those with rays {@link #TOGETHER}. */
+    final PacketList together = new PacketList();
+
+    /** All of them, one packet, or one ray of it, on the way through the hierarchy, and what spheres it has found. */
     final Beam beam = new Beam();
 
     final SphereColumns near = new SphereColumns();
@@ -190,6 +193,7 @@ final class Tile {
     final PacketLeaves packetLeaves = new PacketLeaves();
     final RaySpheres raySpheres = new RaySpheres();
     final LeafCandidates leafCandidates = new LeafCandidates();
+    final Entrance entrance = new Entrance();
     final Descent descent = new Descent();
 
     /** The leaf that a ray on its way down has come to, with the ray's number above. */

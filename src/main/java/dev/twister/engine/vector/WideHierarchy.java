@@ -36,7 +36,7 @@ final class WideHierarchy {
     static final int SPHERE = (1 << BEAM_SHIFT) - 1;
 
     /** The low sides of a box that nothing meets; its high ones are their negatives. */
-    private static final float INSIDE_OUT = 1e36f;
+    static final float INSIDE_OUT = 1e36f;
 
     /** {@link #BOX_STRIDE} numbers a node, from {@link #FIRST} on. */
     float[] boxes = {};
@@ -61,6 +61,9 @@ final class WideHierarchy {
     /** Of each node of the source. */
     private byte[] kinds = {};
 
+    /** How many children the root has. */
+    int rootChildren;
+
     private int nodes;
     private int blocks;
     private float[] source = {};
@@ -82,6 +85,7 @@ final class WideHierarchy {
             }
             kinds[0] = kind(group(root));
             widen(root, Math.max(kinds[0], 2));
+            rootChildren = countRootChildren();
         }
     }
 
@@ -114,6 +118,14 @@ final class WideHierarchy {
             grouped = full ? (level + 1) * LEVEL + 2 : level * LEVEL + sum;
         }
         return grouped;
+    }
+
+    private int countRootChildren() {
+        int count = 0;
+        while (count < Lanes.COUNT && boxes[FIRST + count] <= boxes[FIRST + 3 * Lanes.COUNT + count]) {
+            count++;
+        }
+        return count;
     }
 
     private static byte kind(int grouped) {
