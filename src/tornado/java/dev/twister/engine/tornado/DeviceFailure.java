@@ -1,11 +1,20 @@
 package dev.twister.engine.tornado;
 
+import java.util.regex.Pattern;
 import uk.ac.manchester.tornado.api.exceptions.TornadoDeviceFP64NotSupported;
 import uk.ac.manchester.tornado.api.exceptions.TornadoMemoryException;
 import uk.ac.manchester.tornado.api.exceptions.TornadoOutOfMemoryException;
 
 /** Says what went wrong on a device, and what to do about it. TornadoVM throws whatever its parts threw. */
 final class DeviceFailure {
+    /** TornadoVM colours its messages for a terminal. */
+    private static final Pattern COLOR = Pattern.compile("\\u001B\\[[;\\d]*m");
+
+    /** And puts where it happened into the message itself, in some thousand characters. */
+    private static final Pattern TRACE = Pattern.compile("\\s*Stacktrace: \\[.*", Pattern.DOTALL);
+
+    private static final Pattern LINE_BREAK = Pattern.compile("\\s*\\R\\s*");
+
     private DeviceFailure() {}
 
     static String message(String device, Throwable failure) {
@@ -35,8 +44,10 @@ final class DeviceFailure {
 
     private static String said(Throwable failure) {
         String message = failure.getMessage();
-        return message == null || message.isBlank()
+        String plain = message == null ? "" : COLOR.matcher(message).replaceAll("");
+        String reason = TRACE.matcher(plain).replaceFirst("").strip();
+        return reason.isEmpty()
                 ? failure.getClass().getSimpleName()
-                : message.strip().replaceAll("\\s*\\R\\s*", " ");
+                : LINE_BREAK.matcher(reason).replaceAll(" ");
     }
 }

@@ -1,5 +1,6 @@
 package dev.twister.engine.tornado;
 
+import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.engine.EngineException;
@@ -33,6 +34,17 @@ class DeviceFailureTest {
                 .isInstanceOf(EngineException.class)
                 .hasMessageContaining("compile")
                 .hasMessageContaining("the first device");
+    }
+
+    @Test
+    void coloursAndTracesInTornadosMessagesAreLeftOut() {
+        String message = "\u001B[31mBailout is disabled. Reason: \u001B[31mUnable to compile\nthe task\u001B[0m"
+                + " Stacktrace: [a.B.c(B.java:613), d.E.f(E.java:638)]\u001B[0m\u001B[0m";
+        assertThat(DeviceFailure.message("the first device", new IllegalStateException(message)))
+                .isEqualTo("TornadoVM could not compile or run the kernel on the first device:"
+                        + " Bailout is disabled. Reason: Unable to compile the task");
+        assertThat(DeviceFailure.message("the first device", new IllegalStateException("\u001B[0m")))
+                .endsWith(": IllegalStateException");
     }
 
     @Test
