@@ -1,5 +1,6 @@
 package dev.twister.engine.vector;
 
+import java.util.Arrays;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
@@ -31,6 +32,13 @@ final class Lanes {
     static final int BORDER = 12;
 
     private static final boolean FUSED = FusedMultiplyAdd.isFast();
+
+    /** Each lane's number; nobody writes to it. */
+    static final int[] NUMBERS = new int[COUNT];
+
+    static {
+        Arrays.setAll(NUMBERS, lane -> lane);
+    }
 
     private Lanes() {}
 

@@ -34,7 +34,7 @@ final class LoneShadows {
         PacketLeaves leaves = tile.packetLeaves;
         tile.packetBeams.holdLines(t, pixels, first);
         boolean found = leaves.find(drawing.hierarchy, tile.packetBeams, count);
-        int shaded = (1 << count) - 1;
+        long shaded = Lanes.first(count);
         if (found) {
             tile.leafCandidates.find(drawing.hierarchy, tile.packetBeams, leaves);
             shaded = tile.leafCandidates.shaded;
@@ -42,8 +42,8 @@ final class LoneShadows {
                 t[pixels[first + beam] + Tile.VISIBLE] = 1f;
             }
         }
-        for (int rest = shaded; rest != 0; rest &= rest - 1) {
-            int beam = Integer.numberOfTrailingZeros(rest);
+        for (long rest = shaded; rest != 0L; rest &= rest - 1) {
+            int beam = Long.numberOfTrailingZeros(rest);
             int pixel = pixels[first + beam];
             candidates.start(t, pixel, drawing.discRadius);
             boolean dark = found

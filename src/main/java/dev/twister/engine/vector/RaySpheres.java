@@ -15,15 +15,6 @@ final class RaySpheres {
     /** What one leaf may add behind. */
     private static final int MOST_A_LEAF = (WideHierarchy.MORE_BLOCKS + 2) * Lanes.COUNT;
 
-    /** Each lane's number. */
-    private static final int[] LANES = new int[Lanes.COUNT];
-
-    static {
-        for (int lane = 0; lane < Lanes.COUNT; lane++) {
-            LANES[lane] = lane;
-        }
-    }
-
     /** Numbers of spheres met, counted along the blocks, with the numbers of their beams above {@link WideHierarchy#BEAM_SHIFT}. */
     private final int[] met = new int[ROOM + MOST_A_LEAF];
 
@@ -98,7 +89,7 @@ final class RaySpheres {
                 VectorMask<Float> hit =
                         toFoot.compare(VectorOperators.GT, 0f).and(inside.compare(VectorOperators.GE, 0f));
                 if (Lanes.PACK) {
-                    IntVector.fromArray(Lanes.INTS, LANES, 0)
+                    IntVector.fromArray(Lanes.INTS, Lanes.NUMBERS, 0)
                             .or(number)
                             .compress(hit.cast(Lanes.INTS))
                             .intoArray(met, tail);

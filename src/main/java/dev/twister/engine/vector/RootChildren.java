@@ -10,15 +10,6 @@ import jdk.incubator.vector.VectorOperators;
  * beams. Without helpers, for the reason that {@link ShadowConics} has.
  */
 final class RootChildren {
-    /** Each lane's number, where a link has a beam's. */
-    private static final int[] BEAMS = new int[Lanes.COUNT];
-
-    static {
-        for (int beam = 0; beam < Lanes.COUNT; beam++) {
-            BEAMS[beam] = beam << WideHierarchy.BEAM_SHIFT;
-        }
-    }
-
     private RootChildren() {}
 
     /**
@@ -41,6 +32,8 @@ final class RootChildren {
                 .compare(VectorOperators.NE, 0)
                 .cast(Lanes.FLOATS);
         VectorMask<Integer> counts = VectorMask.fromLong(Lanes.INTS, Lanes.first(count));
+        IntVector numbers = IntVector.fromArray(Lanes.INTS, Lanes.NUMBERS, 0)
+                .lanewise(VectorOperators.LSHL, WideHierarchy.BEAM_SHIFT);
         int tail = 0;
         for (int child = 0; child < hierarchy.rootChildren; child++) {
             int at = WideHierarchy.FIRST + child;
@@ -89,10 +82,7 @@ final class RootChildren {
                             .reinterpretAsInts())
                     .min(nextY.min(nextZ));
             VectorMask<Integer> met = near.compare(VectorOperators.LE, far).and(counts);
-            IntVector.fromArray(Lanes.INTS, BEAMS, 0)
-                    .or(hierarchy.links[at])
-                    .compress(met)
-                    .intoArray(links, tail);
+            numbers.or(hierarchy.links[at]).compress(met).intoArray(links, tail);
             tail += met.trueCount();
         }
         return tail;

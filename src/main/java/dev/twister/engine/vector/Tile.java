@@ -161,6 +161,9 @@ final class Tile {
     final PacketList surfaces = new PacketList();
     final PacketList shadows = new PacketList();
 
+    /** Those with rays {@link #TOGETHER}. */
+    final PacketList together = new PacketList();
+
     /** Those where anything shines: all that does to one whole power, to whole powers, and to any. */
     final PacketList onePower = new PacketList();
 
@@ -180,9 +183,6 @@ final class Tile {
     final Hull mirrored = new Hull();
 
     final BodyList candidates = new BodyList();
-
-    /** Those with rays {@link #TOGETHER}. */
-    final PacketList together = new PacketList();
 
     /** All of them, one packet, or one ray of it, on the way through the hierarchy, and what spheres it has found. */
     final Beam beam = new Beam();

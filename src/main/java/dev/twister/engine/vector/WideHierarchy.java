@@ -50,6 +50,9 @@ final class WideHierarchy {
     /** In blocks, leaf by leaf; a leaf's last block is filled up with spheres that nothing meets. */
     final SphereColumns spheres = new SphereColumns();
 
+    /** How many children the root has. */
+    int rootChildren;
+
     /** Where spheres that nothing meets are, without a radius: farther than any hit, and than any light. */
     private static final float NOWHERE = 1e35f;
 
@@ -60,9 +63,6 @@ final class WideHierarchy {
 
     /** Of each node of the source. */
     private byte[] kinds = {};
-
-    /** How many children the root has. */
-    int rootChildren;
 
     private int nodes;
     private int blocks;
