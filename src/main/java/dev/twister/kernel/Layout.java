@@ -95,9 +95,6 @@ public final class Layout {
     /** No node has more ancestors. */
     public static final int MOST_ANCESTORS = 48;
 
-    /** The most points on the light's disc. */
-    public static final int MOST_SHADOW_SAMPLES = 1024;
-
     /** How many candidates a shadow remembers; where there are more, each sample looks through the hierarchy. */
     public static final int MOST_CANDIDATES = 64;
 

@@ -1,6 +1,7 @@
 package dev.twister.engine.tornado;
 
 import dev.twister.engine.EngineException;
+import dev.twister.engine.Shortcuts;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.kernel.PixelKernel;
@@ -12,9 +13,12 @@ import uk.ac.manchester.tornado.api.TaskGraph;
 import uk.ac.manchester.tornado.api.TornadoExecutionPlan;
 import uk.ac.manchester.tornado.api.TornadoExecutionResult;
 import uk.ac.manchester.tornado.api.TornadoProfilerResult;
+import uk.ac.manchester.tornado.api.WorkerGrid;
+import uk.ac.manchester.tornado.api.WorkerGrid2D;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
 import uk.ac.manchester.tornado.api.enums.DataTransferMode;
 import uk.ac.manchester.tornado.api.enums.ProfilerMode;
+import uk.ac.manchester.tornado.api.enums.TornadoDeviceType;
 import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
 
 /**
@@ -34,7 +38,6 @@ final class DevicePlan implements AutoCloseable {
     private static final int[] NO_PIXELS = new int[1];
     private static final float[] NO_RADIANCE = new float[1];
 
-    private final DeviceKernel kernel;
     private final FrameInput fixed;
     private final boolean linear;
     private final int[] pixels;
@@ -56,8 +59,7 @@ final class DevicePlan implements AutoCloseable {
     /** What a frame moved between this machine and the device. */
     record Copied(long bytesIn, long bytesOut) {}
 
-    DevicePlan(TornadoDevice device, FrameInput input, boolean linear, DeviceKernel kernel) {
-        this.kernel = kernel;
+    DevicePlan(TornadoDevice device, FrameInput input, boolean linear, DrawTask kernel) {
         fixed = input;
         this.linear = linear;
         int count = Math.multiplyExact(input.width(), input.rows());
@@ -93,7 +95,7 @@ final class DevicePlan implements AutoCloseable {
                         hierarchy)
                 .task(
                         TASK,
-                        kernel.task(),
+                        kernel,
                         pixels,
                         radiance,
                         dimensions,
@@ -110,14 +112,16 @@ final class DevicePlan implements AutoCloseable {
                         hierarchy,
                         input.width(),
                         input.rows(),
-                        kernel.shortcuts().applyAsInt(input),
+                        Shortcuts.of(input),
                         linear ? PixelKernel.LINEAR : PixelKernel.ARGB)
                 .transferToHost(DataTransferMode.EVERY_EXECUTION, linear ? radiance : pixels);
         plan = new TornadoExecutionPlan(graph.snapshot());
         plan.withDevice(device).withProfiler(ProfilerMode.SILENT);
-        kernel.grid()
-                .of(device, input.width(), input.rows())
-                .ifPresent(grid -> plan.withGridScheduler(new GridScheduler(GRAPH + "." + TASK, grid)));
+        if (device.getDeviceType() != TornadoDeviceType.CPU) {
+            // TornadoVM's own choice of group may need more registers than a GPU has; the driver's fits.
+            WorkerGrid grid = new WorkerGrid2D(input.width(), input.rows());
+            plan.withGridScheduler(new GridScheduler(GRAPH + "." + TASK, grid));
+        }
     }
 
     /** Whether what is on the device and compiled still holds for this frame. */
@@ -127,7 +131,7 @@ final class DevicePlan implements AutoCloseable {
                 && input.rows() == fixed.rows()
                 && frame.isLinear() == linear
                 && input.room() == fixed.room()
-                && kernel.shortcuts().applyAsInt(input) == kernel.shortcuts().applyAsInt(fixed)
+                && Shortcuts.of(input) == Shortcuts.of(fixed)
                 && input.skybox() == fixed.skybox()
                 && input.skyboxDimensions() == fixed.skyboxDimensions()
                 && (sendsLooks() || hasLooksOf(fixed, input));

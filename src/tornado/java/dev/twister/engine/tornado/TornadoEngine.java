@@ -12,18 +12,21 @@ import uk.ac.manchester.tornado.api.common.TornadoDevice;
 
 /** Draws on a device of TornadoVM's. The first frame of a size takes seconds: TornadoVM compiles the kernel then. */
 final class TornadoEngine implements Engine {
+    /** Loaded once: TornadoVM keeps what it knows of a method until the JVM ends. */
+    private static final DrawTask KERNEL = DeviceClassLoader.load(TornadoKernel.class, DrawTask.class);
+
     private final String id;
     private final String name;
     private final TornadoDevice device;
-    private final DeviceKernel kernel;
+    private final DrawTask kernel;
     private final Map<Boolean, DevicePlan> planByLinear = new HashMap<>();
     private Optional<DevicePlan> last = Optional.empty();
 
     TornadoEngine(String id, String name, TornadoDevice device) {
-        this(id, name, device, DeviceKernel.of(device));
+        this(id, name, device, KERNEL);
     }
 
-    TornadoEngine(String id, String name, TornadoDevice device, DeviceKernel kernel) {
+    TornadoEngine(String id, String name, TornadoDevice device, DrawTask kernel) {
         this.id = id;
         this.name = name;
         this.device = device;

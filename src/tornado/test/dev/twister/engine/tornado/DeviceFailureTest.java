@@ -4,11 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.engine.EngineException;
-import dev.twister.engine.Shortcuts;
 import dev.twister.image.Frame;
 import dev.twister.scene.RenderSettings;
 import dev.twister.world.World;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
@@ -16,14 +14,11 @@ import uk.ac.manchester.tornado.api.common.TornadoDevice;
 /** What a device cannot do is an error that says why, never a picture drawn by plain Java instead. */
 @Timeout(300)
 class DeviceFailureTest {
-    private static final DeviceKernel.Grid NO_GRID = (device, width, rows) -> Optional.empty();
-
     private static void drawWith(DrawTask kernel) {
         TornadoDevice device = Devices.all().getFirst();
         World world = SceneSamples.world(1, 2);
         world.setSettings(RenderSettings.DEFAULT.withSize(16, 8));
-        try (TornadoEngine engine = new TornadoEngine(
-                "tornado:0:0", "the first device", device, new DeviceKernel(kernel, Shortcuts::of, NO_GRID))) {
+        try (TornadoEngine engine = new TornadoEngine("tornado:0:0", "the first device", device, kernel)) {
             engine.render(world.snapshot(), Frame.ofPixels(16, 8));
         }
     }
