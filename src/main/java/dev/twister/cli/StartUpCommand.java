@@ -1,10 +1,10 @@
 package dev.twister.cli;
 
-import dev.twister.bench.FastestEngine;
-import dev.twister.bench.PictureSize;
 import dev.twister.bench.StartUp;
 import dev.twister.bench.StartUpReport;
 import dev.twister.engine.Engines;
+import dev.twister.engine.auto.FastestEngine;
+import dev.twister.image.PictureSize;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import dev.twister.sky.SkyboxReader;

@@ -1,6 +1,5 @@
 package dev.twister.gui;
 
-import dev.twister.bench.PictureSize;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.drawing.DrawingLoop;
@@ -14,6 +13,7 @@ import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.EditState;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.gui.model.SceneHistory;
+import dev.twister.image.PictureSize;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;

@@ -1,4 +1,4 @@
-package dev.twister.bench;
+package dev.twister.engine.auto;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -7,6 +7,7 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
+import dev.twister.engine.FakeEngine;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
