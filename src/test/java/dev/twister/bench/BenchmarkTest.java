@@ -171,7 +171,7 @@ class BenchmarkTest {
     void theRealEnginesAgree() {
         BenchmarkReport report = Benchmark.run(
                 Engines::open,
-                plan(List.of("sequential", "parallel", "plain"), 0, 1, 100),
+                plan(List.of("sequential", "parallel"), 0, 1, 100),
                 "test",
                 TestWorld.create(),
                 Optional.empty(),
