@@ -2,6 +2,7 @@ package dev.twister.bench;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
+import dev.twister.engine.auto.FastestEngine;
 
 /**
  * An engine under the name that it was asked for by: {@value FastestEngine#AUTO} becomes another one, which may be measured

@@ -4,6 +4,7 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.JvmEngines;
 import dev.twister.image.Frame;
+import dev.twister.image.PictureSize;
 import dev.twister.world.FrameInput;
 import dev.twister.world.World;
 import java.util.ArrayList;

@@ -4,6 +4,7 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.Engines;
 import dev.twister.engine.UnknownEngineException;
+import dev.twister.engine.auto.FastestEngine;
 
 /** Opens engines to be measured. */
 public final class BenchmarkEngines {

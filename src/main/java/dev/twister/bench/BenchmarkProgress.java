@@ -1,5 +1,7 @@
 package dev.twister.bench;
 
+import dev.twister.image.PictureSize;
+
 /** Hears how a benchmark comes along. */
 public interface BenchmarkProgress {
     /** For those who do not care. */

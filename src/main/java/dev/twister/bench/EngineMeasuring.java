@@ -1,6 +1,7 @@
 package dev.twister.bench;
 
 import dev.twister.image.Frame;
+import dev.twister.image.PictureSize;
 import dev.twister.world.FrameInput;
 
 /**

@@ -1,6 +1,7 @@
 package dev.twister.bench;
 
 import dev.twister.engine.SettlingFrames;
+import dev.twister.image.PictureSize;
 import dev.twister.world.FrameInput;
 import java.time.Duration;
 import java.util.List;

@@ -1,6 +1,7 @@
 package dev.twister.bench;
 
 import dev.twister.files.WholeFile;
+import dev.twister.image.PictureSize;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;

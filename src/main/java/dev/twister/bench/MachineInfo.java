@@ -1,5 +1,7 @@
 package dev.twister.bench;
 
+import dev.twister.engine.Processor;
+import dev.twister.files.TwisterVersion;
 import java.util.Optional;
 
 /**

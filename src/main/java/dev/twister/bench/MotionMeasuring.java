@@ -3,6 +3,7 @@ package dev.twister.bench;
 import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
+import dev.twister.image.PictureSize;
 import dev.twister.physics.Simulation;
 import dev.twister.world.FrameInput;
 import dev.twister.world.World;

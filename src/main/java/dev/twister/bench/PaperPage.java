@@ -71,7 +71,7 @@ final class PaperPage {
                         measurement -> measurement.times().fps()))
                 .map(fastest -> repeated + " The fastest engine, " + fastest.engine() + ", draws "
                         + PlotLook.number(fastest.times().fps()) + " frames a second at "
-                        + PictureNames.of(first.size()) + " with hard shadows and one bounce"
+                        + first.size().name() + " with hard shadows and one bounce"
                         + PublishedFigures.fps(first.size())
                                 .map(fps -> "; the paper reports " + PlotLook.number(fps) + " on an "
                                         + PublishedFigures.DEVICE + ".")

@@ -1,5 +1,6 @@
 package dev.twister.bench;
 
+import dev.twister.image.PictureSize;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;

@@ -128,7 +128,7 @@ final class PaperPlots {
         XYChart chart = new XYChartBuilder()
                 .width(PlotLook.WIDTH)
                 .height(PlotLook.HEIGHT)
-                .title(PictureNames.of(first.size()) + ", " + fixed)
+                .title(first.size().name() + ", " + fixed)
                 .xAxisTitle(axis)
                 .yAxisTitle(FPS)
                 .build();
@@ -184,9 +184,8 @@ final class PaperPlots {
             List<PaperSetting> settings,
             Function<PaperSetting, Optional<Double>> value,
             List<Double> values) {
-        List<String> places = settings.stream()
-                .map(setting -> PictureNames.of(setting.size()))
-                .toList();
+        List<String> places =
+                settings.stream().map(setting -> setting.size().name()).toList();
         List<Double> bars = new ArrayList<>();
         settings.forEach(setting -> bars.add(value.apply(setting).orElse(null)));
         bars.stream().filter(bar -> bar != null).forEach(values::add);

@@ -1,5 +1,7 @@
 package dev.twister.bench;
 
+import dev.twister.image.PictureSize;
+
 /** One point of the paper's evaluation, for every engine. */
 public record PaperSetting(PictureSize size, int shadowSamples, int bounces) {
     static PaperSetting of(Measurement measurement) {

@@ -66,7 +66,7 @@ final class PaperTables {
                 report.plan().settings(PaperFigure.SIZES).stream()
                         .map(setting -> Stream.concat(
                                         row(
-                                                PictureNames.of(setting.size()),
+                                                setting.size().name(),
                                                 report.engines(),
                                                 engine -> fps(report, engine, setting))
                                                 .stream(),
@@ -91,7 +91,7 @@ final class PaperTables {
         for (String baseline : List.of(JvmEngines.SEQUENTIAL, JvmEngines.PARALLEL)) {
             for (PaperSetting setting : report.plan().settings(PaperFigure.SPEEDUP)) {
                 rows.add(row(
-                        "over " + baseline + ", " + PictureNames.of(setting.size()),
+                        "over " + baseline + ", " + setting.size().name(),
                         report.engines(),
                         engine -> report.find(engine, setting)
                                 .flatMap(measurement -> report.speedupOver(baseline, measurement))));

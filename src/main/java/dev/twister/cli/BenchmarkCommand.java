@@ -4,15 +4,14 @@ import dev.twister.bench.Benchmark;
 import dev.twister.bench.BenchmarkEngines;
 import dev.twister.bench.BenchmarkPlan;
 import dev.twister.bench.BenchmarkReport;
-import dev.twister.bench.FastestEngine;
 import dev.twister.bench.MachineInfo;
 import dev.twister.bench.MotionPlan;
 import dev.twister.bench.PaperPlan;
-import dev.twister.bench.PictureSize;
 import dev.twister.bench.ReportTable;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
-import dev.twister.engine.JvmEngines;
+import dev.twister.engine.auto.FastestEngine;
+import dev.twister.image.PictureSize;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import dev.twister.sky.SkyboxReader;
@@ -74,7 +73,7 @@ final class BenchmarkCommand implements Callable<Integer> {
             names = "--engine",
             paramLabel = "ENGINE",
             completionCandidates = Completions.OfEngine.class,
-            description = "May be given several times; all that work here but 'plain' and 'auto' where not said.")
+            description = "May be given several times; all that work here but 'auto' where not said.")
     private List<String> engines = new ArrayList<>();
 
     @Option(
@@ -228,7 +227,7 @@ final class BenchmarkCommand implements Callable<Integer> {
             return offers.stream()
                     .filter(EngineOffer::works)
                     .map(EngineOffer::id)
-                    .filter(id -> !id.equals(JvmEngines.PLAIN) && !id.equals(FastestEngine.AUTO))
+                    .filter(id -> !id.equals(FastestEngine.AUTO))
                     .toList();
         }
         return EngineNames.resolve(engines, offers);

@@ -13,12 +13,12 @@ import java.util.stream.Stream;
 final class Completions {
     private Completions() {}
 
-    /** Engines that are known without a look for devices, and the name that any of TornadoVM's has. */
+    /** Engines that are known without a look for devices, and the names of families of devices. */
     static final class OfEngine implements Iterable<String> {
         @Override
         public Iterator<String> iterator() {
             return Stream.concat(
-                            Engines.offersAtOnce().stream().map(EngineOffer::id), Stream.of(Engines.TORNADO_PREFIX))
+                            Engines.offersAtOnce().stream().map(EngineOffer::id), Engines.deviceFamilies().stream())
                     .iterator();
         }
     }

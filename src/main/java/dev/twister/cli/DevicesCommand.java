@@ -1,9 +1,9 @@
 package dev.twister.cli;
 
-import dev.twister.bench.EngineTime;
-import dev.twister.bench.FastestEngine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
+import dev.twister.engine.auto.EngineTime;
+import dev.twister.engine.auto.FastestEngine;
 import java.io.PrintWriter;
 import java.time.Duration;
 import java.util.List;

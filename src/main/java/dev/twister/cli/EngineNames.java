@@ -22,11 +22,8 @@ final class EngineNames {
     }
 
     private static String resolve(String name, List<EngineOffer> offers) {
-        return offers.stream()
+        return Engines.find(offers, name)
                 .map(EngineOffer::id)
-                // TornadoVM's first device has two names.
-                .filter(id -> id.equals(name) || (name.equals(Engines.TORNADO_PREFIX) && Engines.isDevice(id)))
-                .findFirst()
                 .orElseThrow(() -> new UnknownEngineException("--engine is '" + name + "', but must be one of "
                         + offers.stream().map(EngineOffer::id).collect(Collectors.joining(", "))));
     }

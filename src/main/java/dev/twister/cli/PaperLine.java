@@ -2,7 +2,7 @@ package dev.twister.cli;
 
 import dev.twister.bench.BenchmarkProgress;
 import dev.twister.bench.PaperPlan;
-import dev.twister.bench.PictureSize;
+import dev.twister.image.PictureSize;
 import java.io.PrintWriter;
 import java.util.function.Supplier;
 

@@ -1,6 +1,6 @@
 package dev.twister.cli;
 
-import dev.twister.bench.PictureSize;
+import dev.twister.image.PictureSize;
 
 /** Whether a picture fits in what the JVM may still use. */
 final class PictureMemory {

@@ -1,6 +1,7 @@
 package dev.twister.cli;
 
-import dev.twister.bench.PictureSize;
+import dev.twister.image.PictureSize;
+import dev.twister.scene.RenderSettings;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
@@ -8,10 +9,16 @@ import picocli.CommandLine.TypeConversionException;
 final class PictureSizeConverter implements ITypeConverter<PictureSize> {
     @Override
     public PictureSize convert(String text) {
+        PictureSize size;
         try {
-            return PictureSize.parse(text);
+            size = PictureSize.parse(text);
         } catch (IllegalArgumentException problem) {
             throw new TypeConversionException(problem.getMessage());
         }
+        if (Math.max(size.width(), size.height()) > RenderSettings.MAX_SIDE) {
+            throw new TypeConversionException("the size " + size + " is not from 1x1 to " + RenderSettings.MAX_SIDE
+                    + "x" + RenderSettings.MAX_SIDE);
+        }
+        return size;
     }
 }

@@ -1,11 +1,11 @@
 package dev.twister.cli;
 
-import dev.twister.bench.FastestEngine;
-import dev.twister.bench.PictureSize;
 import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
+import dev.twister.engine.auto.FastestEngine;
 import dev.twister.image.Frame;
 import dev.twister.image.HdrWriter;
+import dev.twister.image.PictureSize;
 import dev.twister.image.PngWriter;
 import dev.twister.physics.Simulation;
 import dev.twister.scene.RenderSettings;

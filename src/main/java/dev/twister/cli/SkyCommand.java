@@ -1,7 +1,7 @@
 package dev.twister.cli;
 
-import dev.twister.bench.PictureSize;
 import dev.twister.image.HdrWriter;
+import dev.twister.image.PictureSize;
 import dev.twister.sky.Daylight;
 import dev.twister.sky.DaylightSky;
 import dev.twister.sky.ShippedSky;

@@ -16,7 +16,6 @@ import picocli.CommandLine.ScopeType;
             GuiCommand.class,
             RenderCommand.class,
             BenchmarkCommand.class,
-            StartUpCommand.class,
             DevicesCommand.class,
             SkyCommand.class,
             SceneCommand.class,

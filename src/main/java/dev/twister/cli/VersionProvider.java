@@ -1,6 +1,6 @@
 package dev.twister.cli;
 
-import dev.twister.bench.TwisterVersion;
+import dev.twister.files.TwisterVersion;
 import picocli.CommandLine.IVersionProvider;
 
 /** What {@code --version} prints. */

@@ -1,56 +1,60 @@
 package dev.twister.engine;
 
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Finds the engines of this machine. */
 public final class Engines {
-    /** How the ids of TornadoVM's engines begin. */
-    public static final String TORNADO_PREFIX = "tornado";
-
     private Engines() {}
 
-    /** Whether an engine of this id draws on a device of TornadoVM's. */
-    public static boolean isDevice(String id) {
-        return id.startsWith(TORNADO_PREFIX);
+    /** The names of the families whose engines are devices; each stands for its first one. */
+    public static List<String> deviceFamilies() {
+        return providers()
+                .flatMap(provider -> provider.devices().stream())
+                .distinct()
+                .toList();
     }
 
-    /** All engines known here, working or not, the JVM's own first. */
+    /** Whether an engine of this id draws on a device. */
+    public static boolean isDevice(String id) {
+        return deviceFamilies().stream().anyMatch(family -> isOf(family, id));
+    }
+
+    private static boolean isOf(String family, String id) {
+        return id.equals(family) || id.startsWith(family + ":");
+    }
+
+    /** All engines known here, working or not, the JVM's own first and devices last. */
     public static List<EngineOffer> offers() {
-        List<EngineOffer> offers = new ArrayList<>(offers(_ -> true));
-        if (offers.stream().noneMatch(offer -> isDevice(offer.id()))) {
-            offers.add(EngineOffer.impossible(
-                    TORNADO_PREFIX,
-                    "any OpenCL, PTX or CUDA device",
-                    "the kernel compiled by TornadoVM for an accelerator",
-                    "no TornadoVM SDK was found. Install one (sdk install tornadovm, or set TORNADOVM_HOME), then start"
-                            + " with scripts/twister, which builds the engine and runs it"));
-        }
-        return List.copyOf(offers);
+        return offers(_ -> true);
     }
 
     /** Those of them that are known at once, without looking for devices. */
     public static List<EngineOffer> offersAtOnce() {
-        return offers(provider -> !provider.looksForDevices());
+        return offers(provider -> provider.devices().isEmpty());
     }
 
     private static List<EngineOffer> offers(Predicate<EngineProvider> asked) {
-        return ServiceLoader.load(EngineProvider.class).stream()
-                .map(ServiceLoader.Provider::get)
+        return providers()
                 .filter(asked)
                 .sorted(Comparator.comparing((EngineProvider provider) -> !(provider instanceof JvmEngines))
+                        .thenComparing(provider -> provider.devices().isPresent())
                         .thenComparing(provider -> provider.getClass().getName()))
                 .flatMap(provider -> provider.offers().stream())
                 .toList();
     }
 
+    private static Stream<EngineProvider> providers() {
+        return ServiceLoader.load(EngineProvider.class).stream().map(ServiceLoader.Provider::get);
+    }
+
     /**
-     * Opens the engine of that name; {@code tornado} alone is TornadoVM's first device.
+     * Opens the engine of that name; a family's name alone is its first device.
      *
      * @throws UnknownEngineException where no engine has that name
      * @throws EngineException where it cannot be opened
@@ -60,7 +64,7 @@ public final class Engines {
     }
 
     /**
-     * The engine of that name, working or not; {@code tornado} alone is TornadoVM's first device.
+     * The engine of that name, working or not; a family's name alone is its first device.
      *
      * @throws UnknownEngineException where no engine has that name
      */
@@ -71,14 +75,17 @@ public final class Engines {
     private static EngineOffer findEverywhere(String id) {
         List<EngineOffer> offers = offers();
         return find(offers, id)
-                .or(() -> offers.stream()
-                        .filter(offer -> id.equals(TORNADO_PREFIX) && isDevice(offer.id()))
-                        .findFirst())
                 .orElseThrow(() -> new UnknownEngineException("no engine is called '" + id + "'; there are "
                         + offers.stream().map(EngineOffer::id).collect(Collectors.joining(", "))));
     }
 
-    private static Optional<EngineOffer> find(List<EngineOffer> offers, String id) {
-        return offers.stream().filter(offer -> offer.id().equals(id)).findFirst();
+    /** Which of the offers that name means; a family's name alone is its first device. */
+    public static Optional<EngineOffer> find(List<EngineOffer> offers, String name) {
+        return offers.stream()
+                .filter(offer -> offer.id().equals(name))
+                .findFirst()
+                .or(() -> offers.stream()
+                        .filter(offer -> deviceFamilies().contains(name) && isOf(name, offer.id()))
+                        .findFirst());
     }
 }

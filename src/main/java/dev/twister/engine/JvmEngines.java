@@ -2,17 +2,15 @@ package dev.twister.engine;
 
 import com.google.auto.service.AutoService;
 import dev.twister.image.Frame;
-import dev.twister.kernel.PixelKernel;
 import dev.twister.world.FrameInput;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** The engines that need nothing but the JVM: the paper's two baselines, and the kernel without its shortcuts. */
+/** The engines that need nothing but the JVM: the paper's two baselines. */
 @AutoService(EngineProvider.class)
 public final class JvmEngines implements EngineProvider {
     public static final String SEQUENTIAL = "sequential";
     public static final String PARALLEL = "parallel";
-    public static final String PLAIN = "plain";
 
     /** The engine that opens at once everywhere, and uses the whole processor. */
     public static EngineOffer parallel() {
@@ -28,12 +26,7 @@ public final class JvmEngines implements EngineProvider {
     public List<EngineOffer> offers() {
         return List.of(
                 offer(SEQUENTIAL, "one thread of this JVM", "plain Java, one thread", JvmEngines::drawInTurn),
-                parallel(),
-                offer(
-                        PLAIN,
-                        "one thread of this JVM",
-                        "the equations without any shortcut, one thread: slow, for comparison",
-                        JvmEngines::drawPlainly));
+                parallel());
     }
 
     private static EngineOffer offer(String id, String device, String description, JvmEngine.Rows rows) {
@@ -53,11 +46,5 @@ public final class JvmEngines implements EngineProvider {
         IntStream.range(0, frame.height())
                 .parallel()
                 .forEach(index -> JvmKernel.drawRow(input, frame, rows.row(index), shortcuts));
-    }
-
-    private static void drawPlainly(FrameInput input, Frame frame) {
-        for (int row = 0; row < frame.height(); row++) {
-            JvmKernel.drawRow(input, frame, row, PixelKernel.PLAIN);
-        }
     }
 }

@@ -2,9 +2,9 @@ package dev.twister.gui;
 
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.BodyPicker;
 import dev.twister.gui.model.SphereDrag;
-import dev.twister.kernel.Layout;
 import java.util.Optional;
 import javafx.beans.value.ObservableValue;
 import javafx.geometry.Point2D;
@@ -50,7 +50,7 @@ final class BodyMouse {
         }
         int selected = studio.selectionProperty().get();
         if (event.getButton() == MouseButton.PRIMARY
-                && selected != Layout.NOTHING
+                && selected != BodyNumber.NONE
                 && bodyAt(event).filter(body -> body == selected).isPresent()) {
             DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
             Point2D place = place(event);
@@ -90,13 +90,13 @@ final class BodyMouse {
 
     private void clicked(MouseEvent event) {
         if (event.getButton() == MouseButton.PRIMARY && event.isStillSincePress()) {
-            studio.select(bodyAt(event).orElse(Layout.NOTHING));
+            studio.select(bodyAt(event).orElse(BodyNumber.NONE));
         }
     }
 
     private void moved(MouseEvent event) {
         int selected = studio.selectionProperty().get();
-        boolean over = selected != Layout.NOTHING
+        boolean over = selected != BodyNumber.NONE
                 && bodyAt(event).filter(body -> body == selected).isPresent();
         view.setCursor(over ? Cursor.MOVE : Cursor.DEFAULT);
     }

@@ -69,9 +69,9 @@ final class EngineSection {
                 .orElseGet(() -> unknown(id));
     }
 
-    /** What was asked for by a name that the list has not: TornadoVM's first device, or nothing that there is. */
+    /** What was asked for by a name that the list has not: a family's first device, or nothing that there is. */
     private static Look unknown(String id) {
-        return id.equals(Engines.TORNADO_PREFIX)
+        return Engines.deviceFamilies().contains(id)
                 ? new Look(id)
                 : new Look(id, id, "", Optional.of("there is no engine of this name here"));
     }

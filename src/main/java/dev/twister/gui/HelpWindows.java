@@ -1,6 +1,6 @@
 package dev.twister.gui;
 
-import dev.twister.bench.TwisterVersion;
+import dev.twister.files.TwisterVersion;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

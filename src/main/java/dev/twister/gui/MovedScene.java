@@ -2,7 +2,7 @@ package dev.twister.gui;
 
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.Motion;
-import dev.twister.kernel.Layout;
+import dev.twister.gui.model.BodyNumber;
 import dev.twister.physics.SameSpheres;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
@@ -84,7 +84,7 @@ record MovedScene(Scene standing, Optional<DrawnPicture> seen) {
                                 .get(same[index])
                                 .position()
                                 .equals(start))
-                .map(shown -> place(shown.input().bodyPositions(), 3 * (Layout.FIRST_SPHERE + same[index])))
+                .map(shown -> place(shown.input().bodyPositions(), 3 * BodyNumber.ofSphere(same[index])))
                 .orElse(start);
     }
 

@@ -1,7 +1,7 @@
 package dev.twister.gui;
 
+import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.ResolutionMode;
-import dev.twister.kernel.Layout;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -54,8 +54,8 @@ final class Panel extends ScrollPane {
         setHbarPolicy(ScrollBarPolicy.NEVER);
         setFocusTraversable(false);
         studio.selectionProperty().subscribe((_, body) -> {
-            if (body.intValue() != Layout.NOTHING) {
-                scrollTo(body.intValue() == Layout.LIGHT ? lightSection : selectionSection);
+            if (body.intValue() != BodyNumber.NONE) {
+                scrollTo(body.intValue() == BodyNumber.LIGHT ? lightSection : selectionSection);
             }
         });
     }

@@ -1,13 +1,13 @@
 package dev.twister.gui;
 
-import dev.twister.kernel.Layout;
+import dev.twister.gui.model.BodyNumber;
 import dev.twister.physics.SameSpheres;
 import dev.twister.scene.Sphere;
 import java.util.List;
 
 /**
- * Which body of a picture is which one of the scene, which may have been edited since the picture was asked for. Bodies are
- * numbered as the kernel has them, {@link Layout#NOTHING} where there is none.
+ * Which body of a picture is which one of the scene, which may have been edited since the picture was asked for. See
+ * {@link BodyNumber}.
  *
  * @param pictured the spheres that the picture shows
  * @param standing the spheres that the scene has now
@@ -25,7 +25,7 @@ record PictureBodies(List<Sphere> pictured, List<Sphere> standing, boolean renum
     }
 
     private int same(List<Sphere> wanted, List<Sphere> given, int body) {
-        int index = body - Layout.FIRST_SPHERE;
+        int index = BodyNumber.sphere(body);
         // As long as spheres neither come nor go, each keeps its number; half a million need not be counted for each
         // picture.
         if (index < 0 || !renumbered) {
@@ -33,6 +33,6 @@ record PictureBodies(List<Sphere> pictured, List<Sphere> standing, boolean renum
         }
         // Poured ones are in the picture, but not in the scene.
         int found = index < given.size() ? SameSpheres.byPlace(wanted, given)[index] : SameSpheres.NONE;
-        return found == SameSpheres.NONE ? Layout.NOTHING : Layout.FIRST_SPHERE + found;
+        return found == SameSpheres.NONE ? BodyNumber.NONE : BodyNumber.ofSphere(found);
     }
 }

@@ -1,8 +1,8 @@
 package dev.twister.gui;
 
 import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.NumberSetting;
-import dev.twister.kernel.Layout;
 import dev.twister.scene.Scene;
 import java.util.List;
 import java.util.function.Predicate;
@@ -59,11 +59,11 @@ final class SelectionSection extends VBox {
         colors = sphere ? List.of(color(body)) : List.of();
         hint.setText(
                 switch (body) {
-                    case Layout.NOTHING ->
+                    case BodyNumber.NONE ->
                         "Click a sphere or the light in the picture to select it, or press F2; drag the selected one to move it.";
-                    case Layout.LIGHT -> "The light is selected; its controls are above.";
+                    case BodyNumber.LIGHT -> "The light is selected; its controls are above.";
                     default ->
-                        "Sphere " + (body - Layout.FIRST_SPHERE + 1) + " of "
+                        "Sphere " + (BodyNumber.sphere(body) + 1) + " of "
                                 + atSelection.spheres().size() + ". Drag it to move it, Delete deletes it.";
                 });
         getChildren().setAll(hint);

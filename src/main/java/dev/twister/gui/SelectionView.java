@@ -1,8 +1,8 @@
 package dev.twister.gui;
 
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.SphereOutline;
-import dev.twister.kernel.Layout;
 import java.util.ArrayList;
 import java.util.List;
 import javafx.geometry.Point2D;
@@ -45,7 +45,7 @@ final class SelectionView extends Pane {
         List<Double> points = studio.picturedBodies()
                 .map(bodies -> bodies.inPicture(selected))
                 // Nothing is selected, or the picture is of the time before the body was there.
-                .filter(body -> body != Layout.NOTHING)
+                .filter(body -> body != BodyNumber.NONE)
                 .flatMap(body -> studio.pictureProperty().get().map(picture -> points(picture, body)))
                 .orElse(List.of());
         // Told the same points, JavaFX would paint anew.

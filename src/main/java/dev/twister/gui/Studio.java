@@ -1,6 +1,5 @@
 package dev.twister.gui;
 
-import dev.twister.bench.PictureSize;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.drawing.DrawingLoop;
@@ -11,10 +10,11 @@ import dev.twister.gui.drawing.EngineChoice;
 import dev.twister.gui.drawing.Motion;
 import dev.twister.gui.drawing.SkyShelf;
 import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.EditState;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.gui.model.SceneHistory;
-import dev.twister.kernel.Layout;
+import dev.twister.image.PictureSize;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
@@ -59,7 +59,7 @@ public final class Studio implements AutoCloseable {
     private final ReadOnlyObjectWrapper<Optional<Path>> file;
     private final ReadOnlyObjectWrapper<EditState> edits = new ReadOnlyObjectWrapper<>(EditState.UNTOUCHED);
     private final ReadOnlyObjectWrapper<ResolutionMode> resolution = new ReadOnlyObjectWrapper<>(ResolutionMode.WINDOW);
-    private final ReadOnlyIntegerWrapper selection = new ReadOnlyIntegerWrapper(Layout.NOTHING);
+    private final ReadOnlyIntegerWrapper selection = new ReadOnlyIntegerWrapper(BodyNumber.NONE);
     private final ReadOnlyObjectWrapper<Optional<DrawnPicture>> picture = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ReadOnlyObjectWrapper<DrawingStatus> drawing = new ReadOnlyObjectWrapper<>(DrawingStatus.QUIET);
     private final BooleanProperty refining = new SimpleBooleanProperty(true);
@@ -253,7 +253,7 @@ public final class Studio implements AutoCloseable {
     /** Where a movable body is in the picture that is shown. */
     public Vector3 positionNow(int body) {
         return BodyEdits.isSphere(scene.get(), body)
-                ? MovedScene.of(scene.get(), motion.get(), picture.get()).position(body - Layout.FIRST_SPHERE)
+                ? MovedScene.of(scene.get(), motion.get(), picture.get()).position(BodyNumber.sphere(body))
                 : BodyEdits.position(scene.get(), body);
     }
 
@@ -274,14 +274,14 @@ public final class Studio implements AutoCloseable {
         show();
     }
 
-    /** The body that a person works on, numbered as the kernel has it; {@link Layout#NOTHING} where there is none. */
+    /** The body that a person works on, numbered as the kernel has it; {@link BodyNumber#NONE} where there is none. */
     public ReadOnlyIntegerProperty selectionProperty() {
         return selection.getReadOnlyProperty();
     }
 
     /** Selects the light or a sphere; any other number selects nothing. */
     public void select(int body) {
-        int selected = BodyEdits.isMovable(scene.get(), body) ? body : Layout.NOTHING;
+        int selected = BodyEdits.isMovable(scene.get(), body) ? body : BodyNumber.NONE;
         if (selected != selection.get()) {
             // The next edit may have the same name, but is of another body.
             endGesture();
@@ -358,7 +358,7 @@ public final class Studio implements AutoCloseable {
         document = new SceneHistory(opened.scene());
         original.set(opened.scene());
         file.set(Optional.of(opened.file()));
-        selection.set(Layout.NOTHING);
+        selection.set(BodyNumber.NONE);
         motion.set(Motion.NONE);
         show();
         request();
@@ -470,7 +470,7 @@ public final class Studio implements AutoCloseable {
             }
             scene.set(document.present());
             // Where spheres come and go, a number may mean another one.
-            select(sameSpheres ? selection.get() : Layout.NOTHING);
+            select(sameSpheres ? selection.get() : BodyNumber.NONE);
             request();
         }
     }

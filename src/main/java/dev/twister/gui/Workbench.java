@@ -1,10 +1,10 @@
 package dev.twister.gui;
 
 import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.NewSphere;
 import dev.twister.gui.model.ThrownSpheres;
 import dev.twister.gui.model.WindowSettings;
-import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import javafx.collections.MapChangeListener;
@@ -222,7 +222,7 @@ final class Workbench implements AutoCloseable {
         studio.pictureProperty().get().ifPresent(shown -> {
             studio.edit("insert sphere", scene -> BodyEdits.inserted(scene, NewSphere.inFrontOf(shown.input(), scene)));
             studio.endGesture();
-            studio.select(Layout.FIRST_SPHERE + studio.scene().spheres().size() - 1);
+            studio.select(BodyNumber.ofSphere(studio.scene().spheres().size() - 1));
         });
     }
 
@@ -240,7 +240,7 @@ final class Workbench implements AutoCloseable {
 
     private void backToThePicture() {
         if (picture.isFocused()) {
-            studio.select(Layout.NOTHING);
+            studio.select(BodyNumber.NONE);
         } else {
             picture.requestFocus();
         }

@@ -6,8 +6,10 @@ import static org.assertj.core.api.Assertions.tuple;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.Engines;
+import dev.twister.engine.FakeEngine;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
+import dev.twister.image.PictureSize;
 import dev.twister.physics.Simulation;
 import dev.twister.scene.Palette;
 import dev.twister.scene.Pour;
@@ -169,7 +171,7 @@ class BenchmarkTest {
     void theRealEnginesAgree() {
         BenchmarkReport report = Benchmark.run(
                 Engines::open,
-                plan(List.of("sequential", "parallel", "plain"), 0, 1, 100),
+                plan(List.of("sequential", "parallel"), 0, 1, 100),
                 "test",
                 TestWorld.create(),
                 Optional.empty(),

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
+import dev.twister.image.PictureSize;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SampleWorld;
 import java.util.ArrayList;

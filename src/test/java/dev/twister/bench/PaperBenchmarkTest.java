@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
+import dev.twister.engine.FakeEngine;
 import dev.twister.image.FrameTimes;
+import dev.twister.image.PictureSize;
 import java.io.IOException;
 import java.io.Reader;
 import java.nio.file.Files;

@@ -101,7 +101,7 @@ class ReportsTest {
 
     @Test
     void aSlowEnginesRateIsNotNothing() {
-        Measurement minutes = slow("plain", 52_265.9);
+        Measurement minutes = slow("parallel", 52_265.9);
         Measurement seconds = slow("sequential", 200);
         BenchmarkReport report = new BenchmarkReport(
                 REPORT.machine(), REPORT.plan(), REPORT.scene(), List.of(seconds, minutes), List.of());

@@ -22,11 +22,11 @@ class CommandsTest {
 
         assertThat(outcome.exitCode()).isZero();
         assertThat(outcome.out())
-                .contains("gui", "render", "benchmark", "start-up", "devices", "sky", "scene", "generate-completion");
+                .contains("gui", "render", "benchmark", "devices", "sky", "scene", "generate-completion");
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"gui", "render", "benchmark", "start-up", "devices", "sky", "scene"})
+    @ValueSource(strings = {"gui", "render", "benchmark", "devices", "sky", "scene"})
     void everyCommandHasHelpWithExamples(String command) {
         Outcome outcome = Outcome.of(command, "--help");
 
@@ -120,16 +120,6 @@ class CommandsTest {
                 .contains("scene teaching, 1 shadow sample, 1 bounce;", "sequential", "parallel", "24x16", "1+2");
         assertThat(json).isNotEmptyFile();
         assertThat(csv).isNotEmptyFile();
-    }
-
-    @Test
-    void tellsHowItStarted() {
-        Outcome outcome =
-                Outcome.of("start-up", "teaching", "--engine", "sequential", "--size", "24x16", "--seconds", "1");
-
-        assertThat(outcome.err()).isEmpty();
-        assertThat(outcome.exitCode()).isZero();
-        assertThat(outcome.out()).contains("teaching at 24x16", "first frame, by sequential", "full speed");
     }
 
     @Test

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class EnginesTest {
     @ParameterizedTest
-    @ValueSource(strings = {"sequential", "parallel", "plain"})
+    @ValueSource(strings = {"sequential", "parallel"})
     void jvmsEnginesAlwaysWork(String id) {
         try (Engine engine = Engines.open(id)) {
             assertThat(engine.id()).isEqualTo(id);
@@ -21,7 +21,7 @@ class EnginesTest {
     void unknownNameIsToldTheKnownOnes() {
         assertThatThrownBy(() -> Engines.offer("warp"))
                 .isInstanceOf(UnknownEngineException.class)
-                .hasMessageStartingWith("no engine is called 'warp'; there are sequential, parallel, plain");
+                .hasMessageStartingWith("no engine is called 'warp'; there are sequential, parallel");
     }
 
     @Test

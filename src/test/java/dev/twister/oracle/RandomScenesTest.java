@@ -1,6 +1,7 @@
 package dev.twister.oracle;
 
 import dev.twister.engine.JvmEngines;
+import dev.twister.engine.PlainPicture;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -40,13 +41,13 @@ class RandomScenesTest {
 
     @Property(seed = "20261121", tries = 100, shrinking = ShrinkingMode.OFF)
     void plainEquationsDrawWhatTheOracleDraws(@ForAll("fewBounces") LitScene random) {
-        judge.judge(Pictures.argb(JvmEngines.PLAIN, random.scene(), random.sky()), random.scene(), random.sky());
+        judge.judge(PlainPicture.argb(random.scene(), random.sky()), random.scene(), random.sky());
     }
 
     @Property(seed = "20261121", tries = 100, shrinking = ShrinkingMode.OFF)
     void shortcutsDrawWhatThePlainEquationsDraw(@ForAll("fewBounces") LitScene random) {
         judge.judgeAgainst(
-                Pictures.argb(JvmEngines.PLAIN, random.scene(), random.sky()),
+                PlainPicture.argb(random.scene(), random.sky()),
                 Pictures.argb(JvmEngines.SEQUENTIAL, random.scene(), random.sky()),
                 random.scene(),
                 random.sky());

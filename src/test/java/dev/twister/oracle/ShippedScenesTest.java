@@ -3,6 +3,7 @@ package dev.twister.oracle;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.JvmEngines;
+import dev.twister.engine.PlainPicture;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -42,7 +43,7 @@ class ShippedScenesTest {
         LitScene quick = ShippedScenes.quick(name);
         PictureDifference difference = PictureDifference.between(
                 Pictures.argb(JvmEngines.SEQUENTIAL, quick.scene(), quick.sky()),
-                Pictures.argb(JvmEngines.PLAIN, quick.scene(), quick.sky()));
+                PlainPicture.argb(quick.scene(), quick.sky()));
         assertThat(difference).matches(PictureDifference::isWithinBound, "is within the design's bound");
     }
 }

@@ -1,11 +1,11 @@
 package dev.twister.gui.drawing;
 
-import dev.twister.bench.FastestEngine;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.engine.UnknownEngineException;
+import dev.twister.engine.auto.FastestEngine;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;

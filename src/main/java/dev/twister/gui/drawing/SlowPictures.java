@@ -3,7 +3,6 @@ package dev.twister.gui.drawing;
 import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
-import dev.twister.kernel.Layout;
 import dev.twister.world.FrameInput;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
@@ -35,16 +34,9 @@ final class SlowPictures {
      * What the time of a picture hangs on most, beside its samples a pixel, with which it grows. Of a scene only the room for
      * bodies: more of them come one by one, and the next picture of the same scene is much like the last.
      */
-    private record Work(Engine engine, int width, int rows, int room, float shadowSamples, float bounces) {
+    private record Work(Engine engine, int width, int rows, int room, int shadowSamples, int bounces) {
         static Work of(Engine engine, FrameInput input) {
-            float[] properties = input.rayTracingProperties();
-            return new Work(
-                    engine,
-                    input.width(),
-                    input.rows(),
-                    input.room(),
-                    properties[Layout.SHADOW_SAMPLES],
-                    properties[Layout.BOUNCES]);
+            return new Work(engine, input.width(), input.rows(), input.room(), input.shadowSamples(), input.bounces());
         }
     }
 

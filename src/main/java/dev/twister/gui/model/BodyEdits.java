@@ -1,7 +1,6 @@
 package dev.twister.gui.model;
 
 import dev.twister.gui.model.NumberSetting.Scale;
-import dev.twister.kernel.Layout;
 import dev.twister.scene.Light;
 import dev.twister.scene.Range;
 import dev.twister.scene.Rgb;
@@ -15,62 +14,62 @@ import java.util.function.BiFunction;
 import java.util.function.ToDoubleFunction;
 import java.util.function.UnaryOperator;
 
-/** Edits of a scene's spheres, which are numbered as the kernel has them, from {@link Layout#FIRST_SPHERE} on. */
+/** Edits of a scene's spheres, by their {@link BodyNumber}. */
 public final class BodyEdits {
     private BodyEdits() {}
 
     /** Whether a scene has a sphere of that number. */
     public static boolean isSphere(Scene scene, int body) {
-        return body >= Layout.FIRST_SPHERE
-                && body < Layout.FIRST_SPHERE + scene.spheres().size();
+        int index = BodyNumber.sphere(body);
+        return index >= 0 && index < scene.spheres().size();
     }
 
     /** Whether the body can be taken and moved: the light and the spheres. */
     public static boolean isMovable(Scene scene, int body) {
-        return body == Layout.LIGHT || isSphere(scene, body);
+        return body == BodyNumber.LIGHT || isSphere(scene, body);
     }
 
     /**
      * The body so many steps on in the round of nothing, the light, and all spheres in their order.
      *
-     * @param body where the round begins: {@link Layout#NOTHING} or a movable body
+     * @param body where the round begins: {@link BodyNumber#NONE} or a movable body
      * @param steps back where they are negative
      */
     public static int along(Scene scene, int body, int steps) {
         int place = switch (body) {
-            case Layout.NOTHING -> 0;
-            case Layout.LIGHT -> 1;
-            default -> body - Layout.FIRST_SPHERE + 2;
+            case BodyNumber.NONE -> 0;
+            case BodyNumber.LIGHT -> 1;
+            default -> BodyNumber.sphere(body) + 2;
         };
         int next = Math.floorMod(place + steps, scene.spheres().size() + 2);
         return switch (next) {
-            case 0 -> Layout.NOTHING;
-            case 1 -> Layout.LIGHT;
-            default -> Layout.FIRST_SPHERE + next - 2;
+            case 0 -> BodyNumber.NONE;
+            case 1 -> BodyNumber.LIGHT;
+            default -> BodyNumber.ofSphere(next - 2);
         };
     }
 
     public static Sphere sphere(Scene scene, int body) {
-        return scene.spheres().get(body - Layout.FIRST_SPHERE);
+        return scene.spheres().get(BodyNumber.sphere(body));
     }
 
     /** The centre of a movable body. */
     public static Vector3 position(Scene scene, int body) {
-        return body == Layout.LIGHT
+        return body == BodyNumber.LIGHT
                 ? scene.light().position()
                 : sphere(scene, body).position();
     }
 
     /** The radius of a movable body. */
     public static double radius(Scene scene, int body) {
-        return body == Layout.LIGHT
+        return body == BodyNumber.LIGHT
                 ? scene.light().radius()
                 : sphere(scene, body).radius();
     }
 
     /** The scene with a movable body elsewhere. */
     public static Scene moved(Scene scene, int body, Vector3 position) {
-        if (body == Layout.LIGHT) {
+        if (body == BodyNumber.LIGHT) {
             return scene.withLight(
                     new Light(position, scene.light().radius(), scene.light().color()));
         }
@@ -92,7 +91,7 @@ public final class BodyEdits {
 
     public static Scene deleted(Scene scene, int body) {
         List<Sphere> spheres = new ArrayList<>(scene.spheres());
-        spheres.remove(body - Layout.FIRST_SPHERE);
+        spheres.remove(BodyNumber.sphere(body));
         return scene.withSpheres(spheres);
     }
 
@@ -155,7 +154,7 @@ public final class BodyEdits {
 
     private static Scene edited(Scene scene, int body, UnaryOperator<Sphere> edit) {
         List<Sphere> spheres = new ArrayList<>(scene.spheres());
-        spheres.set(body - Layout.FIRST_SPHERE, edit.apply(sphere(scene, body)));
+        spheres.set(BodyNumber.sphere(body), edit.apply(sphere(scene, body)));
         return scene.withSpheres(spheres);
     }
 }

@@ -1,29 +1,26 @@
 package dev.twister.gui.model;
 
-import dev.twister.bench.PictureSize;
+import dev.twister.image.PictureSize;
 import dev.twister.scene.SceneLimits;
 import java.util.Optional;
 
 /** How large the picture is drawn; it is scaled to fit the window. */
 public enum ResolutionMode {
-    WINDOW("window size", Optional.empty()),
-    HD("720p", Optional.of(PictureSize.HD)),
-    FULL_HD("1080p", Optional.of(PictureSize.FULL_HD)),
-    ULTRA_HD("4K", Optional.of(PictureSize.ULTRA_HD));
-
-    private final String label;
+    WINDOW(Optional.empty()),
+    HD(Optional.of(PictureSize.HD)),
+    FULL_HD(Optional.of(PictureSize.FULL_HD)),
+    ULTRA_HD(Optional.of(PictureSize.ULTRA_HD));
 
     @SuppressWarnings("ImmutableEnumChecker") // of a record of numbers
     private final Optional<PictureSize> fixed;
 
-    ResolutionMode(String label, Optional<PictureSize> fixed) {
-        this.label = label;
+    ResolutionMode(Optional<PictureSize> fixed) {
         this.fixed = fixed;
     }
 
     /** For a person, such as "720p". */
     public String label() {
-        return label;
+        return fixed.map(PictureSize::name).orElse("window size");
     }
 
     /**

@@ -1,6 +1,6 @@
 package dev.twister.gui.model;
 
-import dev.twister.bench.UserFolder;
+import dev.twister.files.UserFolder;
 import dev.twister.files.WholeFile;
 import java.io.IOException;
 import java.nio.file.Files;

@@ -1,6 +1,6 @@
 package dev.twister.gui.model;
 
-import dev.twister.bench.FastestEngine;
+import dev.twister.engine.auto.FastestEngine;
 import dev.twister.scene.Camera;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Vector3;

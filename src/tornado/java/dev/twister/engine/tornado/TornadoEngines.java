@@ -3,9 +3,10 @@ package dev.twister.engine.tornado;
 import com.google.auto.service.AutoService;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.EngineProvider;
-import dev.twister.engine.Engines;
+import dev.twister.engine.MissingTornado;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.regex.Pattern;
 import uk.ac.manchester.tornado.api.TornadoBackend;
 import uk.ac.manchester.tornado.api.TornadoRuntime;
@@ -29,7 +30,7 @@ public final class TornadoEngines implements EngineProvider {
     @Override
     public List<EngineOffer> offers() {
         try {
-            List<EngineOffer> offers = devices();
+            List<EngineOffer> offers = found();
             return offers.isEmpty() ? List.of(impossible("TornadoVM finds no device. " + DRIVER)) : offers;
         } catch (RuntimeException | LinkageError e) {
             return List.of(impossible(explain(e, System.getProperty(RUNTIME_PROPERTY) != null)));
@@ -53,12 +54,12 @@ public final class TornadoEngines implements EngineProvider {
     }
 
     @Override
-    public boolean looksForDevices() {
-        return true;
+    public Optional<String> devices() {
+        return Optional.of(MissingTornado.TORNADO);
     }
 
     /** One thread at a time: TornadoVM's runtime is one for all, and starts at the first look. */
-    private static synchronized List<EngineOffer> devices() {
+    private static synchronized List<EngineOffer> found() {
         TornadoOptions.set();
         TornadoRuntime runtime = TornadoRuntimeProvider.getTornadoRuntime();
         List<EngineOffer> offers = new ArrayList<>();
@@ -66,7 +67,7 @@ public final class TornadoEngines implements EngineProvider {
             TornadoBackend backend = runtime.getBackend(driver);
             for (int index = 0; index < backend.getNumDevices(); index++) {
                 TornadoDevice device = backend.getDevice(index);
-                String id = Engines.TORNADO_PREFIX + ":" + driver + ":" + index;
+                String id = MissingTornado.TORNADO + ":" + driver + ":" + index;
                 String name =
                         device.getPhysicalDevice().getDeviceName().strip() + " (" + device.getTornadoVMBackend() + ")";
                 offers.add(EngineOffer.working(id, name, DESCRIPTION, () -> new TornadoEngine(id, name, device)));
@@ -76,6 +77,6 @@ public final class TornadoEngines implements EngineProvider {
     }
 
     private static EngineOffer impossible(String obstacle) {
-        return EngineOffer.impossible(Engines.TORNADO_PREFIX, "any OpenCL, PTX or CUDA device", DESCRIPTION, obstacle);
+        return EngineOffer.impossible(MissingTornado.TORNADO, "any OpenCL, PTX or CUDA device", DESCRIPTION, obstacle);
     }
 }

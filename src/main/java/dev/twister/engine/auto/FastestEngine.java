@@ -1,4 +1,4 @@
-package dev.twister.bench;
+package dev.twister.engine.auto;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
@@ -23,8 +23,8 @@ public final class FastestEngine {
     /** The name that stands for whichever engine is the fastest here. */
     public static final String AUTO = "auto";
 
-    /** Itself; what parallel does with more threads; and what is slow on purpose. */
-    private static final Set<String> NEVER_TAKEN = Set.of(AUTO, JvmEngines.SEQUENTIAL, JvmEngines.PLAIN);
+    /** Itself, and what parallel does with more threads. */
+    private static final Set<String> NEVER_TAKEN = Set.of(AUTO, JvmEngines.SEQUENTIAL);
 
     /** Wherever it works, see benchmarks/NOTES.md; until it has been measured. */
     private static final String MOSTLY_FASTEST = "vector";

@@ -1,5 +1,6 @@
-package dev.twister.bench;
+package dev.twister.engine.auto;
 
+import dev.twister.files.UserFolder;
 import dev.twister.files.WholeFile;
 import java.io.IOException;
 import java.io.Reader;

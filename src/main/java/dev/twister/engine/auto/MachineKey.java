@@ -1,7 +1,9 @@
-package dev.twister.bench;
+package dev.twister.engine.auto;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
+import dev.twister.engine.Processor;
+import dev.twister.files.TwisterVersion;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;

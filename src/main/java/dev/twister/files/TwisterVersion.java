@@ -1,4 +1,4 @@
-package dev.twister.bench;
+package dev.twister.files;
 
 import java.util.Optional;
 

@@ -1,4 +1,4 @@
-package dev.twister.bench;
+package dev.twister.image;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
@@ -23,22 +23,7 @@ class PictureSizeTest {
     }
 
     @ParameterizedTest
-    @ValueSource(
-            strings = {
-                "",
-                "x",
-                "10",
-                "10x",
-                "x10",
-                "0x1",
-                "1x0",
-                "-1x5",
-                "16385x1",
-                "1x16385",
-                "999999999x1",
-                "1.5x2",
-                "8k"
-            })
+    @ValueSource(strings = {"", "x", "10", "10x", "x10", "0x1", "1x0", "-1x5", "9999999999x1", "1.5x2", "8k"})
     void refuses(String text) {
         assertThatIllegalArgumentException().isThrownBy(() -> PictureSize.parse(text));
     }

@@ -1,4 +1,4 @@
-package dev.twister.bench;
+package dev.twister.engine.auto;
 
 import java.time.Duration;
 import java.util.Optional;

@@ -1,4 +1,4 @@
-package dev.twister.bench;
+package dev.twister.engine.auto;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;

@@ -1,4 +1,4 @@
-package dev.twister.bench;
+package dev.twister.engine;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -9,10 +9,10 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
 /** The processor's model, wherever this system tells it. */
-final class Processor {
+public final class Processor {
     private Processor() {}
 
-    static String name() {
+    public static String name() {
         return fromLinux()
                 .or(Processor::fromMac)
                 .or(() -> Optional.ofNullable(System.getenv("PROCESSOR_IDENTIFIER")))

@@ -1,4 +1,4 @@
-package dev.twister.bench;
+package dev.twister.engine.auto;
 
 import com.google.auto.service.AutoService;
 import dev.twister.engine.EngineOffer;

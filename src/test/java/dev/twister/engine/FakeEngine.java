@@ -1,13 +1,12 @@
-package dev.twister.bench;
+package dev.twister.engine;
 
-import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
 import java.util.Arrays;
 
 /** Fills pictures with one colour, and says that it took so long. */
-record FakeEngine(String id, int argb, FrameTimes times) implements Engine {
+public record FakeEngine(String id, int argb, FrameTimes times) implements Engine {
     @Override
     public String device() {
         return "a device of the test's";

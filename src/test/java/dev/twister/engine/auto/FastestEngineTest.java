@@ -1,4 +1,4 @@
-package dev.twister.bench;
+package dev.twister.engine.auto;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -7,6 +7,7 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
+import dev.twister.engine.FakeEngine;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
@@ -33,7 +34,7 @@ import org.junit.jupiter.api.io.TempDir;
 @Timeout(value = 300, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class FastestEngineTest {
     private static final Map<String, Integer> MILLIS =
-            Map.of("sequential", 40, "parallel", 20, "vector", 5, "tornado:0:0", 9, "plain", 1, "auto", 1);
+            Map.of("sequential", 40, "parallel", 20, "vector", 5, "tornado:0:0", 9, "auto", 1);
 
     private static final FastestEngine.Waiting NO_WAIT = (time, cancelled) -> {};
 
@@ -49,8 +50,8 @@ class FastestEngineTest {
     }
 
     @Test
-    void leavesOutSequentialPlainItselfAndWhatDoesNotWork() {
-        List<EngineOffer> offers = new ArrayList<>(offers("auto", "plain", "sequential", "parallel"));
+    void leavesOutSequentialItselfAndWhatDoesNotWork() {
+        List<EngineOffer> offers = new ArrayList<>(offers("auto", "sequential", "parallel"));
         offers.add(EngineOffer.impossible("vector", "lanes", "wide", "no module"));
 
         assertThat(open(offers)).isEqualTo("parallel");

@@ -1,4 +1,4 @@
-package dev.twister.bench;
+package dev.twister.engine.auto;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;

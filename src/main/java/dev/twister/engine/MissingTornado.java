@@ -1,0 +1,37 @@
+package dev.twister.engine;
+
+import com.google.auto.service.AutoService;
+import java.util.List;
+import java.util.Optional;
+import java.util.ServiceLoader;
+
+/** Says how to come to TornadoVM's engines where they are not built. */
+@AutoService(EngineProvider.class)
+public final class MissingTornado implements EngineProvider {
+    /** What TornadoVM's engines are called together. */
+    public static final String TORNADO = "tornado";
+
+    @Override
+    public List<EngineOffer> offers() {
+        return isBuilt()
+                ? List.of()
+                : List.of(EngineOffer.impossible(
+                        TORNADO,
+                        "any OpenCL, PTX or CUDA device",
+                        "the kernel compiled by TornadoVM for an accelerator",
+                        "no TornadoVM SDK was found. Install one (sdk install tornadovm, or set TORNADOVM_HOME), then start"
+                                + " with scripts/twister, which builds the engine and runs it"));
+    }
+
+    @Override
+    public Optional<String> devices() {
+        return Optional.of(TORNADO);
+    }
+
+    private boolean isBuilt() {
+        return ServiceLoader.load(EngineProvider.class).stream()
+                .map(ServiceLoader.Provider::get)
+                .anyMatch(other ->
+                        !(other instanceof MissingTornado) && other.devices().equals(devices()));
+    }
+}
