@@ -17,7 +17,7 @@ import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.ToneMapping;
+import dev.twister.kernel.Tone;
 import java.util.Arrays;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -115,7 +115,7 @@ class RoomsTest {
     void worldKnowsTheKernelsNumbersOnly() {
         DescribedPredicate<JavaClass> allowed = resideOutsideOfPackage("dev.twister..")
                 .or(resideInAnyPackage("dev.twister.world", "dev.twister.scene", "dev.twister.sky"))
-                .or(belongToAnyOf(Layout.class, ToneMapping.class));
+                .or(belongToAnyOf(Layout.class, Tone.class));
         classes()
                 .that()
                 .resideInAPackage("dev.twister.world")

@@ -1,8 +1,8 @@
 package dev.twister.benchmarks;
 
+import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.NearestHit;
-import dev.twister.kernel.SoftShadow;
+import dev.twister.kernel.Shadow;
 import dev.twister.scene.RenderSettings;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SphereHierarchy;
@@ -37,6 +37,7 @@ public class CrowdBenchmark {
     @Param({"100", "1000", "10000", "100000"})
     int spheres;
 
+    private final float[] path = new float[Layout.PATH_LENGTH];
     private final float[] scratch = new float[Layout.SCRATCH_LENGTH];
     private World world;
     private FrameInput input;
@@ -53,9 +54,9 @@ public class CrowdBenchmark {
         for (int axis = 0; axis < 3; axis++) {
             low[axis] = Float.MAX_VALUE;
             high[axis] = -Float.MAX_VALUE;
-            for (int body = Layout.FIRST_SPHERE; body < input.bodies(); body++) {
-                low[axis] = Math.min(low[axis], input.bodyPositions()[3 * body + axis]);
-                high[axis] = Math.max(high[axis], input.bodyPositions()[3 * body + axis]);
+            for (int body = Layout.FIRST_SPHERE; body < input.bodyCount(); body++) {
+                low[axis] = Math.min(low[axis], input.bodies().center(body, axis));
+                high[axis] = Math.max(high[axis], input.bodies().center(body, axis));
             }
         }
     }
@@ -63,7 +64,7 @@ public class CrowdBenchmark {
     @Benchmark
     @OutputTimeUnit(TimeUnit.MILLISECONDS)
     public float[] build() {
-        return SphereHierarchy.of(input.bodyPositions(), input.bodySizes(), input.bodies());
+        return SphereHierarchy.of(input.bodies().places(), input.bodyCount());
     }
 
     /** Rays into the crowd from above it, slanting. */
@@ -72,21 +73,17 @@ public class CrowdBenchmark {
     @OperationsPerInvocation(CALLS)
     public int closestHit() {
         float slope = (float) Math.sqrt(0.5);
+        path[Layout.LEAVING] = Layout.NOTHING;
+        path[Layout.DIRECTION] = slope;
+        path[Layout.DIRECTION + 1] = -slope;
+        path[Layout.DIRECTION + 2] = 0f;
         int sum = 0;
         for (int i = 0; i < CALLS; i++) {
-            sum += NearestHit.body(
-                    x(i),
-                    2 * high[1] - low[1],
-                    z(i),
-                    slope,
-                    -slope,
-                    0f,
-                    Layout.NOTHING,
-                    input.bodyPositions(),
-                    input.bodySizes(),
-                    input.hierarchy(),
-                    Layout.root(input.bodies()),
-                    scratch);
+            path[Layout.ORIGIN] = x(i);
+            path[Layout.ORIGIN + 1] = 2 * high[1] - low[1];
+            path[Layout.ORIGIN + 2] = z(i);
+            sum += Hit.find(
+                    path, input.bodies().places(), input.bodies().hierarchy(), input.bodyCount(), scratch, Hit.WALK);
         }
         return sum;
     }
@@ -96,22 +93,26 @@ public class CrowdBenchmark {
     @OutputTimeUnit(TimeUnit.NANOSECONDS)
     @OperationsPerInvocation(CALLS)
     public float shadow() {
+        path[Layout.TO_LIGHT] = 0f;
+        path[Layout.TO_LIGHT + 1] = 1f;
+        path[Layout.TO_LIGHT + 2] = 0f;
+        path[Layout.LIGHT_DISTANCE] = 2f * (high[1] - low[1]) + 10f * LIGHT_DISC_RADIUS;
+        path[Layout.NORMAL_DOT_LIGHT] = 1f;
+        float[] light = new float[Layout.PLACE_STRIDE];
+        light[Layout.PLACE_SIZE] = 0.5f * LIGHT_DISC_RADIUS;
         float sum = 0;
         for (int i = 0; i < CALLS; i++) {
-            sum += SoftShadow.visible(
-                    x(i),
-                    0.5f * (low[1] + high[1]),
-                    z(i),
+            path[Layout.POINT] = x(i);
+            path[Layout.POINT + 1] = 0.5f * (low[1] + high[1]);
+            path[Layout.POINT + 2] = z(i);
+            sum += Shadow.visible(
+                    path,
                     Layout.PLANE,
-                    0f,
-                    1f,
-                    0f,
-                    2f * (high[1] - low[1]) + 10f * LIGHT_DISC_RADIUS,
-                    LIGHT_DISC_RADIUS,
-                    SHADOW_SAMPLES,
-                    input.shadowDisc(),
-                    input.hierarchy(),
-                    Layout.root(input.bodies()),
+                    input.view().properties(),
+                    light,
+                    input.view().shadowDisc(),
+                    input.bodies().hierarchy(),
+                    Layout.root(input.bodyCount()),
                     scratch);
         }
         return sum;

@@ -1,11 +1,11 @@
 package dev.twister.benchmarks;
 
-import dev.twister.kernel.ClosestHit;
+import dev.twister.kernel.Camera;
+import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.Shading;
-import dev.twister.kernel.SkyLookup;
-import dev.twister.kernel.SoftShadow;
-import dev.twister.kernel.ViewRay;
+import dev.twister.kernel.Light;
+import dev.twister.kernel.Shadow;
+import dev.twister.kernel.Sky;
 import dev.twister.scene.RenderSettings;
 import dev.twister.world.FrameInput;
 import java.util.SplittableRandom;
@@ -33,15 +33,13 @@ import org.openjdk.jmh.annotations.Warmup;
 @Fork(1)
 public class KernelStepBenchmark {
     static final int CALLS = 4096;
-    private static final int WIDTH = 1280;
-    private static final int HEIGHT = 720;
     private static final int SHADOW_SAMPLES = 200;
     private static final float PLANE_HEIGHT = -9.75f;
-    private static final float LIGHT_DISC_RADIUS = 2.4f;
 
     private final float[] directionX = new float[CALLS];
     private final float[] directionY = new float[CALLS];
     private final float[] directionZ = new float[CALLS];
+    private final float[] path = new float[Layout.PATH_LENGTH];
     private final float[] scratch = new float[Layout.SCRATCH_LENGTH];
     private FrameInput input;
 
@@ -64,26 +62,28 @@ public class KernelStepBenchmark {
     public float viewRay() {
         float sum = 0;
         for (int i = 0; i < CALLS; i++) {
-            sum += ViewRay.u(i, WIDTH, HEIGHT) * ViewRay.v(i >> 3, WIDTH, HEIGHT);
+            Camera.start(
+                    path,
+                    i & 1023,
+                    i >> 3,
+                    input.view().dimensions(),
+                    input.view().camera());
+            sum += path[Layout.DIRECTION];
         }
         return sum;
     }
 
     @Benchmark
     public int closestHit() {
+        System.arraycopy(input.view().camera(), Layout.CAMERA_POSITION, path, Layout.ORIGIN, 3);
+        path[Layout.LEAVING] = Layout.NOTHING;
         int sum = 0;
         for (int i = 0; i < CALLS; i++) {
-            sum += ClosestHit.body(
-                    input.camera()[0],
-                    input.camera()[1],
-                    input.camera()[2],
-                    directionX[i],
-                    directionY[i],
-                    directionZ[i],
-                    Layout.NOTHING,
-                    input.bodyPositions(),
-                    input.bodySizes(),
-                    input.bodies());
+            path[Layout.DIRECTION] = directionX[i];
+            path[Layout.DIRECTION + 1] = directionY[i];
+            path[Layout.DIRECTION + 2] = directionZ[i];
+            sum += Hit.find(
+                    path, input.bodies().places(), input.bodies().hierarchy(), input.bodyCount(), scratch, Hit.ALL);
         }
         return sum;
     }
@@ -105,20 +105,22 @@ public class KernelStepBenchmark {
         for (int i = 0; i < CALLS; i++) {
             float x = -9f + 18f * i / CALLS;
             float distance = (float) Math.sqrt(x * x + PLANE_HEIGHT * PLANE_HEIGHT + z * z);
-            sum += SoftShadow.visible(
-                    x,
-                    PLANE_HEIGHT,
-                    z,
+            path[Layout.POINT] = x;
+            path[Layout.POINT + 1] = PLANE_HEIGHT;
+            path[Layout.POINT + 2] = z;
+            path[Layout.TO_LIGHT] = -x / distance;
+            path[Layout.TO_LIGHT + 1] = -PLANE_HEIGHT / distance;
+            path[Layout.TO_LIGHT + 2] = -z / distance;
+            path[Layout.LIGHT_DISTANCE] = distance;
+            path[Layout.NORMAL_DOT_LIGHT] = 1f;
+            sum += Shadow.visible(
+                    path,
                     Layout.PLANE,
-                    -x / distance,
-                    -PLANE_HEIGHT / distance,
-                    -z / distance,
-                    distance,
-                    LIGHT_DISC_RADIUS,
-                    SHADOW_SAMPLES,
-                    input.shadowDisc(),
-                    input.hierarchy(),
-                    Layout.root(input.bodies()),
+                    input.view().properties(),
+                    input.bodies().places(),
+                    input.view().shadowDisc(),
+                    input.bodies().hierarchy(),
+                    Layout.root(input.bodyCount()),
                     scratch);
         }
         return sum;
@@ -129,21 +131,21 @@ public class KernelStepBenchmark {
         float sum = 0;
         for (int i = 0; i < CALLS; i++) {
             float cosine = Math.abs(directionX[i]);
-            sum += Shading.lit(0.2f, cosine, 1f) + Shading.specular(48f, cosine, 2f * directionZ[i], 4f, 1f);
+            sum += Light.lit(0.2f, cosine, 1f) + Light.specular(48f, cosine, 2f * directionZ[i], 4f, 1f);
         }
         return sum;
     }
 
     @Benchmark
     public float skyLookup() {
-        int width = input.skyboxDimensions()[Layout.SKYBOX_WIDTH];
-        int height = input.skyboxDimensions()[Layout.SKYBOX_HEIGHT];
+        int width = input.panorama().dimensions()[Layout.SKY_WIDTH];
+        int height = input.panorama().dimensions()[Layout.SKY_HEIGHT];
         float sum = 0;
         for (int i = 0; i < CALLS; i++) {
-            float column = SkyLookup.column(directionX[i], directionZ[i], width);
-            float row = SkyLookup.row(directionX[i], directionY[i], directionZ[i], height);
+            float column = Sky.column(directionX[i], directionZ[i], width);
+            float row = Sky.row(directionX[i], directionY[i], directionZ[i], height);
             for (int channel = 0; channel < 3; channel++) {
-                sum += SkyLookup.radiance(input.skybox(), width, height, column, row, channel);
+                sum += Sky.radiance(input.panorama().texels(), width, height, column, row, channel);
             }
         }
         return sum;

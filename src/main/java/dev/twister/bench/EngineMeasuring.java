@@ -24,7 +24,7 @@ record EngineMeasuring(int warmupFrames, int frames, double maxSeconds, Benchmar
                 new PictureSize(input.width(), input.height()),
                 input.shadowSamples(),
                 input.bounces(),
-                input.bodies(),
+                input.bodyCount(),
                 warmups,
                 measured.statistics(),
                 measured.deviceTimes(),

@@ -70,7 +70,7 @@ final class MotionMeasuring {
                 size,
                 input.shadowSamples(),
                 input.bounces(),
-                input.bodies(),
+                input.bodyCount(),
                 warmups,
                 measured.statistics(),
                 measured.deviceTimes(),

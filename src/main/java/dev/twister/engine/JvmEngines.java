@@ -34,17 +34,15 @@ public final class JvmEngines implements EngineProvider {
     }
 
     private static void drawInTurn(FrameInput input, Frame frame) {
-        int shortcuts = Shortcuts.of(input);
         for (int row = 0; row < frame.height(); row++) {
-            JvmKernel.drawRow(input, frame, row, shortcuts);
+            JvmKernel.drawRow(input, frame, row);
         }
     }
 
     private static void drawInParallel(FrameInput input, Frame frame) {
-        int shortcuts = Shortcuts.of(input);
         RowSpread rows = new RowSpread(frame.height());
         IntStream.range(0, frame.height())
                 .parallel()
-                .forEach(index -> JvmKernel.drawRow(input, frame, rows.row(index), shortcuts));
+                .forEach(index -> JvmKernel.drawRow(input, frame, rows.row(index)));
     }
 }

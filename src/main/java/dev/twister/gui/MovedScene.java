@@ -8,6 +8,7 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.world.Bodies;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -84,15 +85,15 @@ record MovedScene(Scene standing, Optional<DrawnPicture> seen) {
                                 .get(same[index])
                                 .position()
                                 .equals(start))
-                .map(shown -> place(shown.input().bodyPositions(), 3 * BodyNumber.ofSphere(same[index])))
+                .map(shown -> place(shown.input().bodies(), BodyNumber.ofSphere(same[index])))
                 .orElse(start);
     }
 
-    private static Vector3 place(float[] positions, int at) {
+    private static Vector3 place(Bodies bodies, int body) {
         return new Vector3(
-                SceneLimits.POSITION.clamp(positions[at]),
-                SceneLimits.POSITION.clamp(positions[at + 1]),
-                SceneLimits.POSITION.clamp(positions[at + 2]));
+                SceneLimits.POSITION.clamp(bodies.center(body, 0)),
+                SceneLimits.POSITION.clamp(bodies.center(body, 1)),
+                SceneLimits.POSITION.clamp(bodies.center(body, 2)));
     }
 
     private static Sphere at(Vector3 place, Sphere sphere) {

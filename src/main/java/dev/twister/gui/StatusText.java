@@ -22,7 +22,7 @@ final class StatusText {
                                 + picture.device() + ")",
                         picture.frame().width() + " × " + picture.frame().height(),
                         picture.samples() + (picture.samples() == 1 ? " sample a pixel" : " samples a pixel"),
-                        picture.input().bodies() + " bodies")
+                        picture.input().bodyCount() + " bodies")
                 .collect(Collectors.joining(BETWEEN));
     }
 
@@ -30,7 +30,7 @@ final class StatusText {
     static boolean isSame(DrawnPicture one, DrawnPicture other) {
         return one.request().number() == other.request().number()
                 && one.samples() == other.samples()
-                && one.input().bodies() == other.input().bodies()
+                && one.input().bodyCount() == other.input().bodyCount()
                 && one.engine().equals(other.engine())
                 && one.isWhole()
                 && other.isWhole();

@@ -1,6 +1,6 @@
 package dev.twister.kernel;
 
-/** Where a ray meets a body; directions are unit vectors, so that distances are in metres. */
+/** Where a ray meets a body; directions are unit vectors, so that distances are in meters. */
 public final class Intersection {
     /** The distance of what is not hit. */
     public static final float MISS = 3.0e38f;
@@ -9,10 +9,10 @@ public final class Intersection {
 
     /**
      * Distance to the near side of a sphere; {@link #MISS} where the ray passes it, or where the near side is not in
-     * front. The discriminant comes from the ray's perpendicular distance to the centre, which keeps its digits where
+     * front. The discriminant comes from the ray's perpendicular distance to the center, which keeps its digits where
      * the sphere is small and far.
      *
-     * @param x the centre, seen from the ray's origin
+     * @param x the center, seen from the ray's origin
      */
     public static float sphere(
             float x, float y, float z, float radius, float directionX, float directionY, float directionZ) {
@@ -32,8 +32,8 @@ public final class Intersection {
     /**
      * Distance to the square ground, from above or below, its border inside; {@link #MISS} elsewhere.
      *
-     * @param height the plane's, in metres
-     * @param size the square's side, in metres
+     * @param height the plane's, in meters
+     * @param size the square's side, in meters
      */
     public static float plane(
             float height,

@@ -40,7 +40,7 @@ public final class KernelMath {
         return x < truncated ? truncated - 1 : truncated;
     }
 
-    /** {@code 1 / sqrt(squared)}, and 0 for 0, so that normalising a zero vector leaves it zero. */
+    /** {@code 1 / sqrt(squared)}, and 0 for 0, so that normalizing a zero vector leaves it zero. */
     public static float inverseRoot(float squared) {
         return squared > 0f ? 1f / (float) Math.sqrt(squared) : 0f;
     }

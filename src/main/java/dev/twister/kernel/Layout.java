@@ -26,7 +26,7 @@ public final class Layout {
 
     public static final int CAMERA_LENGTH = 13;
 
-    /** {@code float[] rayTracingProperties}; counts are whole numbers held exactly by a float. */
+    /** {@code float[] properties}; counts are whole numbers held exactly by a float. */
     public static final int SHADOW_SAMPLES = 0;
 
     public static final int BOUNCES = 1;
@@ -35,7 +35,7 @@ public final class Layout {
     /** 2^exposure. */
     public static final int EXPOSURE_SCALE = 3;
 
-    /** One of {@link ToneMapping}'s numbers. */
+    /** One of {@link Tone}'s numbers. */
     public static final int TONE_MAP = 4;
 
     /** 1 where the sRGB curve follows the tone map, else 0. */
@@ -43,12 +43,12 @@ public final class Layout {
 
     public static final int AMBIENT = 6;
 
-    /** The plane's second colour (three floats); its first is the body's own. */
+    /** The plane's second color (three floats); its first is the body's own. */
     public static final int PLANE_ODD_COLOR = 7;
 
     public static final int PROPERTIES_LENGTH = 10;
 
-    /** Indices of bodies: {@code bodyPositions} and {@code bodyColors} have three floats each, the others one. */
+    /** Indices of bodies. */
     public static final int LIGHT = 0;
 
     public static final int PLANE = 1;
@@ -57,25 +57,34 @@ public final class Layout {
     /** What a closest hit is where nothing is hit. */
     public static final int NOTHING = -1;
 
-    /** {@code int[] skyboxDimensions}: width and height in texels. */
-    public static final int SKYBOX_WIDTH = 0;
+    /** {@code float[] places}, {@value #PLACE_STRIDE} floats a body: the center, then a sphere's radius or the plane's side. */
+    public static final int PLACE_SIZE = 3;
 
-    public static final int SKYBOX_HEIGHT = 1;
-    public static final int SKYBOX_DIMENSIONS_LENGTH = 2;
+    public static final int PLACE_STRIDE = 4;
+
+    /** {@code float[] looks}, {@value #LOOK_STRIDE} floats a body: the color, then what it is made of. */
+    public static final int LOOK_REFLECTIVITY = 3;
+
+    public static final int LOOK_STRIDE = 4;
+
+    /** {@code int[] skyDimensions}: width and height in texels. */
+    public static final int SKY_WIDTH = 0;
+
+    public static final int SKY_HEIGHT = 1;
+    public static final int SKY_DIMENSIONS_LENGTH = 2;
 
     /**
      * {@code float[] hierarchy}, a bounding volume hierarchy over the spheres: first the spheres, each of a leaf beside the
-     * others of it, then the nodes. A sphere's centre, radius and body (a whole number, exact in a float).
+     * others of it, then the nodes. A sphere's center and radius as in {@code places}, then its body (a whole number, exact in a float).
      */
-    public static final int SPHERE_CENTER = 0;
+    public static final int SPHERE_RADIUS = PLACE_SIZE;
 
-    public static final int SPHERE_RADIUS = 3;
     public static final int SPHERE_BODY = 4;
 
     /** From one sphere to the next. */
     public static final int SPHERE_STRIDE = 5;
 
-    /** A node's box: its centre, and half of its sides. */
+    /** A node's box: its center, and half of its sides. */
     public static final int NODE_CENTER = 0;
 
     public static final int NODE_HALF = 3;
@@ -108,6 +117,40 @@ public final class Layout {
     public static final int SCRATCH_STACK = CANDIDATE_STRIDE * MOST_CANDIDATES;
 
     public static final int SCRATCH_LENGTH = SCRATCH_STACK + 2 * MOST_ANCESTORS;
+
+    /**
+     * {@code float[] path}, a thread's own: the ray, the body that it leaves, what part of the radiance found from here on
+     * reaches the pixel, and the radiance so far.
+     */
+    public static final int ORIGIN = 0;
+
+    public static final int DIRECTION = 3;
+    public static final int LEAVING = 6;
+    public static final int THROUGHPUT = 7;
+    public static final int RADIANCE = 8;
+
+    /** What the ray meets: how far away, where, which way the surface faces, and what it is made of. */
+    public static final int DISTANCE = 11;
+
+    public static final int POINT = 12;
+    public static final int NORMAL = 15;
+    public static final int ALBEDO = 18;
+    public static final int REFLECTIVITY = 21;
+
+    /** The light's center, seen from the point: a unit vector, the distance, and the cosine against the normal. */
+    public static final int TO_LIGHT = 22;
+
+    public static final int LIGHT_DISTANCE = 25;
+    public static final int NORMAL_DOT_LIGHT = 26;
+
+    /** The axes U (its x is 0) and W of the light's disc, and tangent and secant of its half angle as the point sees it. */
+    public static final int DISC_U_Y = 27;
+
+    public static final int DISC_U_Z = 28;
+    public static final int DISC_W = 29;
+    public static final int DISC_TANGENT = 32;
+    public static final int DISC_SECANT = 33;
+    public static final int PATH_LENGTH = 34;
 
     /** The largest reflectivity, at which a body is a perfect mirror. */
     public static final float MAX_REFLECTIVITY = 128f;

@@ -9,16 +9,16 @@ public final class NodeBox {
     public static final float PASSED = 3.3e38f;
 
     /**
-     * How much a box is grown, as a part of its distance: {@link Intersection#sphere} rounds a centre's place across the
+     * How much a box is grown, as a part of its distance: {@link Intersection#sphere} rounds a center's place across the
      * ray by some ten units of 2^-24 of its distance; this is three times as much. (The part that the box's own size
      * asks for is in the box.)
      */
     private static final float GROWTH = 2.0e-6f;
 
-    /** What a shadow's cull allows beyond the sphere, as a part of the box's half sides: {@link SoftShadow}'s margin. */
-    private static final float SIZE_MARGIN = SoftShadow.RELATIVE_MARGIN - 1f + 1.0e-4f;
+    /** What a shadow's cull allows beyond the sphere, as a part of the box's half sides: {@link Shadow}'s margin. */
+    private static final float SIZE_MARGIN = Shadow.RELATIVE_MARGIN - 1f + 1.0e-4f;
 
-    /** A direction's coordinate nearer to 0 is as good as 0, even over a million metres. */
+    /** A direction's coordinate nearer to 0 is as good as 0, even over a million meters. */
     public static final float TINY = 1.0e-18f;
 
     private NodeBox() {}
@@ -62,44 +62,33 @@ public final class NodeBox {
     }
 
     /**
-     * Metres along the axis from a point to the near side of the box, where a sphere in it may come between the point and
-     * a disc; else {@link #PASSED}. The axis from the point to the disc's centre must meet the box, grown by as much as the
+     * Meters along the axis from a point to the near side of the box, where a sphere in it may come between the point and
+     * a disc; else {@link #PASSED}. The axis from the point to the disc's center must meet the box, grown by as much as the
      * cone about the axis widens until the box's far side.
      *
-     * @param axisX a unit vector from the point to the disc
+     * @param path with {@link Layout#POINT}, {@link Layout#TO_LIGHT}, and the disc's distance, tangent and secant
      * @param inverseX {@link #inverse} of the axis's x
-     * @param distance metres from the point to the disc
-     * @param slope the tangent of the disc's half angle
-     * @param slant its secant
      */
-    public static float coneEntry(
-            float[] hierarchy,
-            int node,
-            float pointX,
-            float pointY,
-            float pointZ,
-            float axisX,
-            float axisY,
-            float axisZ,
-            float inverseX,
-            float inverseY,
-            float inverseZ,
-            float distance,
-            float slope,
-            float slant) {
-        float x = hierarchy[node + Layout.NODE_CENTER] - pointX;
-        float y = hierarchy[node + Layout.NODE_CENTER + 1] - pointY;
-        float z = hierarchy[node + Layout.NODE_CENTER + 2] - pointZ;
+    static float coneEntry(float[] path, float[] hierarchy, int node, float inverseX, float inverseY, float inverseZ) {
+        float axisX = path[Layout.TO_LIGHT];
+        float axisY = path[Layout.TO_LIGHT + 1];
+        float axisZ = path[Layout.TO_LIGHT + 2];
+        float distance = path[Layout.LIGHT_DISTANCE];
+        float tangent = path[Layout.DISC_TANGENT];
+        float secant = path[Layout.DISC_SECANT];
+        float x = hierarchy[node + Layout.NODE_CENTER] - path[Layout.POINT];
+        float y = hierarchy[node + Layout.NODE_CENTER + 1] - path[Layout.POINT + 1];
+        float z = hierarchy[node + Layout.NODE_CENTER + 2] - path[Layout.POINT + 2];
         float sideX = hierarchy[node + Layout.NODE_HALF];
         float sideY = hierarchy[node + Layout.NODE_HALF + 1];
         float sideZ = hierarchy[node + Layout.NODE_HALF + 2];
-        float margin = SoftShadow.ABSOLUTE_MARGIN
-                        * (Math.abs(x) + Math.abs(y) + Math.abs(z) + distance + sideX + sideY + sideZ)
-                + SIZE_MARGIN * slant * (sideX + sideY + sideZ);
+        float margin =
+                Shadow.ABSOLUTE_MARGIN * (Math.abs(x) + Math.abs(y) + Math.abs(z) + distance + sideX + sideY + sideZ)
+                        + SIZE_MARGIN * secant * (sideX + sideY + sideZ);
         float along = x * axisX + y * axisY + z * axisZ;
         float alongHalf = sideX * Math.abs(axisX) + sideY * Math.abs(axisY) + sideZ * Math.abs(axisZ) + margin;
         float farSide = along + alongHalf;
-        float growth = farSide * slope * SoftShadow.RELATIVE_MARGIN + margin;
+        float growth = farSide * tangent * Shadow.RELATIVE_MARGIN + margin;
         float middleX = x * inverseX;
         float middleY = y * inverseY;
         float middleZ = z * inverseZ;
@@ -109,9 +98,7 @@ public final class NodeBox {
         float in = larger(larger(middleX - halfX, middleY - halfY), middleZ - halfZ);
         float out = smaller(smaller(middleX + halfX, middleY + halfY), middleZ + halfZ);
         float nearSide = along - alongHalf;
-        int met = (farSide > 0f ? 1 : 0)
-                & (nearSide < distance * SoftShadow.RELATIVE_MARGIN ? 1 : 0)
-                & (in <= out ? 1 : 0);
+        int met = (farSide > 0f ? 1 : 0) & (nearSide < distance * Shadow.RELATIVE_MARGIN ? 1 : 0) & (in <= out ? 1 : 0);
         return met != 0 ? nearSide : PASSED;
     }
 

@@ -1,76 +1,46 @@
 package dev.twister.world;
 
 import dev.twister.kernel.Layout;
-import java.util.Arrays;
 
 /**
- * A snapshot of the world as the flat arrays that the kernel reads; {@link Layout} has the places in them.
- *
- * <p>The bodies' arrays have room for all that a scene may come to have; the first {@link #bodies} of them are there.
+ * A snapshot of the world as the flat arrays that the kernel reads.
  *
  * <p>No array changes once it is in a snapshot: a world that moves on makes new ones and keeps those that still hold.
  * So an engine may know by the array's identity that what it holds (on a device, say) is still right.
- *
- * @param dimensions {@code int[5]}: width and height of the picture in pixels, first row and number of rows to draw, bodies that are there
- * @param camera {@code float[13]}: position, right, up, forward, eye distance
- * @param rayTracingProperties {@code float[10]}
- * @param bodyPositions {@code float[3 * room]}: centres; the plane's is (0, height, 0)
- * @param bodySizes {@code float[room]}: radii; the plane's side
- * @param bodyColors {@code float[3 * room]}: albedos; the light's radiance; the plane's first colour
- * @param bodyReflectivities {@code float[room]}: in [0, 128]
- * @param skybox {@code float[3 * width * height]}: linear radiance, row by row from the top
- * @param skyboxDimensions {@code int[2]}: width, height in texels
- * @param shadowDisc {@code float[2 * shadowSamples]}: the unit sunflower's points, {@code sqrt(i / n)} from the centre
- * @param pixelOffsets {@code float[2 * samplesPerPixel]}: the samples' places in a pixel, x and y in [0, 1)
- * @param hierarchy over the spheres that are there: see {@link SphereHierarchy}; its length depends on the room alone
  */
-@SuppressWarnings("ArrayRecordComponent") // identity is what counts, see above
-public record FrameInput(
-        int[] dimensions,
-        float[] camera,
-        float[] rayTracingProperties,
-        float[] bodyPositions,
-        float[] bodySizes,
-        float[] bodyColors,
-        float[] bodyReflectivities,
-        float[] skybox,
-        int[] skyboxDimensions,
-        float[] shadowDisc,
-        float[] pixelOffsets,
-        float[] hierarchy) {
+public record FrameInput(View view, Bodies bodies, Panorama panorama) {
 
     public int width() {
-        return dimensions[Layout.WIDTH];
+        return view.dimensions()[Layout.WIDTH];
     }
 
     public int height() {
-        return dimensions[Layout.HEIGHT];
+        return view.dimensions()[Layout.HEIGHT];
     }
 
     public int firstRow() {
-        return dimensions[Layout.FIRST_ROW];
+        return view.dimensions()[Layout.FIRST_ROW];
     }
 
     public int rows() {
-        return dimensions[Layout.ROWS];
+        return view.dimensions()[Layout.ROWS];
     }
 
     /** Light, plane and spheres together, as many as are there now. */
-    public int bodies() {
-        return dimensions[Layout.BODIES];
-    }
-
-    /** How many bodies there may come to be. */
-    public int room() {
-        return bodySizes.length;
+    public int bodyCount() {
+        return view.dimensions()[Layout.BODIES];
     }
 
     public int shadowSamples() {
-        return (int) rayTracingProperties[Layout.SHADOW_SAMPLES];
+        return (int) view.properties()[Layout.SHADOW_SAMPLES];
     }
 
     public int bounces() {
-        return (int) rayTracingProperties[Layout.BOUNCES];
+        return (int) view.properties()[Layout.BOUNCES];
+    }
+
+    public int samplesPerPixel() {
+        return (int) view.properties()[Layout.PIXEL_SAMPLES];
     }
 
     /**
@@ -78,23 +48,11 @@ public record FrameInput(
      *
      * @throws IllegalArgumentException where it has another length
      */
-    public FrameInput withHierarchy(float[] newHierarchy) {
-        if (newHierarchy.length != hierarchy.length) {
-            throw new IllegalArgumentException(newHierarchy.length + " floats for " + bodies() + " bodies");
+    public FrameInput withHierarchy(float[] hierarchy) {
+        if (hierarchy.length != bodies.hierarchy().length) {
+            throw new IllegalArgumentException(hierarchy.length + " floats for " + bodyCount() + " bodies");
         }
-        return new FrameInput(
-                dimensions,
-                camera,
-                rayTracingProperties,
-                bodyPositions,
-                bodySizes,
-                bodyColors,
-                bodyReflectivities,
-                skybox,
-                skyboxDimensions,
-                shadowDisc,
-                pixelOffsets,
-                newHierarchy);
+        return new FrameInput(view, bodies.withHierarchy(hierarchy), panorama);
     }
 
     /**
@@ -106,10 +64,7 @@ public record FrameInput(
         if (firstRow < 0 || rows < 1 || firstRow > height() - rows) {
             throw new IllegalArgumentException("rows " + firstRow + " to " + (firstRow + rows) + " of " + height());
         }
-        int[] banded = dimensions.clone();
-        banded[Layout.FIRST_ROW] = firstRow;
-        banded[Layout.ROWS] = rows;
-        return with(banded);
+        return with(view.withRows(firstRow, rows));
     }
 
     /**
@@ -121,52 +76,7 @@ public record FrameInput(
         if (width < 1 || height < 1) {
             throw new IllegalArgumentException("a picture of " + width + " x " + height);
         }
-        int[] sized = dimensions.clone();
-        sized[Layout.WIDTH] = width;
-        sized[Layout.HEIGHT] = height;
-        sized[Layout.FIRST_ROW] = 0;
-        sized[Layout.ROWS] = height;
-        return with(sized);
-    }
-
-    private FrameInput with(int[] newDimensions) {
-        return new FrameInput(
-                newDimensions,
-                camera,
-                rayTracingProperties,
-                bodyPositions,
-                bodySizes,
-                bodyColors,
-                bodyReflectivities,
-                skybox,
-                skyboxDimensions,
-                shadowDisc,
-                pixelOffsets,
-                hierarchy);
-    }
-
-    /**
-     * The same, but what looks the same as in an earlier snapshot (sizes, colours, reflectivities, the sky's size) in that
-     * one's arrays, so that an engine that knows arrays by their identity has nothing new to send.
-     */
-    public FrameInput withLooksOf(FrameInput earlier) {
-        return new FrameInput(
-                dimensions,
-                camera,
-                rayTracingProperties,
-                bodyPositions,
-                kept(earlier.bodySizes, bodySizes),
-                kept(earlier.bodyColors, bodyColors),
-                kept(earlier.bodyReflectivities, bodyReflectivities),
-                skybox,
-                Arrays.equals(earlier.skyboxDimensions, skyboxDimensions) ? earlier.skyboxDimensions : skyboxDimensions,
-                shadowDisc,
-                pixelOffsets,
-                hierarchy);
-    }
-
-    private static float[] kept(float[] old, float[] fresh) {
-        return Arrays.equals(old, fresh) ? old : fresh;
+        return with(view.withSize(width, height));
     }
 
     /**
@@ -179,21 +89,19 @@ public record FrameInput(
         if (first < 0 || samples < 1) {
             throw new IllegalArgumentException(samples + " samples from " + first);
         }
-        float[] properties = rayTracingProperties.clone();
-        properties[Layout.PIXEL_SAMPLES] = samples;
-        return new FrameInput(
-                dimensions,
-                camera,
-                properties,
-                bodyPositions,
-                bodySizes,
-                bodyColors,
-                bodyReflectivities,
-                skybox,
-                skyboxDimensions,
-                shadowDisc,
-                PixelOffsets.places(first, samples),
-                hierarchy);
+        return with(view.withSamples(first, samples));
+    }
+
+    private FrameInput with(View newView) {
+        return new FrameInput(newView, bodies, panorama);
+    }
+
+    /**
+     * The same, but what is the same as in an earlier snapshot (looks, the sky's size) in that one's arrays, so that an
+     * engine that knows arrays by their identity has nothing new to send.
+     */
+    public FrameInput withLooksOf(FrameInput earlier) {
+        return new FrameInput(view, bodies.withLooksOf(earlier.bodies), panorama.withDimensionsOf(earlier.panorama));
     }
 
     /**
@@ -201,11 +109,7 @@ public record FrameInput(
      * is not compiled anew in the middle of a pour.
      */
     public boolean hasFewSpheres() {
-        return hierarchy[Layout.root(bodies()) + Layout.NODE_SPHERES] >= 0
-                && room() - Layout.FIRST_SPHERE < SphereHierarchy.FEWEST_SPHERES;
-    }
-
-    public int samplesPerPixel() {
-        return (int) rayTracingProperties[Layout.PIXEL_SAMPLES];
+        return bodies.hierarchy()[Layout.root(bodyCount()) + Layout.NODE_SPHERES] >= 0
+                && bodies.room() - Layout.FIRST_SPHERE < SphereHierarchy.FEWEST_SPHERES;
     }
 }

@@ -31,18 +31,16 @@ final class SphereCells {
 
     final int count;
 
-    private final float[] positions;
-    private final float[] sizes;
+    private final float[] places;
     private final int bodies;
     private final int[] cells;
     private final float[] start = new float[3];
     private final float[] scale = new float[3];
     private final int[] along = new int[3];
 
-    /** Sorts the spheres of these bodies, whose arrays are {@link FrameInput}'s. */
-    SphereCells(float[] bodyPositions, float[] bodySizes, int bodies) {
-        positions = bodyPositions;
-        sizes = bodySizes;
+    /** Sorts the spheres of these bodies, whose array is {@link Bodies#places}. */
+    SphereCells(float[] places, int bodies) {
+        this.places = places;
         this.bodies = bodies;
         int all = bodies - Layout.FIRST_SPHERE;
         cells = new int[all];
@@ -51,19 +49,19 @@ final class SphereCells {
         count = along[0] * along[1] * along[2];
         firsts = new int[count + 1];
         boxes = new float[6 * count];
-        int[][] places = new int[RUNS][count];
-        IntStream.range(0, RUNS).parallel().forEach(run -> assign(run, places[run]));
-        int next = 0;
+        int[][] next = new int[RUNS][count];
+        IntStream.range(0, RUNS).parallel().forEach(run -> assign(run, next[run]));
+        int sorted = 0;
         for (int cell = 0; cell < count; cell++) {
-            firsts[cell] = next;
-            for (int[] place : places) {
-                int here = place[cell];
-                place[cell] = next;
-                next += here;
+            firsts[cell] = sorted;
+            for (int[] nextOfRun : next) {
+                int here = nextOfRun[cell];
+                nextOfRun[cell] = sorted;
+                sorted += here;
             }
         }
-        firsts[count] = next;
-        IntStream.range(0, RUNS).parallel().forEach(run -> copy(run, places[run]));
+        firsts[count] = sorted;
+        IntStream.range(0, RUNS).parallel().forEach(run -> copy(run, next[run]));
         IntStream.range(0, RUNS).parallel().forEach(run -> findBoxes(count * run / RUNS, count * (run + 1) / RUNS));
     }
 
@@ -76,10 +74,10 @@ final class SphereCells {
         float[] low = new float[3];
         float[] extent = new float[3];
         IntStream.range(0, 3).parallel().forEach(axis -> {
-            float least = positions[3 * Layout.FIRST_SPHERE + axis];
+            float least = places[Layout.PLACE_STRIDE * Layout.FIRST_SPHERE + axis];
             float most = least;
-            for (int at = 3 * Layout.FIRST_SPHERE + axis; at < 3 * bodies; at += 3) {
-                float coordinate = positions[at];
+            for (int body = Layout.FIRST_SPHERE; body < bodies; body++) {
+                float coordinate = places[Layout.PLACE_STRIDE * body + axis];
                 least = coordinate < least ? coordinate : least;
                 most = coordinate > most ? coordinate : most;
             }
@@ -109,22 +107,23 @@ final class SphereCells {
     private void assign(int run, int[] counts) {
         int end = firstBody(run + 1);
         for (int body = firstBody(run); body < end; body++) {
-            int x = (int) ((positions[3 * body] - start[0]) * scale[0]);
-            int y = (int) ((positions[3 * body + 1] - start[1]) * scale[1]);
-            int z = (int) ((positions[3 * body + 2] - start[2]) * scale[2]);
+            int place = Layout.PLACE_STRIDE * body;
+            int x = (int) ((places[place] - start[0]) * scale[0]);
+            int y = (int) ((places[place + 1] - start[1]) * scale[1]);
+            int z = (int) ((places[place + 2] - start[2]) * scale[2]);
             int cell = x + along[0] * (y + along[1] * z);
             cells[body - Layout.FIRST_SPHERE] = cell;
             counts[cell]++;
         }
     }
 
-    private void copy(int run, int[] places) {
+    private void copy(int run, int[] next) {
         int end = firstBody(run + 1);
         for (int body = firstBody(run); body < end; body++) {
             int cell = cells[body - Layout.FIRST_SPHERE];
-            int at = Layout.SPHERE_STRIDE * places[cell];
-            places[cell]++;
-            SphereHierarchy.writeSphere(spheres, at, positions, sizes, body);
+            int at = Layout.SPHERE_STRIDE * next[cell];
+            next[cell]++;
+            SphereHierarchy.writeSphere(spheres, at, places, body);
         }
     }
 

@@ -30,14 +30,15 @@ public final class SphereHierarchy {
     }
 
     /**
-     * A new hierarchy over the first spheres of these bodies, whose arrays are {@link FrameInput}'s; where they are few it
+     * A new hierarchy over the first spheres of these bodies; where they are few it
      * is a single leaf, and walking it is the plain loop over all spheres.
      *
+     * @param places {@link Bodies#places}
      * @param bodies how many are there now, light and plane included
      */
-    public static float[] of(float[] bodyPositions, float[] bodySizes, int bodies) {
+    public static float[] of(float[] places, int bodies) {
         int spheres = bodies - Layout.FIRST_SPHERE;
-        return of(bodyPositions, bodySizes, bodies, spheres < FEWEST_SPHERES ? FEWEST_SPHERES : MOST_IN_LEAF);
+        return of(places, bodies, spheres < FEWEST_SPHERES ? FEWEST_SPHERES : MOST_IN_LEAF);
     }
 
     /**
@@ -45,16 +46,16 @@ public final class SphereHierarchy {
      *
      * @param mostInLeaf at least 1
      */
-    public static float[] of(float[] bodyPositions, float[] bodySizes, int bodies, int mostInLeaf) {
-        float[] hierarchy = new float[length(bodySizes.length)];
+    public static float[] of(float[] places, int bodies, int mostInLeaf) {
+        float[] hierarchy = new float[length(places.length / Layout.PLACE_STRIDE)];
         int spheres = bodies - Layout.FIRST_SPHERE;
         int root = Layout.root(bodies);
         if (spheres >= FEWEST_FOR_CELLS) {
-            SphereCells cells = new SphereCells(bodyPositions, bodySizes, bodies);
+            SphereCells cells = new SphereCells(places, bodies);
             new CellTree(cells, hierarchy, root, mostInLeaf).invoke();
         } else {
             for (int body = Layout.FIRST_SPHERE; body < bodies; body++) {
-                writeSphere(hierarchy, Layout.root(body), bodyPositions, bodySizes, body);
+                writeSphere(hierarchy, Layout.root(body), places, body);
             }
             new Subtree(hierarchy, root, root + Layout.NODE_STRIDE, 0, root, 0, mostInLeaf).invoke();
         }
@@ -62,11 +63,8 @@ public final class SphereHierarchy {
     }
 
     /** Writes a sphere as {@link Layout} has it. */
-    static void writeSphere(float[] to, int at, float[] bodyPositions, float[] bodySizes, int body) {
-        to[at + Layout.SPHERE_CENTER] = bodyPositions[3 * body];
-        to[at + Layout.SPHERE_CENTER + 1] = bodyPositions[3 * body + 1];
-        to[at + Layout.SPHERE_CENTER + 2] = bodyPositions[3 * body + 2];
-        to[at + Layout.SPHERE_RADIUS] = bodySizes[body];
+    static void writeSphere(float[] to, int at, float[] places, int body) {
+        System.arraycopy(places, Layout.PLACE_STRIDE * body, to, at, Layout.PLACE_STRIDE);
         to[at + Layout.SPHERE_BODY] = body;
     }
 }

@@ -1,7 +1,7 @@
 package dev.twister.world;
 
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.ToneMapping;
+import dev.twister.kernel.Tone;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
 import dev.twister.scene.Plane;
@@ -18,14 +18,11 @@ import java.util.List;
  * The living state between frames: what a scene said, as it is now. Used by one thread; engines see snapshots.
  */
 public final class World {
-    private final int[] skyboxDimensions;
-    private final float[] skybox;
-    private final float[] bodySizes;
-    private final float[] bodyColors;
-    private final float[] bodyReflectivities;
+    private final Panorama panorama;
+    private final float[] looks;
     private final Rgb planeOddColor;
     private final double ambient;
-    private float[] bodyPositions;
+    private float[] places;
     private int bodies;
     private float[] hierarchy = {};
     private boolean hierarchyHolds;
@@ -38,10 +35,8 @@ public final class World {
         List<Sphere> spheres = scene.allSpheres();
         bodies = Layout.FIRST_SPHERE + scene.spheres().size();
         int room = Layout.FIRST_SPHERE + spheres.size();
-        bodyPositions = new float[3 * room];
-        bodySizes = new float[room];
-        bodyColors = new float[3 * room];
-        bodyReflectivities = new float[room];
+        places = new float[Layout.PLACE_STRIDE * room];
+        looks = new float[Layout.LOOK_STRIDE * room];
         Light light = scene.light();
         put(Layout.LIGHT, light.position(), light.radius(), light.color(), 0);
         Plane plane = scene.plane();
@@ -52,10 +47,10 @@ public final class World {
         }
         planeOddColor = plane.oddColor();
         ambient = scene.ambient();
-        skybox = sky.radiance();
-        skyboxDimensions = new int[Layout.SKYBOX_DIMENSIONS_LENGTH];
-        skyboxDimensions[Layout.SKYBOX_WIDTH] = sky.width();
-        skyboxDimensions[Layout.SKYBOX_HEIGHT] = sky.height();
+        int[] skyDimensions = new int[Layout.SKY_DIMENSIONS_LENGTH];
+        skyDimensions[Layout.SKY_WIDTH] = sky.width();
+        skyDimensions[Layout.SKY_HEIGHT] = sky.height();
+        panorama = new Panorama(sky.radiance(), skyDimensions);
         camera = scene.camera();
         settings = scene.settings();
         shadowDisc = SunflowerDisc.points(settings.shadowSamples());
@@ -92,19 +87,22 @@ public final class World {
     /**
      * Moves the bodies.
      *
-     * @param positions {@code float[3 * room]}, laid out as {@link FrameInput#bodyPositions}: the light's and the plane's
-     *     places too, then those of all spheres, poured or not; taken over, nobody may write to it any more
+     * @param positions {@code float[3 * room]}: the centers of the light, the plane and all spheres, poured or not
      * @param newBodies how many of them are there, light and plane included
      * @throws IllegalArgumentException where the length is another one, or there cannot be so many bodies
      */
     public void setBodyPositions(float[] positions, int newBodies) {
-        if (positions.length != bodyPositions.length) {
-            throw new IllegalArgumentException(positions.length + " coordinates for " + bodySizes.length + " bodies");
+        int room = places.length / Layout.PLACE_STRIDE;
+        if (positions.length != 3 * room) {
+            throw new IllegalArgumentException(positions.length + " coordinates for " + room + " bodies");
         }
-        if (newBodies < Layout.FIRST_SPHERE || newBodies > bodySizes.length) {
-            throw new IllegalArgumentException(newBodies + " bodies of " + bodySizes.length);
+        if (newBodies < Layout.FIRST_SPHERE || newBodies > room) {
+            throw new IllegalArgumentException(newBodies + " bodies of " + room);
         }
-        bodyPositions = positions;
+        places = places.clone();
+        for (int body = 0; body < room; body++) {
+            System.arraycopy(positions, 3 * body, places, Layout.PLACE_STRIDE * body, 3);
+        }
         bodies = newBodies;
         hierarchyHolds = false;
     }
@@ -115,22 +113,13 @@ public final class World {
      */
     public FrameInput snapshot() {
         if (!hierarchyHolds) {
-            hierarchy = SphereHierarchy.of(bodyPositions, bodySizes, bodies);
+            hierarchy = SphereHierarchy.of(places, bodies);
             hierarchyHolds = true;
         }
         return new FrameInput(
-                dimensions(),
-                CameraBasis.of(camera),
-                properties(),
-                bodyPositions,
-                bodySizes,
-                bodyColors,
-                bodyReflectivities,
-                skybox,
-                skyboxDimensions,
-                shadowDisc,
-                pixelOffsets,
-                hierarchy);
+                new View(dimensions(), CameraBasis.of(camera), properties(), shadowDisc, pixelOffsets),
+                new Bodies(places, looks, hierarchy),
+                panorama);
     }
 
     private int[] dimensions() {
@@ -157,19 +146,21 @@ public final class World {
 
     private static int toneMapNumber(ToneMap toneMap) {
         return switch (toneMap) {
-            case CLAMP -> ToneMapping.CLAMP;
-            case REINHARD -> ToneMapping.REINHARD;
-            case ACES -> ToneMapping.ACES;
+            case CLAMP -> Tone.CLAMP;
+            case REINHARD -> Tone.REINHARD;
+            case ACES -> Tone.ACES;
         };
     }
 
     private void put(int body, Vector3 position, double size, Rgb color, double reflectivity) {
-        bodyPositions[3 * body] = (float) position.x();
-        bodyPositions[3 * body + 1] = (float) position.y();
-        bodyPositions[3 * body + 2] = (float) position.z();
-        bodySizes[body] = (float) size;
-        putColor(bodyColors, 3 * body, color);
-        bodyReflectivities[body] = (float) reflectivity;
+        int place = Layout.PLACE_STRIDE * body;
+        places[place] = (float) position.x();
+        places[place + 1] = (float) position.y();
+        places[place + 2] = (float) position.z();
+        places[place + Layout.PLACE_SIZE] = (float) size;
+        int look = Layout.LOOK_STRIDE * body;
+        putColor(looks, look, color);
+        looks[look + Layout.LOOK_REFLECTIVITY] = (float) reflectivity;
     }
 
     private static void putColor(float[] array, int at, Rgb color) {

@@ -320,7 +320,8 @@ class BenchmarkTest {
 
         @Override
         public void render(FrameInput input, Frame frame) {
-            String drew = Arrays.equals(start.bodyPositions(), input.bodyPositions()) ? "drew the start" : "drew later";
+            String drew =
+                    Arrays.equals(start.bodies().places(), input.bodies().places()) ? "drew the start" : "drew later";
             if (!heard.getLast().equals(drew)) {
                 heard.add(drew);
             }

@@ -82,8 +82,7 @@ class JvmEnginesTest {
     }
 
     private static FrameInput withLeavesOf(FrameInput input, int mostInLeaf) {
-        return input.withHierarchy(
-                SphereHierarchy.of(input.bodyPositions(), input.bodySizes(), input.bodies(), mostInLeaf));
+        return input.withHierarchy(SphereHierarchy.of(input.bodies().places(), input.bodyCount(), mostInLeaf));
     }
 
     @Test

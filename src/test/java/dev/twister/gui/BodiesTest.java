@@ -316,7 +316,7 @@ class BodiesTest {
         assertThat(scene().spheres()).hasSize(before + 1);
         assertThat(selected()).isEqualTo(Layout.FIRST_SPHERE + before);
         DrawnPicture picture = awaitRest();
-        assertThat(picture.input().bodies()).isEqualTo(Layout.FIRST_SPHERE + before + 1);
+        assertThat(picture.input().bodyCount()).isEqualTo(Layout.FIRST_SPHERE + before + 1);
         driver.type(KeyCode.DELETE);
         assertThat(scene().spheres()).hasSize(before);
         assertThat(selected()).isEqualTo(Layout.NOTHING);

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.SceneHistory;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.ToneMapping;
+import dev.twister.kernel.Tone;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.SceneReader;
@@ -405,10 +405,10 @@ class FilesTest {
         driver.type(KeyCode.F12);
         driver.await(() -> Files.exists(hdr));
         float[] radiance = SkyboxReader.read(hdr).radiance();
-        float[] properties = shown.input().rayTracingProperties();
+        float[] properties = shown.input().view().properties();
         int[] argb = shown.frame().argb();
         for (int pixel = 0; pixel < argb.length; pixel++) {
-            int green = ToneMapping.quantized(
+            int green = Tone.quantized(
                     radiance[3 * pixel + 1],
                     properties[Layout.EXPOSURE_SCALE],
                     (int) properties[Layout.TONE_MAP],

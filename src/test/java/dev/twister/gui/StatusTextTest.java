@@ -9,6 +9,7 @@ import dev.twister.gui.drawing.EngineChoice;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
+import dev.twister.world.Positions;
 import dev.twister.world.SampleWorld;
 import dev.twister.world.World;
 import org.junit.jupiter.api.Test;
@@ -35,7 +36,7 @@ class StatusTextTest {
     @Test
     void bodiesThatArePouredAreCounted() {
         World world = SampleWorld.ofSize(2, 2);
-        world.setBodyPositions(world.snapshot().bodyPositions(), 3);
+        world.setBodyPositions(Positions.of(world.snapshot()), 3);
         DrawnPicture fewer = picture(1, "test", 1, 2, world.snapshot());
 
         assertThat(StatusText.facts(picture)).endsWith("7 bodies");

@@ -10,6 +10,7 @@ import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
+import dev.twister.world.Positions;
 import dev.twister.world.World;
 import java.util.ArrayList;
 import java.util.List;
@@ -68,14 +69,14 @@ class SimulationTest {
     void positionsAreANewArrayThatAWorldTakes() {
         Scene scene = Motion.scene(Physics.DEFAULT, Motion.sphere(1, 3, 2, 0.5));
         World world = World.of(scene, new Skybox(2, 1, new float[6]));
-        float[] start = world.snapshot().bodyPositions();
+        float[] start = Positions.of(world.snapshot());
         try (Simulation simulation = Simulation.of(scene)) {
             assertThat(simulation.positions()).containsExactly(start).isNotSameAs(simulation.positions());
             simulation.advance(0.5);
             simulation.place(world);
             FrameInput moved = world.snapshot();
-            assertThat(moved.bodies()).isEqualTo(3);
-            assertThat(moved.bodyPositions()[7]).isLessThan(3).isGreaterThan(0.5f);
+            assertThat(moved.bodyCount()).isEqualTo(3);
+            assertThat(moved.bodies().places()[9]).isLessThan(3).isGreaterThan(0.5f);
         }
     }
 

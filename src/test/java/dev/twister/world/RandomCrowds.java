@@ -7,31 +7,46 @@ import java.util.Random;
  * Spheres that look for trouble: tiny and huge, near and a million metres away, apart, in one another, in one place, on a
  * line and on a grid whose centres tie.
  *
- * @param positions {@code float[3 * bodies]}, of a light, a plane and the spheres
- * @param sizes {@code float[bodies]}
+ * @param places of a light, a plane and the spheres, as {@link Bodies} has them
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
-public record RandomCrowds(float[] positions, float[] sizes) {
+public record RandomCrowds(float[] places) {
     /** So many spheres of one of the kinds. */
     public static RandomCrowds of(Random random, int spheres) {
-        float[] positions = new float[3 * (Layout.FIRST_SPHERE + spheres)];
-        float[] sizes = new float[Layout.FIRST_SPHERE + spheres];
-        positions[1] = 20;
-        sizes[Layout.LIGHT] = 1;
-        positions[3 * Layout.PLANE + 1] = -4;
-        sizes[Layout.PLANE] = 40;
+        int bodies = Layout.FIRST_SPHERE + spheres;
+        float[] places = new float[Layout.PLACE_STRIDE * bodies];
+        places[1] = 20;
+        places[Layout.PLACE_SIZE] = 1;
+        places[Layout.PLACE_STRIDE * Layout.PLANE + 1] = -4;
+        places[Layout.PLACE_STRIDE * Layout.PLANE + Layout.PLACE_SIZE] = 40;
         int kind = random.nextInt(7);
         double reach = Math.pow(10, -2 + 4 * random.nextDouble());
-        for (int body = Layout.FIRST_SPHERE; body < sizes.length; body++) {
+        for (int body = Layout.FIRST_SPHERE; body < bodies; body++) {
+            int place = Layout.PLACE_STRIDE * body;
             for (int axis = 0; axis < 3; axis++) {
-                positions[3 * body + axis] = (float) coordinate(random, kind, axis, body, reach);
+                places[place + axis] = (float) coordinate(random, kind, axis, body, reach);
             }
-            sizes[body] = (float)
+            places[place + Layout.PLACE_SIZE] = (float)
                     (kind == 5
                             ? Math.pow(10, -6 + 9 * random.nextDouble())
                             : reach * Math.pow(10, -3 + 2.5 * random.nextDouble()));
         }
-        return new RandomCrowds(positions, sizes);
+        return new RandomCrowds(places);
+    }
+
+    /** Light, plane and spheres. */
+    public int bodies() {
+        return places.length / Layout.PLACE_STRIDE;
+    }
+
+    /** A sphere's radius. */
+    public float radius(int body) {
+        return places[Layout.PLACE_STRIDE * body + Layout.PLACE_SIZE];
+    }
+
+    /** A coordinate of a body's center: 0 for x, 1 for y, 2 for z. */
+    public float center(int body, int axis) {
+        return places[Layout.PLACE_STRIDE * body + axis];
     }
 
     private static double coordinate(Random random, int kind, int axis, int body, double reach) {

@@ -22,21 +22,21 @@ class SphereHierarchyTest {
 
     @Property(seed = "20261121", tries = 200, shrinking = ShrinkingMode.OFF)
     void everySphereIsInOneLeafInsideAllItsBoxes(@ForAll("crowds") RandomCrowds crowd) {
-        int mostInLeaf = 1 + crowd.sizes().length % 9;
-        float[] hierarchy = SphereHierarchy.of(crowd.positions(), crowd.sizes(), crowd.sizes().length, mostInLeaf);
+        int mostInLeaf = 1 + crowd.bodies() % 9;
+        float[] hierarchy = SphereHierarchy.of(crowd.places(), crowd.bodies(), mostInLeaf);
         Walk walk = new Walk(crowd, hierarchy, mostInLeaf);
-        walk.visit(Layout.root(crowd.sizes().length), 0);
-        assertThat(walk.visits).containsOnly(1).hasSize(crowd.sizes().length - Layout.FIRST_SPHERE);
+        walk.visit(Layout.root(crowd.bodies()), 0);
+        assertThat(walk.visits).containsOnly(1).hasSize(crowd.bodies() - Layout.FIRST_SPHERE);
     }
 
     /** However many threads build it, and whichever comes first. */
     @Test
     void sameSpheresMakeTheSameHierarchy() {
         RandomCrowds crowd = RandomCrowds.of(new Random(5), 20_000);
-        float[] first = SphereHierarchy.of(crowd.positions(), crowd.sizes(), crowd.sizes().length);
+        float[] first = SphereHierarchy.of(crowd.places(), crowd.bodies());
         for (int threads = 1; threads <= 5; threads++) {
             try (ForkJoinPool pool = new ForkJoinPool(threads)) {
-                assertThat(pool.submit(() -> SphereHierarchy.of(crowd.positions(), crowd.sizes(), crowd.sizes().length))
+                assertThat(pool.submit(() -> SphereHierarchy.of(crowd.places(), crowd.bodies()))
                                 .join())
                         .isEqualTo(first);
             }
@@ -46,32 +46,32 @@ class SphereHierarchyTest {
     /** Most in one place, the others each twice as far out as the last, over and over: no grid tells them apart. */
     @Test
     void crowdsThatNoGridTellsApartMakeNoDeeperHierarchy() {
-        float[] positions = new float[3 * 12_000];
-        float[] sizes = new float[12_000];
-        for (int body = Layout.FIRST_SPHERE; body < sizes.length; body++) {
-            sizes[body] = 0.5f;
-            positions[3 * body + body % 3] = body % 4 == 0 ? (float) Math.scalb(1.0, body % 83) : 0;
+        float[] places = new float[Layout.PLACE_STRIDE * 12_000];
+        for (int body = Layout.FIRST_SPHERE; body < 12_000; body++) {
+            int place = Layout.PLACE_STRIDE * body;
+            places[place + body % 3] = body % 4 == 0 ? (float) Math.scalb(1.0, body % 83) : 0;
+            places[place + Layout.PLACE_SIZE] = 0.5f;
         }
-        RandomCrowds crowd = new RandomCrowds(positions, sizes);
-        Walk walk = new Walk(crowd, SphereHierarchy.of(positions, sizes, sizes.length, 1), 1);
-        walk.visit(Layout.root(sizes.length), 0);
+        requireSoundHierarchy(new RandomCrowds(places));
+    }
+
+    private static void requireSoundHierarchy(RandomCrowds crowd) {
+        Walk walk = new Walk(crowd, SphereHierarchy.of(crowd.places(), crowd.bodies(), 1), 1);
+        walk.visit(Layout.root(crowd.bodies()), 0);
         assertThat(walk.visits).containsOnly(1);
     }
 
     @Test
     void crowdsOfNextToNoWidthAreToldApartAsFarAsTheyCanBe() {
-        float[] positions = new float[3 * 5000];
-        float[] sizes = new float[5000];
-        for (int body = Layout.FIRST_SPHERE; body < sizes.length; body++) {
-            sizes[body] = 0.1f;
-            positions[3 * body] = body % 2 * 1e-40f;
-            positions[3 * body + 1] = body % 7 * 1e-3f;
-            positions[3 * body + 2] = 0.02f * (body % 100);
+        float[] places = new float[Layout.PLACE_STRIDE * 5000];
+        for (int body = Layout.FIRST_SPHERE; body < 5000; body++) {
+            int place = Layout.PLACE_STRIDE * body;
+            places[place] = body % 2 * 1e-40f;
+            places[place + 1] = body % 7 * 1e-3f;
+            places[place + 2] = 0.02f * (body % 100);
+            places[place + Layout.PLACE_SIZE] = 0.1f;
         }
-        RandomCrowds crowd = new RandomCrowds(positions, sizes);
-        Walk walk = new Walk(crowd, SphereHierarchy.of(positions, sizes, sizes.length, 1), 1);
-        walk.visit(Layout.root(sizes.length), 0);
-        assertThat(walk.visits).containsOnly(1);
+        requireSoundHierarchy(new RandomCrowds(places));
     }
 
     @Test
@@ -84,9 +84,9 @@ class SphereHierarchyTest {
 
     private static float rootsSpheres(int spheres) {
         RandomCrowds crowd = RandomCrowds.of(new Random(1), spheres);
-        float[] hierarchy = SphereHierarchy.of(crowd.positions(), crowd.sizes(), crowd.sizes().length);
-        assertThat(hierarchy).hasSize(SphereHierarchy.length(crowd.sizes().length));
-        return hierarchy[Layout.root(crowd.sizes().length) + Layout.NODE_SPHERES];
+        float[] hierarchy = SphereHierarchy.of(crowd.places(), crowd.bodies());
+        assertThat(hierarchy).hasSize(SphereHierarchy.length(crowd.bodies()));
+        return hierarchy[Layout.root(crowd.bodies()) + Layout.NODE_SPHERES];
     }
 
     /** Goes through a hierarchy and checks it on the way. */
@@ -100,7 +100,7 @@ class SphereHierarchyTest {
             this.crowd = crowd;
             this.hierarchy = hierarchy;
             this.mostInLeaf = mostInLeaf;
-            visits = new int[crowd.sizes().length - Layout.FIRST_SPHERE];
+            visits = new int[crowd.bodies() - Layout.FIRST_SPHERE];
         }
 
         /** Returns where its first sphere is and where its last one ends. */
@@ -131,9 +131,9 @@ class SphereHierarchyTest {
             int body = (int) hierarchy[at + Layout.SPHERE_BODY];
             visits[body - Layout.FIRST_SPHERE]++;
             for (int axis = 0; axis < 3; axis++) {
-                assertThat(hierarchy[at + axis]).isEqualTo(crowd.positions()[3 * body + axis]);
+                assertThat(hierarchy[at + axis]).isEqualTo(crowd.center(body, axis));
             }
-            assertThat(hierarchy[at + Layout.SPHERE_RADIUS]).isEqualTo(crowd.sizes()[body]);
+            assertThat(hierarchy[at + Layout.SPHERE_RADIUS]).isEqualTo(crowd.radius(body));
         }
 
         private void requireInside(int at, int node) {

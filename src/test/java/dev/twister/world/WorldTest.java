@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.ToneMapping;
+import dev.twister.kernel.Tone;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Palette;
 import dev.twister.scene.Pour;
@@ -20,51 +20,51 @@ class WorldTest {
     @Test
     void bodiesStandInTheirPlaces() {
         FrameInput input = world.snapshot();
-        assertThat(input.bodies()).isEqualTo(4);
-        assertThat(input.bodyPositions()).containsExactly(4, 5, 6, 0, 12, 0, 20, 21, 22, 28, 29, 30);
-        assertThat(input.bodySizes()).containsExactly(7, 11, 23, 31);
-        assertThat(input.bodyColors())
-                .containsExactly(8, 9, 10, 0.13f, 0.14f, 0.15f, 0.24f, 0.25f, 0.26f, 0.32f, 0.33f, 0.34f);
-        assertThat(input.bodyReflectivities()).containsExactly(0, 19, 27, 35);
+        assertThat(input.bodyCount()).isEqualTo(4);
+        assertThat(input.bodies().places()).containsExactly(4, 5, 6, 7, 0, 12, 0, 11, 20, 21, 22, 23, 28, 29, 30, 31);
+        assertThat(input.bodies().looks())
+                .containsExactly(
+                        8, 9, 10, 0, 0.13f, 0.14f, 0.15f, 19, 0.24f, 0.25f, 0.26f, 27, 0.32f, 0.33f, 0.34f, 35);
     }
 
     @Test
     void settingsStandInTheirPlaces() {
         world.setSettings(world.settings().withTone(3, ToneMap.ACES, true));
-        float[] properties = world.snapshot().rayTracingProperties();
-        assertThat(properties).containsExactly(5, 6, 3, 8, ToneMapping.ACES, 1, 0.36f, 0.16f, 0.17f, 0.18f);
+        float[] properties = world.snapshot().view().properties();
+        assertThat(properties).containsExactly(5, 6, 3, 8, Tone.ACES, 1, 0.36f, 0.16f, 0.17f, 0.18f);
     }
 
     @ParameterizedTest
     @CsvSource({"CLAMP, 0", "REINHARD, 1", "ACES, 2"})
     void toneMapsHaveTheKernelsNumbers(ToneMap toneMap, float number) {
         world.setSettings(world.settings().withTone(0, toneMap, false));
-        assertThat(world.snapshot().rayTracingProperties()[Layout.TONE_MAP]).isEqualTo(number);
+        assertThat(world.snapshot().view().properties()[Layout.TONE_MAP]).isEqualTo(number);
     }
 
     @Test
     void movedBodiesAreInALaterSnapshotOnly() {
         FrameInput before = world.snapshot();
-        float[] moved = before.bodyPositions().clone();
+        float[] moved = Positions.of(before);
         moved[6] = 99;
         world.setBodyPositions(moved, 3);
-        assertThat(before.bodyPositions()[6]).isEqualTo(20);
-        assertThat(before.bodies()).isEqualTo(4);
-        assertThat(world.snapshot().bodyPositions()).isSameAs(moved);
-        assertThat(world.snapshot().bodies()).isEqualTo(3);
+        assertThat(Positions.of(before)[6]).isEqualTo(20);
+        assertThat(before.bodyCount()).isEqualTo(4);
+        assertThat(Positions.of(world.snapshot())).isEqualTo(moved);
+        assertThat(world.snapshot().bodyCount()).isEqualTo(3);
     }
 
     @Test
     void hierarchyFollowsTheBodies() {
         FrameInput before = world.snapshot();
-        assertThat(world.snapshot().hierarchy()).isSameAs(before.hierarchy());
-        float[] moved = before.bodyPositions().clone();
+        assertThat(world.snapshot().bodies().hierarchy())
+                .isSameAs(before.bodies().hierarchy());
+        float[] moved = Positions.of(before);
         moved[6] = 99;
         world.setBodyPositions(moved, 3);
-        assertThat(world.snapshot().hierarchy())
-                .isEqualTo(SphereHierarchy.of(moved, before.bodySizes(), 3))
-                .hasSameSizeAs(before.hierarchy())
-                .isNotEqualTo(before.hierarchy());
+        assertThat(world.snapshot().bodies().hierarchy())
+                .isEqualTo(SphereHierarchy.of(world.snapshot().bodies().places(), 3))
+                .hasSameSizeAs(before.bodies().hierarchy())
+                .isNotEqualTo(before.bodies().hierarchy());
     }
 
     @Test
@@ -72,7 +72,7 @@ class WorldTest {
         assertThatThrownBy(() -> world.setBodyPositions(new float[9], 3))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("9 coordinates for 4 bodies");
-        float[] positions = world.snapshot().bodyPositions();
+        float[] positions = Positions.of(world.snapshot());
         assertThatThrownBy(() -> world.setBodyPositions(positions, 5))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("5 bodies of 4");
@@ -83,9 +83,8 @@ class WorldTest {
     void whatIsPouredIsNotThereAtTheStart() {
         Pour pour = new Pour(5, 1, new Vector3(1, 2, 3), 1, 1, 0.1, 0.1, Palette.DUSK, 8, 1);
         FrameInput input = World.of(Worlds.scene().withPour(pour), Worlds.SKY).snapshot();
-        assertThat(input.bodies()).isEqualTo(4);
-        assertThat(input.bodySizes()).hasSize(9).endsWith(0.1f);
-        assertThat(input.bodyPositions()).hasSize(27);
+        assertThat(input.bodyCount()).isEqualTo(4);
+        assertThat(input.bodies().places()).hasSize(36).endsWith(0.1f);
     }
 
     @Test
@@ -102,13 +101,13 @@ class WorldTest {
     @Test
     void skyIsTheSkyboxItself() {
         FrameInput input = world.snapshot();
-        assertThat(input.skybox()).isSameAs(Worlds.SKY.radiance());
-        assertThat(input.skyboxDimensions()).containsExactly(2, 1);
+        assertThat(input.panorama().texels()).isSameAs(Worlds.SKY.radiance());
+        assertThat(input.panorama().dimensions()).containsExactly(2, 1);
     }
 
     @Test
     void pictureIsDrawnWhole() {
-        assertThat(world.snapshot().dimensions()).containsExactly(40, 30, 0, 30, 4);
+        assertThat(world.snapshot().view().dimensions()).containsExactly(40, 30, 0, 30, 4);
     }
 
     @Test
@@ -117,35 +116,32 @@ class WorldTest {
         world.setCamera(new Camera(new Vector3(-1, -2, -3), 1, 2, 30));
         world.setSettings(world.settings().withBounces(1).withSize(8, 9));
         FrameInput after = world.snapshot();
-        assertThat(after.bodyPositions()).isSameAs(before.bodyPositions());
-        assertThat(after.bodySizes()).isSameAs(before.bodySizes());
-        assertThat(after.bodyColors()).isSameAs(before.bodyColors());
-        assertThat(after.bodyReflectivities()).isSameAs(before.bodyReflectivities());
-        assertThat(after.skybox()).isSameAs(before.skybox());
-        assertThat(after.skyboxDimensions()).isSameAs(before.skyboxDimensions());
-        assertThat(after.shadowDisc()).isSameAs(before.shadowDisc());
-        assertThat(after.pixelOffsets()).isSameAs(before.pixelOffsets());
-        assertThat(after.hierarchy()).isSameAs(before.hierarchy());
+        assertThat(after.bodies().places()).isSameAs(before.bodies().places());
+        assertThat(after.bodies().looks()).isSameAs(before.bodies().looks());
+        assertThat(after.panorama()).isSameAs(before.panorama());
+        assertThat(after.view().shadowDisc()).isSameAs(before.view().shadowDisc());
+        assertThat(after.view().pixelOffsets()).isSameAs(before.view().pixelOffsets());
+        assertThat(after.bodies().hierarchy()).isSameAs(before.bodies().hierarchy());
     }
 
     @Test
     void snapshotStaysAsItWas() {
         FrameInput before = world.snapshot();
-        float[] camera = before.camera().clone();
-        int[] dimensions = before.dimensions().clone();
-        float[] properties = before.rayTracingProperties().clone();
+        float[] camera = before.view().camera().clone();
+        int[] dimensions = before.view().dimensions().clone();
+        float[] properties = before.view().properties().clone();
         world.setCamera(new Camera(new Vector3(-1, -2, -3), 1, 2, 30));
         world.setSettings(world.settings().withBounces(1).withSize(8, 9));
         world.snapshot();
-        assertThat(before.camera()).isEqualTo(camera);
-        assertThat(before.dimensions()).isEqualTo(dimensions);
-        assertThat(before.rayTracingProperties()).isEqualTo(properties);
+        assertThat(before.view().camera()).isEqualTo(camera);
+        assertThat(before.view().dimensions()).isEqualTo(dimensions);
+        assertThat(before.view().properties()).isEqualTo(properties);
     }
 
     @Test
     void tablesFollowTheirCounts() {
         world.setSettings(world.settings().withShadows(9).withSamplesPerPixel(4));
-        assertThat(world.snapshot().shadowDisc()).isEqualTo(SunflowerDisc.points(9));
-        assertThat(world.snapshot().pixelOffsets()).isEqualTo(PixelOffsets.places(4));
+        assertThat(world.snapshot().view().shadowDisc()).isEqualTo(SunflowerDisc.points(9));
+        assertThat(world.snapshot().view().pixelOffsets()).isEqualTo(PixelOffsets.places(4));
     }
 }

@@ -199,7 +199,7 @@ final class Successor implements AutoCloseable {
     /** What, beside the view, decides how long a pixel's sample takes: times of one tell nothing of another. */
     private record Work(int room, int shadowSamples, int bounces) {
         static Work of(FrameInput input) {
-            return new Work(input.room(), input.shadowSamples(), input.bounces());
+            return new Work(input.bodies().room(), input.shadowSamples(), input.bounces());
         }
     }
 

@@ -52,12 +52,10 @@ final class BodyColumns {
     @SuppressWarnings("ReferenceEquality") // an input's arrays never change
     void take(FrameInput input) {
         boolean same = source != null
-                && source.bodies() == input.bodies()
-                && source.bodyPositions() == input.bodyPositions()
-                && source.bodySizes() == input.bodySizes()
-                && source.hierarchy() == input.hierarchy()
-                && source.bodyColors() == input.bodyColors()
-                && source.bodyReflectivities() == input.bodyReflectivities();
+                && source.bodyCount() == input.bodyCount()
+                && source.bodies().places() == input.bodies().places()
+                && source.bodies().looks() == input.bodies().looks()
+                && source.bodies().hierarchy() == input.bodies().hierarchy();
         if (!same) {
             copy(input);
         }
@@ -65,7 +63,7 @@ final class BodyColumns {
     }
 
     private void copy(FrameInput input) {
-        count = input.bodies();
+        count = input.bodyCount();
         int padded = (count + Lanes.COUNT - 1) / Lanes.COUNT * Lanes.COUNT;
         if (x.length != padded) {
             x = new float[padded];
@@ -75,12 +73,14 @@ final class BodyColumns {
             surfaces = new float[SURFACE_NUMBERS * padded];
             surfacePlaces = new int[padded];
         }
-        float[] hierarchy = input.hierarchy();
+        float[] places = input.bodies().places();
+        float[] hierarchy = input.bodies().hierarchy();
         for (int body = 0; body < count; body++) {
-            x[body] = input.bodyPositions()[3 * body];
-            y[body] = input.bodyPositions()[3 * body + 1];
-            z[body] = input.bodyPositions()[3 * body + 2];
-            radius[body] = input.bodySizes()[body];
+            int place = Layout.PLACE_STRIDE * body;
+            x[body] = places[place];
+            y[body] = places[place + 1];
+            z[body] = places[place + 2];
+            radius[body] = places[place + Layout.PLACE_SIZE];
         }
         for (int place = 0; place < count; place++) {
             int sphere = place - Layout.FIRST_SPHERE;
@@ -106,10 +106,8 @@ final class BodyColumns {
         surfaces[at + Y] = y[body];
         surfaces[at + Z] = z[body];
         surfaces[at + RADIUS] = radius[body];
-        surfaces[at + RED] = input.bodyColors()[3 * body];
-        surfaces[at + GREEN] = input.bodyColors()[3 * body + 1];
-        surfaces[at + BLUE] = input.bodyColors()[3 * body + 2];
-        surfaces[at + REFLECTIVITY] = input.bodyReflectivities()[body];
+        System.arraycopy(
+                input.bodies().looks(), Layout.LOOK_STRIDE * body, surfaces, at + RED, Layout.LOOK_REFLECTIVITY + 1);
     }
 
     /** Whether one vector holds a number of all bodies. */

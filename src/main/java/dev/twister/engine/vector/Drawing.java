@@ -1,8 +1,8 @@
 package dev.twister.engine.vector;
 
 import dev.twister.image.Frame;
+import dev.twister.kernel.Camera;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.ViewRay;
 import dev.twister.world.FrameInput;
 
 /** What all threads read while a frame is drawn: the input, prepared for lanes. */
@@ -59,20 +59,20 @@ final class Drawing {
             takeLight();
         }
         sky.take(newInput);
-        float[] properties = newInput.rayTracingProperties();
+        float[] properties = newInput.view().properties();
         width = newInput.width();
         rows = newInput.rows();
         shadowSamples = newInput.shadowSamples();
         bounceLimit = newInput.bounces();
         pixelSamples = (int) properties[Layout.PIXEL_SAMPLES];
         ambient = properties[Layout.AMBIENT];
-        viewportStep = ViewRay.step(width, newInput.height());
-        planeHeight = newInput.bodyPositions()[3 * Layout.PLANE + 1];
-        planeHalfSide = 0.5f * newInput.bodySizes()[Layout.PLANE];
-        discRadius = 2f * newInput.bodySizes()[Layout.LIGHT];
-        takeDisc(newInput.shadowDisc());
-        float rimX = newInput.shadowDisc()[2 * shadowSamples - 2];
-        float rimY = newInput.shadowDisc()[2 * shadowSamples - 1];
+        viewportStep = Camera.step(width, newInput.height());
+        planeHeight = newInput.bodies().places()[Layout.PLACE_STRIDE * Layout.PLANE + 1];
+        planeHalfSide = 0.5f * newInput.bodies().places()[Layout.PLACE_STRIDE * Layout.PLANE + Layout.PLACE_SIZE];
+        discRadius = 2f * newInput.bodies().places()[Layout.PLACE_STRIDE * Layout.LIGHT + Layout.PLACE_SIZE];
+        takeDisc(newInput.view().shadowDisc());
+        float rimX = newInput.view().shadowDisc()[2 * shadowSamples - 2];
+        float rimY = newInput.view().shadowDisc()[2 * shadowSamples - 1];
         rim = (float) Math.sqrt(rimX * rimX + rimY * rimY);
     }
 

@@ -1,7 +1,7 @@
 package dev.twister.engine.vector;
 
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.Shading;
+import dev.twister.kernel.Light;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
@@ -31,7 +31,7 @@ final class GroundAlone {
      * lies in the plane's square if its corners do. If so, {@link Tile#ground} starts around it.
      */
     static View view(Tile tile, Drawing drawing) {
-        float[] camera = drawing.input.camera();
+        float[] camera = drawing.input.view().camera();
         float down = drawing.planeHeight - camera[Layout.CAMERA_POSITION + 1];
         boolean meets = true;
         float leastX = Float.MAX_VALUE;
@@ -77,7 +77,7 @@ final class GroundAlone {
         tile.spheres.clear();
         tile.grounds.clear();
         tile.surfaces.clear();
-        float[] camera = drawing.input.camera();
+        float[] camera = drawing.input.view().camera();
         float fromX = camera[Layout.CAMERA_POSITION];
         float fromZ = camera[Layout.CAMERA_POSITION + 2];
         float height = drawing.planeHeight;
@@ -134,7 +134,7 @@ final class GroundAlone {
         tile.wholePowers.clear();
         tile.fractionPowers.clear();
         float power = drawing.bodies.reflectivity(Layout.PLANE);
-        float shine = (power + 8f) * Shading.INVERSE_EIGHT_PI * power * (1f / Layout.MAX_REFLECTIVITY);
+        float shine = (power + 8f) * Light.INVERSE_EIGHT_PI * power * (1f / Layout.MAX_REFLECTIVITY);
         float[] t = tile.values;
         for (int k = 0; k < tile.grounds.count; k++) {
             int at = tile.grounds.places[k];

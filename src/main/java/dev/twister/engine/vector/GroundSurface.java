@@ -33,7 +33,7 @@ final class GroundSurface {
 
     static void findColors(Tile tile, Drawing drawing) {
         float[] t = tile.values;
-        float[] properties = drawing.input.rayTracingProperties();
+        float[] properties = drawing.input.view().properties();
         BodyColumns bodies = drawing.bodies;
         float red = bodies.red(Layout.PLANE);
         float green = bodies.green(Layout.PLANE);

@@ -2,13 +2,13 @@ package dev.twister.engine.vector;
 
 import dev.twister.kernel.KernelMath;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.Shading;
+import dev.twister.kernel.Light;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** The specular part of Blinn-Phong: {@link Shading#specular}. */
+/** The specular part of Blinn-Phong: {@link Light#specular}. */
 final class Highlight {
     private Highlight() {}
 
@@ -42,7 +42,7 @@ final class Highlight {
             int at = tile.surfaces.places[k];
             FloatVector power = Lanes.load(t, at + Tile.REFLECTIVITY);
             FloatVector weight = power.add(8f)
-                    .mul(Shading.INVERSE_EIGHT_PI)
+                    .mul(Light.INVERSE_EIGHT_PI)
                     .mul(power)
                     .mul(1f / Layout.MAX_REFLECTIVITY)
                     .mul(Lanes.load(t, at + Tile.VISIBLE));

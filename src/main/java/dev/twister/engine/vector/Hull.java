@@ -1,6 +1,6 @@
 package dev.twister.engine.vector;
 
-import dev.twister.kernel.SoftShadow;
+import dev.twister.kernel.Shadow;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
@@ -230,7 +230,7 @@ final class Hull {
         FloatVector acrossZ = z.sub(along.mul(axisZ));
         FloatVector across = Lanes.fma(acrossX, acrossX, Lanes.fma(acrossY, acrossY, acrossZ.mul(acrossZ)))
                 .sqrt();
-        FloatVector reach = Lanes.load(radii, at).add(radius).mul(SoftShadow.RELATIVE_MARGIN);
+        FloatVector reach = Lanes.load(radii, at).add(radius).mul(Shadow.RELATIVE_MARGIN);
         FloatVector margin = along.abs().add(across).add(reach.abs()).mul(ABSOLUTE_MARGIN);
         FloatVector generous = reach.add(margin);
         return across.mul(cosine)

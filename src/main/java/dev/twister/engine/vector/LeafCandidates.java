@@ -1,6 +1,6 @@
 package dev.twister.engine.vector;
 
-import dev.twister.kernel.SoftShadow;
+import dev.twister.kernel.Shadow;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorOperators;
 
@@ -17,7 +17,7 @@ final class LeafCandidates {
     /** One bit a beam that any of them is for. */
     int shaded;
 
-    /** Finds them by {@link SoftShadow#judge}'s margins, and without its frame. */
+    /** Finds them by {@link Shadow#judge}'s margins, and without its frame. */
     void find(WideHierarchy hierarchy, PacketBeams beams, PacketLeaves leaves) {
         float[] spheres = hierarchy.spheres.values;
         float[] f = beams.facts;
@@ -48,11 +48,11 @@ final class LeafCandidates {
                         acrossX.mul(acrossX).add(acrossY.mul(acrossY)).add(acrossZ.mul(acrossZ));
                 FloatVector reach = along.mul(f[PacketBeams.TANGENT + beam])
                         .add(radius.mul(f[PacketBeams.SECANT + beam]))
-                        .mul(SoftShadow.RELATIVE_MARGIN)
-                        .add(along.abs().add(radius).add(distance).mul(SoftShadow.ABSOLUTE_MARGIN));
+                        .mul(Shadow.RELATIVE_MARGIN)
+                        .add(along.abs().add(radius).add(distance).mul(Shadow.ABSOLUTE_MARGIN));
                 found |= along.add(radius)
                         .compare(VectorOperators.GT, 0f)
-                        .and(along.sub(radius).compare(VectorOperators.LT, distance * SoftShadow.RELATIVE_MARGIN))
+                        .and(along.sub(radius).compare(VectorOperators.LT, distance * Shadow.RELATIVE_MARGIN))
                         .and(reach.compare(VectorOperators.GT, 0f))
                         .and(across.compare(VectorOperators.LE, reach.mul(reach)))
                         .and(FloatVector.fromArray(Lanes.FLOATS, spheres, at + SphereColumns.BODY * Lanes.COUNT)

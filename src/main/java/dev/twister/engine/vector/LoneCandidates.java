@@ -1,13 +1,13 @@
 package dev.twister.engine.vector;
 
 import dev.twister.kernel.KernelMath;
-import dev.twister.kernel.SoftShadow;
+import dev.twister.kernel.Shadow;
 import java.util.Arrays;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** The spheres that may come between one point and the light's disc, in the frame of {@link SoftShadow}; grows, never shrinks. */
+/** The spheres that may come between one point and the light's disc, in the frame of {@link Shadow}; grows, never shrinks. */
 final class LoneCandidates {
     /** Columns of facts: a, u, w and the squared radius. */
     private static final int A = 0;
@@ -110,7 +110,7 @@ final class LoneCandidates {
         }
     }
 
-    /** {@link SoftShadow#judge}, a sphere in each lane: adds the candidates, and returns whether one hides the disc. */
+    /** {@link Shadow#judge}, a sphere in each lane: adds the candidates, and returns whether one hides the disc. */
     private boolean judge(float[] spheres, int stride, int at, long wanted) {
         FloatVector x = FloatVector.fromArray(Lanes.FLOATS, spheres, at).sub(pointX);
         FloatVector y = FloatVector.fromArray(Lanes.FLOATS, spheres, at + SphereColumns.Y * stride)
@@ -125,11 +125,11 @@ final class LoneCandidates {
         FloatVector across = u.mul(u).add(w.mul(w));
         FloatVector reach = a.mul(slope)
                 .add(radius.mul(slant))
-                .mul(SoftShadow.RELATIVE_MARGIN)
-                .add(a.abs().add(radius).add(distance).mul(SoftShadow.ABSOLUTE_MARGIN));
+                .mul(Shadow.RELATIVE_MARGIN)
+                .add(a.abs().add(radius).add(distance).mul(Shadow.ABSOLUTE_MARGIN));
         VectorMask<Float> between = a.add(radius)
                 .compare(VectorOperators.GT, 0f)
-                .and(a.sub(radius).compare(VectorOperators.LT, distance * SoftShadow.RELATIVE_MARGIN))
+                .and(a.sub(radius).compare(VectorOperators.LT, distance * Shadow.RELATIVE_MARGIN))
                 .and(reach.compare(VectorOperators.GT, 0f))
                 .and(across.compare(VectorOperators.LE, reach.mul(reach)))
                 .and(a.mul(a).add(across).compare(VectorOperators.GT, radiusSquared))
@@ -141,11 +141,11 @@ final class LoneCandidates {
             FloatVector perpendicular = across.sqrt();
             VectorMask<Float> hides = a.sub(radius)
                     .compare(VectorOperators.GT, 0f)
-                    .and(a.add(radius).compare(VectorOperators.LT, distance * SoftShadow.UMBRA_MARGIN))
+                    .and(a.add(radius).compare(VectorOperators.LT, distance * Shadow.UMBRA_MARGIN))
                     .and(a.compare(VectorOperators.GT, perpendicular.mul(slope)))
                     .and(perpendicular
                             .add(a.mul(slope))
-                            .compare(VectorOperators.LE, radius.mul(slant).mul(SoftShadow.UMBRA_MARGIN)));
+                            .compare(VectorOperators.LE, radius.mul(slant).mul(Shadow.UMBRA_MARGIN)));
             dark = (hides.toLong() & found) != 0L;
             reserve();
             if (Lanes.PACK) {
@@ -234,7 +234,7 @@ final class LoneCandidates {
         return hit;
     }
 
-    /** One bit a sample that a candidate blocks: {@link SoftShadow}'s own test. */
+    /** One bit a sample that a candidate blocks: {@link Shadow}'s own test. */
     private long blocks(int candidate, float[] discX, float[] discY, int sample) {
         float a = facts[A][candidate];
         float u = facts[U][candidate];

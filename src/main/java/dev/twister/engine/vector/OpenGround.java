@@ -1,7 +1,7 @@
 package dev.twister.engine.vector;
 
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.Shading;
+import dev.twister.kernel.Light;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
@@ -21,7 +21,7 @@ final class OpenGround {
     }
 
     private static float eyeHeight(Drawing drawing) {
-        return drawing.input.camera()[Layout.CAMERA_POSITION + 1] - drawing.planeHeight;
+        return drawing.input.view().camera()[Layout.CAMERA_POSITION + 1] - drawing.planeHeight;
     }
 
     private static float lightHeight(Drawing drawing) {
@@ -35,8 +35,8 @@ final class OpenGround {
 
     /** Writes where the view rays meet the plane. */
     static void meet(Tile tile, Drawing drawing) {
-        float[] camera = drawing.input.camera();
-        float[] offsets = drawing.input.pixelOffsets();
+        float[] camera = drawing.input.view().camera();
+        float[] offsets = drawing.input.view().pixelOffsets();
         float step = drawing.viewportStep;
         float u = (tile.left + offsets[2 * tile.sample] - drawing.width * 0.5f) * step;
         float top = drawing.input.firstRow() + tile.top;
@@ -68,7 +68,7 @@ final class OpenGround {
 
     /** Writes the cosines of the light and, squared, of the highlight. */
     static void findCosines(Tile tile, Drawing drawing) {
-        float[] camera = drawing.input.camera();
+        float[] camera = drawing.input.view().camera();
         float lightX = drawing.bodies.x[Layout.LIGHT];
         float lightZ = drawing.bodies.z[Layout.LIGHT];
         float eyeX = camera[Layout.CAMERA_POSITION];
@@ -112,7 +112,7 @@ final class OpenGround {
     static void raise(Tile tile, Drawing drawing) {
         int whole = power(drawing);
         int power = whole % 2 == 0 ? whole / 2 : whole;
-        float shine = (whole + 8f) * Shading.INVERSE_EIGHT_PI * whole * (1f / Layout.MAX_REFLECTIVITY);
+        float shine = (whole + 8f) * Light.INVERSE_EIGHT_PI * whole * (1f / Layout.MAX_REFLECTIVITY);
         float[] t = tile.values;
         for (int at = 0; at < Tile.SIZE; at += Lanes.COUNT) {
             FloatVector square = Lanes.smaller(Lanes.load(t, at + Tile.SPECULAR), Lanes.all(1f));
@@ -143,7 +143,7 @@ final class OpenGround {
 
     /** Adds what the ground sends towards the eye, and writes what part of the mirrored rays' light reaches it. */
     static void shade(Tile tile, Drawing drawing) {
-        float[] properties = drawing.input.rayTracingProperties();
+        float[] properties = drawing.input.view().properties();
         BodyColumns bodies = drawing.bodies;
         float ambient = drawing.ambient;
         float mirror = drawing.bounceLimit == 0 ? 0f : power(drawing) * (1f / Layout.MAX_REFLECTIVITY);

@@ -71,10 +71,10 @@ final class PaddedSky {
 
     @SuppressWarnings("ReferenceEquality") // an input's arrays never change
     void take(FrameInput input) {
-        if (input.skybox() != source) {
-            source = input.skybox();
-            width = input.skyboxDimensions()[Layout.SKYBOX_WIDTH];
-            height = input.skyboxDimensions()[Layout.SKYBOX_HEIGHT];
+        if (input.panorama().texels() != source) {
+            source = input.panorama().texels();
+            width = input.panorama().dimensions()[Layout.SKY_WIDTH];
+            height = input.panorama().dimensions()[Layout.SKY_HEIGHT];
             halved = fitHalves(source);
             int room = BLANKS + Math.multiplyExact(NUMBERS_A_TEXEL, Math.multiplyExact(stride(), height + MORE_ROWS));
             floats = new float[halved ? 0 : room];

@@ -1,12 +1,12 @@
 package dev.twister.engine.vector;
 
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.SoftShadow;
+import dev.twister.kernel.Shadow;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Which spheres may come between a packet's points and the light's disc: {@link SoftShadow}'s culling. */
+/** Which spheres may come between a packet's points and the light's disc: {@link Shadow}'s culling. */
 final class ShadowCandidates {
     private ShadowCandidates() {}
 
@@ -83,7 +83,7 @@ final class ShadowCandidates {
         FloatVector distance = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.LIGHT_DISTANCE);
         FloatVector tangent = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISC_TANGENT);
         FloatVector secant = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISC_SECANT);
-        FloatVector farthest = distance.mul(SoftShadow.RELATIVE_MARGIN);
+        FloatVector farthest = distance.mul(Shadow.RELATIVE_MARGIN);
         for (int k = 0; k < count; k++) {
             int sphere = SphereColumns.FIRST + k;
             float radius = spheres[sphere + SphereColumns.RADIUS * stride];
@@ -97,10 +97,10 @@ final class ShadowCandidates {
             FloatVector acrossY = y.sub(along.mul(toLightY));
             FloatVector acrossZ = z.sub(along.mul(toLightZ));
             FloatVector across = Lanes.fma(acrossX, acrossX, Lanes.fma(acrossY, acrossY, acrossZ.mul(acrossZ)));
-            FloatVector margin = along.abs().add(distance).add(radius).mul(SoftShadow.ABSOLUTE_MARGIN);
+            FloatVector margin = along.abs().add(distance).add(radius).mul(Shadow.ABSOLUTE_MARGIN);
             FloatVector reach = Lanes.fma(
                     Lanes.fma(along, tangent, secant.mul(radius)),
-                    FloatVector.broadcast(Lanes.FLOATS, SoftShadow.RELATIVE_MARGIN),
+                    FloatVector.broadcast(Lanes.FLOATS, Shadow.RELATIVE_MARGIN),
                     margin);
             betweens[k] = reach.compare(VectorOperators.GT, 0f)
                     .and(across.compare(VectorOperators.LE, reach.mul(reach)))
@@ -161,18 +161,18 @@ final class ShadowCandidates {
         FloatVector acrossZ = z.sub(along.mul(Lanes.load(t, at + Tile.TO_LIGHT_Z)));
         FloatVector across = Lanes.fma(acrossX, acrossX, Lanes.fma(acrossY, acrossY, acrossZ.mul(acrossZ)));
         FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
-        FloatVector margin = along.abs().add(distance).add(radius).mul(SoftShadow.ABSOLUTE_MARGIN);
+        FloatVector margin = along.abs().add(distance).add(radius).mul(Shadow.ABSOLUTE_MARGIN);
         FloatVector reach = Lanes.fma(
                 Lanes.fma(
                         along,
                         Lanes.load(t, at + Tile.DISC_TANGENT),
                         Lanes.load(t, at + Tile.DISC_SECANT).mul(radius)),
-                Lanes.all(SoftShadow.RELATIVE_MARGIN),
+                Lanes.all(Shadow.RELATIVE_MARGIN),
                 margin);
         return reach.compare(VectorOperators.GT, 0f)
                 .and(across.compare(VectorOperators.LE, reach.mul(reach)))
                 .and(along.compare(VectorOperators.GT, -radius))
-                .and(along.sub(radius).compare(VectorOperators.LT, distance.mul(SoftShadow.RELATIVE_MARGIN)))
+                .and(along.sub(radius).compare(VectorOperators.LT, distance.mul(Shadow.RELATIVE_MARGIN)))
                 .toLong();
     }
 
@@ -215,10 +215,10 @@ final class ShadowCandidates {
         FloatVector secant = Lanes.load(t, at + Tile.DISC_SECANT);
         FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
         return along.compare(VectorOperators.GT, radius)
-                .and(along.add(radius).compare(VectorOperators.LT, distance.mul(SoftShadow.UMBRA_MARGIN)))
+                .and(along.add(radius).compare(VectorOperators.LT, distance.mul(Shadow.UMBRA_MARGIN)))
                 .and(along.compare(VectorOperators.GT, perpendicular.mul(tangent)))
                 .and(Lanes.fma(along, tangent, perpendicular)
-                        .compare(VectorOperators.LE, secant.mul(radius * SoftShadow.UMBRA_MARGIN)))
+                        .compare(VectorOperators.LE, secant.mul(radius * Shadow.UMBRA_MARGIN)))
                 .toLong();
     }
 }

@@ -1,11 +1,11 @@
 package dev.twister.engine.vector;
 
-import dev.twister.kernel.SoftShadow;
+import dev.twister.kernel.Shadow;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Candidates as a packet's points see them, in the frame of {@link SoftShadow}. */
+/** Candidates as a packet's points see them, in the frame of {@link Shadow}. */
 final class ShadowFrame {
     private ShadowFrame() {}
 
@@ -90,7 +90,7 @@ final class ShadowFrame {
         FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
         float radiusSquared = radius * radius;
         VectorMask<Float> shades = along.compare(VectorOperators.GT, -radius)
-                .and(along.sub(radius).compare(VectorOperators.LT, distance.mul(SoftShadow.RELATIVE_MARGIN)))
+                .and(along.sub(radius).compare(VectorOperators.LT, distance.mul(Shadow.RELATIVE_MARGIN)))
                 .and(Lanes.fma(along, along, Lanes.fma(u, u, w.mul(w))).compare(VectorOperators.GT, radiusSquared))
                 .and(Lanes.load(t, at + Tile.HIT).compare(VectorOperators.NE, body))
                 .and(Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f));

@@ -105,7 +105,7 @@ final class ShadowRange {
         if (scratch.sorted) {
             findRanges(drawing.discOrders, drawing.shadowSamples, scratch);
         } else {
-            scratch.disc = drawing.input.shadowDisc();
+            scratch.disc = drawing.input.view().shadowDisc();
             Lanes.all(0f).intoArray(scratch.frame, ShadowScratch.BLOCKED);
             Arrays.fill(scratch.froms, 0, scratch.candidates.count, 0);
             Arrays.fill(scratch.tos, 0, scratch.candidates.count, drawing.shadowSamples);

@@ -4,7 +4,7 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Blocked samples in any case, ray by ray: {@link dev.twister.kernel.SoftShadow}'s own test. */
+/** Blocked samples in any case, ray by ray: {@link dev.twister.kernel.Shadow}'s own test. */
 final class ShadowRays {
     private ShadowRays() {}
 

@@ -140,7 +140,7 @@ final class Shadows {
     static void count(Tile tile, Drawing drawing, int at) {
         ShadowScratch scratch = tile.shadow;
         if (!scratch.conical) {
-            float[] disc = drawing.input.shadowDisc();
+            float[] disc = drawing.input.view().shadowDisc();
             ShadowRays.countAny(scratch, tile.values, at + Tile.LIGHT_DISTANCE, disc, drawing.shadowSamples);
         } else {
             ShadowConics.count(scratch);

@@ -79,7 +79,7 @@ final class SkyChart {
 
     /** Begins a frame. */
     void start(Drawing drawing) {
-        step = drawing.viewportStep / drawing.input.camera()[Layout.CAMERA_EYE_DISTANCE];
+        step = drawing.viewportStep / drawing.input.view().camera()[Layout.CAMERA_EYE_DISTANCE];
         int tiles = MOST_TILES;
         while (tiles > 1 && error(tiles * Tile.SIDE, USUAL_LEVEL_SQUARED) > MOST_ERROR) {
             tiles /= 2;
@@ -168,7 +168,7 @@ final class SkyChart {
 
     /** Has the window take what a covered tile's view rays look at, or their mirror images; tells whether there is room. */
     boolean open(SkyWindow window, Tile tile, Drawing drawing, boolean mirrored) {
-        float[] offsets = drawing.input.pixelOffsets();
+        float[] offsets = drawing.input.view().pixelOffsets();
         float across = (tile.left - nodes.left + MIDDLE + offsets[2 * tile.sample] - offsets[0]) / stepAcross();
         float down = (MIDDLE + offsets[2 * tile.sample + 1] - offsets[1]) / stepDown();
         float column = value(columnFactors, across, down);
@@ -226,7 +226,7 @@ final class SkyChart {
     }
 
     private void spread(Tile tile, Drawing drawing, float[] factors, float[] to) {
-        float[] offsets = drawing.input.pixelOffsets();
+        float[] offsets = drawing.input.view().pixelOffsets();
         float inverse = 1f / stepAcross();
         float from = (tile.left - nodes.left + offsets[2 * tile.sample] - offsets[0]) * inverse;
         float[] t = tile.values;
@@ -250,7 +250,7 @@ final class SkyChart {
      * @param mirrored whether it is the rays' mirror images in a level plane that look
      */
     void place(Tile tile, Drawing drawing, boolean mirrored) {
-        float[] offsets = drawing.input.pixelOffsets();
+        float[] offsets = drawing.input.view().pixelOffsets();
         float inverse = 1f / stepDown();
         float from = (offsets[2 * tile.sample + 1] - offsets[1]) * inverse;
         // The rows of a direction and its mirror image are as far from either end.

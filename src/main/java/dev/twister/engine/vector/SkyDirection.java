@@ -5,7 +5,7 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Where in the panorama each ray looks: {@link dev.twister.kernel.SkyLookup}'s column and row, with its arc tangent. */
+/** Where in the panorama each ray looks: {@link dev.twister.kernel.Sky}'s column and row, with its arc tangent. */
 final class SkyDirection {
     private static final float TURNS_PER_RADIAN = 0.15915494f;
     private static final float HALF_TURNS_PER_RADIAN = 0.31830987f;

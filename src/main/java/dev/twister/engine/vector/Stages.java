@@ -17,7 +17,7 @@ final class Stages {
     }
 
     static void placeRays(Tile tile, Drawing drawing) {
-        ViewRays.place(tile, drawing.input.camera());
+        ViewRays.place(tile, drawing.input.view().camera());
     }
 
     static void boundRays(Tile tile, Drawing drawing) {
@@ -225,11 +225,11 @@ final class Stages {
     }
 
     static void mapTones(Tile tile, Drawing drawing) {
-        ToneStage.map(tile, drawing.input.rayTracingProperties(), drawing.pixelSamples);
+        ToneStage.map(tile, drawing.input.view().properties(), drawing.pixelSamples);
     }
 
     static void packPixels(Tile tile, Drawing drawing) {
-        ToneStage.pack(tile, drawing.input.rayTracingProperties(), drawing.pixelSamples);
+        ToneStage.pack(tile, drawing.input.view().properties(), drawing.pixelSamples);
     }
 
     static void writePixels(Tile tile, Drawing drawing) {

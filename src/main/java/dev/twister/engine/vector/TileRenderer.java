@@ -38,7 +38,7 @@ final class TileRenderer {
 
     /** Prepares for a frame. */
     void start(Drawing drawing) {
-        int bodies = drawing.input.bodies();
+        int bodies = drawing.input.bodyCount();
         tile.candidates.reserve(bodies);
         tile.shadow.reserveBodies(bodies);
         tile.near.reserveList(Shadows.MOST_NEAR + Lanes.COUNT);

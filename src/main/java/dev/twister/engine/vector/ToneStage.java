@@ -2,12 +2,11 @@ package dev.twister.engine.vector;
 
 import dev.twister.kernel.KernelMath;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.PixelKernel;
-import dev.twister.kernel.ToneMapping;
+import dev.twister.kernel.Tone;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorOperators;
 
-/** From a tile's linear colours to 8-bit ARGB: {@link ToneMapping}. */
+/** From a tile's linear colours to 8-bit ARGB: {@link Tone}. */
 final class ToneStage {
     /** Added to a number up to 255, it leaves the nearest whole one in the last byte, and no other bits but in the first. */
     private static final float ROUNDER = 0x1p23f;
@@ -22,17 +21,17 @@ final class ToneStage {
     }
 
     private static boolean isPlain(float[] properties) {
-        return (int) properties[Layout.TONE_MAP] == ToneMapping.CLAMP && properties[Layout.SRGB] <= 0f;
+        return (int) properties[Layout.TONE_MAP] == Tone.CLAMP && properties[Layout.SRGB] <= 0f;
     }
 
     private static void mapAll(Tile tile, float[] properties, float scale) {
         int operator = (int) properties[Layout.TONE_MAP];
         for (int column = Tile.RED; column <= Tile.BLUE; column += Tile.SIZE) {
             expose(tile.values, column, scale);
-            if (operator == ToneMapping.REINHARD) {
+            if (operator == Tone.REINHARD) {
                 reinhard(tile.values, column);
             }
-            if (operator == ToneMapping.ACES) {
+            if (operator == Tone.ACES) {
                 aces(tile.values, column);
             }
             if (properties[Layout.SRGB] > 0f) {
@@ -44,7 +43,7 @@ final class ToneStage {
     private static void expose(float[] t, int column, float scale) {
         for (int at = column; at < column + Tile.SIZE; at += Lanes.COUNT) {
             FloatVector exposed = Lanes.larger(Lanes.load(t, at).mul(scale), Lanes.all(0f));
-            Lanes.smaller(exposed, Lanes.all(ToneMapping.BRIGHTEST)).intoArray(t, at);
+            Lanes.smaller(exposed, Lanes.all(Tone.BRIGHTEST)).intoArray(t, at);
         }
     }
 
@@ -58,13 +57,12 @@ final class ToneStage {
     private static void aces(float[] t, int column) {
         for (int at = column; at < column + Tile.SIZE; at += Lanes.COUNT) {
             FloatVector c = Lanes.load(t, at);
-            FloatVector above = c.mul(ToneMapping.ACES_TOP_SQUARE)
-                    .add(ToneMapping.ACES_TOP_LINE)
-                    .mul(c);
-            FloatVector below = c.mul(ToneMapping.ACES_BOTTOM_SQUARE)
-                    .add(ToneMapping.ACES_BOTTOM_LINE)
+            FloatVector above =
+                    c.mul(Tone.ACES_TOP_SQUARE).add(Tone.ACES_TOP_LINE).mul(c);
+            FloatVector below = c.mul(Tone.ACES_BOTTOM_SQUARE)
+                    .add(Tone.ACES_BOTTOM_LINE)
                     .mul(c)
-                    .add(ToneMapping.ACES_BOTTOM);
+                    .add(Tone.ACES_BOTTOM);
             above.div(below).intoArray(t, at);
         }
     }
@@ -80,16 +78,16 @@ final class ToneStage {
             polynomial = Lanes.fma(polynomial, x, Lanes.all(KernelMath.TEN_THIRDS_2));
             polynomial = Lanes.fma(polynomial, x, Lanes.all(KernelMath.TEN_THIRDS_1));
             polynomial = Lanes.fma(polynomial, x, Lanes.all(KernelMath.TEN_THIRDS_0));
-            FloatVector curved = polynomial.mul(ToneMapping.SRGB_SCALE).sub(ToneMapping.SRGB_OFFSET);
-            linear.mul(ToneMapping.SRGB_SLOPE)
-                    .blend(curved, linear.compare(VectorOperators.GT, ToneMapping.SRGB_LINEAR_END))
+            FloatVector curved = polynomial.mul(Tone.SRGB_SCALE).sub(Tone.SRGB_OFFSET);
+            linear.mul(Tone.SRGB_SLOPE)
+                    .blend(curved, linear.compare(VectorOperators.GT, Tone.SRGB_LINEAR_END))
                     .intoArray(t, at);
         }
     }
 
     /**
      * Packs the channels, mapped or still to be exposed. Where rounding puts a channel on the other side of the middle between two
-     * numbers, it is one off {@link ToneMapping#quantized}'s.
+     * numbers, it is one off {@link Tone#quantized}'s.
      */
     static void pack(Tile tile, float[] properties, int samples) {
         float scale = isPlain(properties) ? properties[Layout.EXPOSURE_SCALE] / samples : 1f;
@@ -107,7 +105,7 @@ final class ToneStage {
                     .lanewise(VectorOperators.LSHL, 16)
                     .or(green.reinterpretAsInts().lanewise(VectorOperators.LSHL, 8))
                     .or(blue.reinterpretAsInts())
-                    .or(PixelKernel.OPAQUE)
+                    .or(Tone.OPAQUE)
                     .intoArray(tile.argb, Lanes.BORDER + at);
         }
     }

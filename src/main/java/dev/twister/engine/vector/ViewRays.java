@@ -12,8 +12,8 @@ final class ViewRays {
 
     /** The rays' directions, through the current samples. */
     static void start(Tile tile, Drawing drawing) {
-        float[] camera = drawing.input.camera();
-        float[] offsets = drawing.input.pixelOffsets();
+        float[] camera = drawing.input.view().camera();
+        float[] offsets = drawing.input.view().pixelOffsets();
         float step = drawing.viewportStep;
         float left = tile.left;
         float fromLeft = offsets[2 * tile.sample];
@@ -52,7 +52,7 @@ final class ViewRays {
 
     /** Makes the tile's hull a cone from the camera about its middle that its corners, and so all of it, lie in. */
     static void bound(Tile tile, Drawing drawing) {
-        float[] camera = drawing.input.camera();
+        float[] camera = drawing.input.view().camera();
         float half = 0.5f * Tile.SIDE;
         float middleX = tile.left + half - drawing.width * 0.5f;
         float middleY = drawing.input.height() * 0.5f - (drawing.input.firstRow() + tile.top + half);
@@ -77,7 +77,11 @@ final class ViewRays {
     static float corner(Tile tile, Drawing drawing, int corner, int axis) {
         float x = tile.left + corner % 2 * Tile.SIDE - drawing.width * 0.5f;
         float y = drawing.input.height() * 0.5f - (drawing.input.firstRow() + tile.top + corner / 2 * Tile.SIDE);
-        return turned(x * drawing.viewportStep, y * drawing.viewportStep, drawing.input.camera(), axis);
+        return turned(
+                x * drawing.viewportStep,
+                y * drawing.viewportStep,
+                drawing.input.view().camera(),
+                axis);
     }
 
     /** One coordinate of a ray through that place of the viewport, of no certain length. */

@@ -34,14 +34,14 @@ final class Ways implements AutoCloseable {
 
     /** Whether the next frame is a walk. */
     boolean walk(FrameInput input) {
-        boolean crowdToCome = !walked && input.room() >= crowd;
+        boolean crowdToCome = !walked && input.bodies().room() >= crowd;
         if (!crowdToCome) {
             // Begun at rest: whoever draws needs the processor, and what is compiled by now stays so.
             endUnfinished();
         } else if (rehearsal.isEmpty() && frames++ >= FIRST_FRAMES) {
             rehearsal = Optional.of(rehearsals.of(true));
         }
-        boolean walk = input.bodies() >= (isUnfinished() ? MOST_CROWDS * crowd : crowd);
+        boolean walk = input.bodyCount() >= (isUnfinished() ? MOST_CROWDS * crowd : crowd);
         if (walk) {
             walked = true;
             endUnfinished();

@@ -71,9 +71,9 @@ final class WideHierarchy {
 
     @SuppressWarnings("ReferenceEquality") // an input's arrays never change
     void take(FrameInput input) {
-        if (source != input.hierarchy() || sourceBodies != input.bodies()) {
-            source = input.hierarchy();
-            sourceBodies = input.bodies();
+        if (source != input.bodies().hierarchy() || sourceBodies != input.bodyCount()) {
+            source = input.bodies().hierarchy();
+            sourceBodies = input.bodyCount();
             nodes = 0;
             blocks = 0;
             int root = Layout.root(sourceBodies);
@@ -258,9 +258,9 @@ final class WideHierarchy {
         for (int k = 0; k < count; k++) {
             int from = (first + k) * Layout.SPHERE_STRIDE;
             int place = SphereColumns.FIRST + (blocks + k / Lanes.COUNT) * spheres.step + k % Lanes.COUNT;
-            to[place] = source[from + Layout.SPHERE_CENTER];
-            to[place + SphereColumns.Y * Lanes.COUNT] = source[from + Layout.SPHERE_CENTER + 1];
-            to[place + SphereColumns.Z * Lanes.COUNT] = source[from + Layout.SPHERE_CENTER + 2];
+            to[place] = source[from];
+            to[place + SphereColumns.Y * Lanes.COUNT] = source[from + 1];
+            to[place + SphereColumns.Z * Lanes.COUNT] = source[from + 2];
             to[place + SphereColumns.RADIUS * Lanes.COUNT] = source[from + Layout.SPHERE_RADIUS];
             to[place + SphereColumns.BODY * Lanes.COUNT] = source[from + Layout.SPHERE_BODY];
         }

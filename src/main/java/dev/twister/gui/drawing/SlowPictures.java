@@ -36,7 +36,8 @@ final class SlowPictures {
      */
     private record Work(Engine engine, int width, int rows, int room, int shadowSamples, int bounces) {
         static Work of(Engine engine, FrameInput input) {
-            return new Work(engine, input.width(), input.rows(), input.room(), input.shadowSamples(), input.bounces());
+            return new Work(
+                    engine, input.width(), input.rows(), input.bodies().room(), input.shadowSamples(), input.bounces());
         }
     }
 
@@ -103,7 +104,9 @@ final class SlowPictures {
     }
 
     private static int firstRows(FrameInput input) {
-        int pixels = (int) ((long) FIRST_PIXELS * FEW_BODIES / Math.max(FEW_BODIES, input.room()));
+        int pixels = (int) ((long) FIRST_PIXELS
+                * FEW_BODIES
+                / Math.max(FEW_BODIES, input.bodies().room()));
         return Math.clamp(pixels / input.width(), 1, input.rows());
     }
 

@@ -1,6 +1,5 @@
 package dev.twister.gui.model;
 
-import dev.twister.kernel.ClosestHit;
 import dev.twister.kernel.Layout;
 import dev.twister.world.FrameInput;
 
@@ -16,17 +15,6 @@ public final class BodyPicker {
      * @param y in pixels from its upper border
      */
     public static int bodyAt(FrameInput input, double x, double y) {
-        PointerRay ray = PointerRay.through(input, x, y);
-        return ClosestHit.body(
-                ray.originX(),
-                ray.originY(),
-                ray.originZ(),
-                ray.directionX(),
-                ray.directionY(),
-                ray.directionZ(),
-                Layout.NOTHING,
-                input.bodyPositions(),
-                input.bodySizes(),
-                input.bodies());
+        return PointerRay.through(input, x, y).body();
     }
 }

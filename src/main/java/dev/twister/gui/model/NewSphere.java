@@ -1,6 +1,5 @@
 package dev.twister.gui.model;
 
-import dev.twister.kernel.ClosestHit;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
@@ -28,14 +27,14 @@ public final class NewSphere {
         double centerX = input.width() / 2.0;
         double centerY = input.height() / 2.0;
         PointerRay ray = PointerRay.through(input, centerX, centerY);
-        double distance = distance(input, ray, BodyPicker.bodyAt(input, centerX, centerY));
-        double y = ray.originY() + distance * ray.directionY();
+        double distance = distance(ray);
+        double y = ray.along(distance, 1);
         double ground = scene.plane().height();
         boolean above = scene.camera().position().y() >= ground;
         Vector3 center = new Vector3(
-                SceneLimits.POSITION.clamp(ray.originX() + distance * ray.directionX()),
+                SceneLimits.POSITION.clamp(ray.along(distance, 0)),
                 SceneLimits.POSITION.clamp(above ? Math.max(y, ground + RADIUS) : Math.min(y, ground - RADIUS)),
-                SceneLimits.POSITION.clamp(ray.originZ() + distance * ray.directionZ()));
+                SceneLimits.POSITION.clamp(ray.along(distance, 2)));
         return new Sphere(
                 besideOthers(center, scene, above ? 2 * RADIUS : -2 * RADIUS),
                 RADIUS,
@@ -60,22 +59,11 @@ public final class NewSphere {
                         && Math.abs(other.z() - center.z()) < RADIUS);
     }
 
-    private static double distance(FrameInput input, PointerRay ray, int body) {
-        if (body == Layout.NOTHING) {
-            return DISTANCE;
-        }
-        double behind = ClosestHit.distance(
-                body,
-                ray.originX(),
-                ray.originY(),
-                ray.originZ(),
-                ray.directionX(),
-                ray.directionY(),
-                ray.directionZ(),
-                input.bodyPositions(),
-                input.bodySizes());
+    private static double distance(PointerRay ray) {
         // At least beyond the camera itself, else it would be inside the sphere.
-        return Math.max(2 * RADIUS, Math.min(behind, DISTANCE) - RADIUS);
+        return ray.body() == Layout.NOTHING
+                ? DISTANCE
+                : Math.max(2 * RADIUS, Math.min(ray.distance(), DISTANCE) - RADIUS);
     }
 
     private static Rgb color(int spheres) {

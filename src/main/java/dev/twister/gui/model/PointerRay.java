@@ -1,34 +1,50 @@
 package dev.twister.gui.model;
 
-import dev.twister.kernel.KernelMath;
+import dev.twister.engine.HitSearch;
+import dev.twister.kernel.Camera;
+import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.ViewRay;
 import dev.twister.world.FrameInput;
 
-/** The view ray through a place on the picture: origin in metres and unit direction. */
-record PointerRay(float originX, float originY, float originZ, float directionX, float directionY, float directionZ) {
-    /** As the kernel casts it: x and y in pixels from the picture's upper left corner. */
+/**
+ * The view ray through a place on the picture, by the same code that draws it.
+ *
+ * @param path as {@link Camera} starts it, and {@link Hit} has found what it meets
+ * @param body what it meets, or {@link Layout#NOTHING}
+ */
+@SuppressWarnings("ArrayRecordComponent") // never compared
+record PointerRay(float[] path, int body) {
+    /** The ray through x and y, in pixels from the picture's upper left corner. */
     static PointerRay through(FrameInput input, double x, double y) {
-        float[] camera = input.camera();
-        float u = ViewRay.u((float) x, input.width(), input.height());
-        float v = ViewRay.v((float) y, input.width(), input.height());
-        float directionX = along(camera, u, v, 0);
-        float directionY = along(camera, u, v, 1);
-        float directionZ = along(camera, u, v, 2);
-        float inverse =
-                KernelMath.inverseRoot(directionX * directionX + directionY * directionY + directionZ * directionZ);
-        return new PointerRay(
-                camera[Layout.CAMERA_POSITION],
-                camera[Layout.CAMERA_POSITION + 1],
-                camera[Layout.CAMERA_POSITION + 2],
-                directionX * inverse,
-                directionY * inverse,
-                directionZ * inverse);
+        float[] path = new float[Layout.PATH_LENGTH];
+        Camera.start(
+                path,
+                (float) x,
+                (float) y,
+                input.view().dimensions(),
+                input.view().camera());
+        int body = Hit.find(
+                path,
+                input.bodies().places(),
+                input.bodies().hierarchy(),
+                input.bodyCount(),
+                new float[Layout.SCRATCH_LENGTH],
+                HitSearch.of(input));
+        return new PointerRay(path, body);
     }
 
-    private static float along(float[] camera, float u, float v, int axis) {
-        return u * camera[Layout.CAMERA_RIGHT + axis]
-                + v * camera[Layout.CAMERA_UP + axis]
-                + camera[Layout.CAMERA_EYE_DISTANCE] * camera[Layout.CAMERA_FORWARD + axis];
+    /** Meters to what it meets. */
+    double distance() {
+        return path[Layout.DISTANCE];
+    }
+
+    /** One coordinate of the unit direction: 0 for x, 1 for y, 2 for z. */
+    double direction(int axis) {
+        return path[Layout.DIRECTION + axis];
+    }
+
+    /** One coordinate of the point so many meters along: 0 for x, 1 for y, 2 for z. */
+    double along(double meters, int axis) {
+        return path[Layout.ORIGIN + axis] + meters * direction(axis);
     }
 }

@@ -2,8 +2,7 @@ package dev.twister.gui.model;
 
 import dev.twister.image.Frame;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.PixelKernel;
-import dev.twister.kernel.ToneMapping;
+import dev.twister.kernel.Tone;
 import dev.twister.world.FrameInput;
 import java.nio.IntBuffer;
 import java.util.Arrays;
@@ -102,7 +101,7 @@ public final class RefinedPicture {
         if (samples == 0) {
             throw new IllegalStateException("there is no pass to show");
         }
-        float[] properties = input.rayTracingProperties();
+        float[] properties = input.view().properties();
         float exposureScale = properties[Layout.EXPOSURE_SCALE];
         int toneMap = (int) properties[Layout.TONE_MAP];
         float srgb = properties[Layout.SRGB];
@@ -113,10 +112,10 @@ public final class RefinedPicture {
                 int at = CHANNELS * pixel;
                 argb.put(
                         pixel,
-                        PixelKernel.OPAQUE
-                                | (ToneMapping.quantized(sums[at] * average, exposureScale, toneMap, srgb) << 16)
-                                | (ToneMapping.quantized(sums[at + 1] * average, exposureScale, toneMap, srgb) << 8)
-                                | ToneMapping.quantized(sums[at + 2] * average, exposureScale, toneMap, srgb));
+                        Tone.OPAQUE
+                                | (Tone.quantized(sums[at] * average, exposureScale, toneMap, srgb) << 16)
+                                | (Tone.quantized(sums[at + 1] * average, exposureScale, toneMap, srgb) << 8)
+                                | Tone.quantized(sums[at + 2] * average, exposureScale, toneMap, srgb));
             }
         });
     }

@@ -20,7 +20,7 @@ public final class SphereDrag {
 
     /** Takes hold of a body whose centre lies there, at a place on the picture in pixels. */
     public static SphereDrag start(FrameInput input, Vector3 center, double x, double y) {
-        float[] camera = input.camera();
+        float[] camera = input.view().camera();
         double depth = (center.x() - camera[Layout.CAMERA_POSITION]) * camera[Layout.CAMERA_FORWARD]
                 + (center.y() - camera[Layout.CAMERA_POSITION + 1]) * camera[Layout.CAMERA_FORWARD + 1]
                 + (center.z() - camera[Layout.CAMERA_POSITION + 2]) * camera[Layout.CAMERA_FORWARD + 2];
@@ -38,16 +38,14 @@ public final class SphereDrag {
     }
 
     private static Vector3 pointAt(FrameInput input, double depth, double x, double y) {
-        float[] camera = input.camera();
+        float[] camera = input.view().camera();
         PointerRay ray = PointerRay.through(input, x, y);
         // Above 0 for every pixel: the field of view is below 180 degrees.
-        double forward = ray.directionX() * camera[Layout.CAMERA_FORWARD]
-                + ray.directionY() * camera[Layout.CAMERA_FORWARD + 1]
-                + ray.directionZ() * camera[Layout.CAMERA_FORWARD + 2];
+        double forward = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            forward += ray.direction(axis) * camera[Layout.CAMERA_FORWARD + axis];
+        }
         double distance = depth / forward;
-        return new Vector3(
-                ray.originX() + distance * ray.directionX(),
-                ray.originY() + distance * ray.directionY(),
-                ray.originZ() + distance * ray.directionZ());
+        return new Vector3(ray.along(distance, 0), ray.along(distance, 1), ray.along(distance, 2));
     }
 }

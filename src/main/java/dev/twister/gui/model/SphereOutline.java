@@ -15,11 +15,11 @@ public final class SphereOutline {
      * {@code C - C / |C| * r^2 / d} of radius {@code r * sqrt(1 - r^2 / d^2)}, in a plane across the line to the centre.
      */
     public static double[] corners(FrameInput input, int body, int count) {
-        float[] camera = input.camera();
-        double radius = input.bodySizes()[body];
+        float[] camera = input.view().camera();
+        double radius = input.bodies().size(body);
         double[] center = new double[3];
         for (int axis = 0; axis < 3; axis++) {
-            center[axis] = input.bodyPositions()[3 * body + axis] - camera[Layout.CAMERA_POSITION + axis];
+            center[axis] = input.bodies().center(body, axis) - camera[Layout.CAMERA_POSITION + axis];
         }
         double distance = Math.sqrt(dot(center, center));
         if (distance <= radius) {
@@ -50,12 +50,12 @@ public final class SphereOutline {
         return corners;
     }
 
-    /** The inverse of {@link dev.twister.kernel.ViewRay#u}. */
+    /** The inverse of {@link dev.twister.kernel.Camera#u}. */
     private static double x(double u, int width, int height) {
         return width > height ? (u + 1) / 2 * height + (width - height) / 2.0 : (u + 1) / 2 * width;
     }
 
-    /** The inverse of {@link dev.twister.kernel.ViewRay#v}. */
+    /** The inverse of {@link dev.twister.kernel.Camera#v}. */
     private static double y(double v, int width, int height) {
         return width > height ? (1 - v) / 2 * height : (1 - v) / 2 * width + (height - width) / 2.0;
     }

@@ -131,8 +131,8 @@ final class VectorEngineTest {
         assertSameTogether(vector, plain, scenes, 20 * PictureDifference.PIXELS_AN_ODD_ONE, () -> {
             LitScene scene = RandomScenes.scene(random, random.nextInt(6));
             FrameInput whole = World.of(scene.scene(), scene.sky()).snapshot();
-            return whole.withHierarchy(SphereHierarchy.of(
-                    whole.bodyPositions(), whole.bodySizes(), whole.bodies(), 1 + random.nextInt(3)));
+            return whole.withHierarchy(
+                    SphereHierarchy.of(whole.bodies().places(), whole.bodyCount(), 1 + random.nextInt(3)));
         });
     }
 

@@ -7,6 +7,7 @@ import dev.twister.engine.Engines;
 import dev.twister.image.Frame;
 import dev.twister.oracle.PictureDifference;
 import dev.twister.world.FrameInput;
+import dev.twister.world.Positions;
 import dev.twister.world.SampleWorld;
 import dev.twister.world.World;
 import java.util.ArrayList;
@@ -178,7 +179,7 @@ class WaysTest {
     /** A world with so many bodies, and room for {@link #ROOM}. */
     private static FrameInput bodies(int count) {
         World world = SampleWorld.crowd(ROOM, 96, 54);
-        world.setBodyPositions(world.snapshot().bodyPositions(), count);
+        world.setBodyPositions(Positions.of(world.snapshot()), count);
         return world.snapshot();
     }
 

@@ -1,7 +1,7 @@
 package dev.twister.engine.tornado;
 
 import dev.twister.engine.EngineException;
-import dev.twister.engine.Shortcuts;
+import dev.twister.engine.HitSearch;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.kernel.PixelKernel;
@@ -23,7 +23,7 @@ import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
 
 /**
  * The kernel compiled for one device and one size of picture, with its buffers there. The skybox goes to the device once,
- * and so do the looks of a crowd of bodies; camera, properties, positions, the looks of a few bodies and the small sample
+ * and so do the looks of a crowd of bodies; camera, properties, places, the looks of a few bodies and the small sample
  * tables go each frame; only pixels come back.
  */
 final class DevicePlan implements AutoCloseable {
@@ -32,7 +32,7 @@ final class DevicePlan implements AutoCloseable {
     private static final String TASK = "draw";
     private static final int NOT_DRAWN = 0;
 
-    /** Up to so many bodies, sending their looks each frame costs less than it saves: no new plan for another colour. */
+    /** Up to so many bodies, sending their looks each frame costs less than it saves: no new plan for another color. */
     private static final int FEW_BODIES = 4096;
 
     private static final int[] NO_PIXELS = new int[1];
@@ -44,11 +44,9 @@ final class DevicePlan implements AutoCloseable {
     private final float[] radiance;
     private final int[] dimensions;
     private final float[] camera;
-    private final float[] rayTracingProperties;
-    private final float[] bodyPositions;
-    private final float[] bodySizes;
-    private final float[] bodyColors;
-    private final float[] bodyReflectivities;
+    private final float[] properties;
+    private final float[] places;
+    private final float[] looks;
     private final float[] hierarchy;
     private final float[] shadowDisc = new float[2 * RenderSettings.MAX_SHADOW_SAMPLES];
     private final float[] pixelOffsets = new float[2 * RenderSettings.MAX_SAMPLES_PER_PIXEL];
@@ -68,28 +66,24 @@ final class DevicePlan implements AutoCloseable {
         if (linear) {
             Arrays.fill(radiance, Float.NaN);
         }
-        dimensions = input.dimensions().clone();
-        camera = input.camera().clone();
-        rayTracingProperties = input.rayTracingProperties().clone();
-        bodyPositions = input.bodyPositions().clone();
-        bodySizes = input.bodySizes().clone();
-        bodyColors = input.bodyColors().clone();
-        bodyReflectivities = input.bodyReflectivities().clone();
-        hierarchy = input.hierarchy().clone();
+        dimensions = input.view().dimensions().clone();
+        camera = input.view().camera().clone();
+        properties = input.view().properties().clone();
+        places = input.bodies().places().clone();
+        looks = input.bodies().looks().clone();
+        hierarchy = input.bodies().hierarchy().clone();
+        float[] sky = input.panorama().texels();
+        int[] skyDimensions = input.panorama().dimensions();
         TaskGraph graph = new TaskGraph(GRAPH)
+                .transferToDevice(DataTransferMode.FIRST_EXECUTION, pixels, radiance, sky, skyDimensions)
                 .transferToDevice(
-                        DataTransferMode.FIRST_EXECUTION, pixels, radiance, input.skybox(), input.skyboxDimensions())
-                .transferToDevice(
-                        sendsLooks() ? DataTransferMode.EVERY_EXECUTION : DataTransferMode.FIRST_EXECUTION,
-                        bodySizes,
-                        bodyColors,
-                        bodyReflectivities)
+                        sendsLooks() ? DataTransferMode.EVERY_EXECUTION : DataTransferMode.FIRST_EXECUTION, looks)
                 .transferToDevice(
                         DataTransferMode.EVERY_EXECUTION,
                         dimensions,
                         camera,
-                        rayTracingProperties,
-                        bodyPositions,
+                        properties,
+                        places,
                         shadowDisc,
                         pixelOffsets,
                         hierarchy)
@@ -100,19 +94,17 @@ final class DevicePlan implements AutoCloseable {
                         radiance,
                         dimensions,
                         camera,
-                        rayTracingProperties,
-                        bodyPositions,
-                        bodySizes,
-                        bodyColors,
-                        bodyReflectivities,
-                        input.skybox(),
-                        input.skyboxDimensions(),
+                        properties,
+                        places,
+                        looks,
+                        hierarchy,
+                        sky,
+                        skyDimensions,
                         shadowDisc,
                         pixelOffsets,
-                        hierarchy,
                         input.width(),
                         input.rows(),
-                        Shortcuts.of(input),
+                        HitSearch.of(input),
                         linear ? PixelKernel.LINEAR : PixelKernel.ARGB)
                 .transferToHost(DataTransferMode.EVERY_EXECUTION, linear ? radiance : pixels);
         plan = new TornadoExecutionPlan(graph.snapshot());
@@ -130,22 +122,15 @@ final class DevicePlan implements AutoCloseable {
         return input.width() == fixed.width()
                 && input.rows() == fixed.rows()
                 && frame.isLinear() == linear
-                && input.room() == fixed.room()
-                && Shortcuts.of(input) == Shortcuts.of(fixed)
-                && input.skybox() == fixed.skybox()
-                && input.skyboxDimensions() == fixed.skyboxDimensions()
-                && (sendsLooks() || hasLooksOf(fixed, input));
-    }
-
-    @SuppressWarnings("ReferenceEquality") // as above
-    private static boolean hasLooksOf(FrameInput one, FrameInput other) {
-        return one.bodySizes() == other.bodySizes()
-                && one.bodyColors() == other.bodyColors()
-                && one.bodyReflectivities() == other.bodyReflectivities();
+                && input.bodies().room() == fixed.bodies().room()
+                && HitSearch.of(input) == HitSearch.of(fixed)
+                && input.panorama().texels() == fixed.panorama().texels()
+                && input.panorama().dimensions() == fixed.panorama().dimensions()
+                && (sendsLooks() || input.bodies().looks() == fixed.bodies().looks());
     }
 
     private boolean sendsLooks() {
-        return fixed.room() <= FEW_BODIES;
+        return fixed.bodies().room() <= FEW_BODIES;
     }
 
     /**
@@ -155,18 +140,16 @@ final class DevicePlan implements AutoCloseable {
      */
     FrameTimes draw(FrameInput input, Frame frame) {
         long start = System.nanoTime();
-        put(input.camera(), camera);
-        put(input.rayTracingProperties(), rayTracingProperties);
-        put(input.bodyPositions(), bodyPositions);
+        System.arraycopy(input.view().dimensions(), 0, dimensions, 0, dimensions.length);
+        put(input.view().camera(), camera);
+        put(input.view().properties(), properties);
+        put(input.view().shadowDisc(), shadowDisc);
+        put(input.view().pixelOffsets(), pixelOffsets);
+        put(input.bodies().places(), places);
+        put(input.bodies().hierarchy(), hierarchy);
         if (sendsLooks()) {
-            put(input.bodySizes(), bodySizes);
-            put(input.bodyColors(), bodyColors);
-            put(input.bodyReflectivities(), bodyReflectivities);
+            put(input.bodies().looks(), looks);
         }
-        put(input.hierarchy(), hierarchy);
-        put(input.shadowDisc(), shadowDisc);
-        put(input.pixelOffsets(), pixelOffsets);
-        System.arraycopy(input.dimensions(), 0, dimensions, 0, dimensions.length);
         TornadoExecutionResult result = plan.execute();
         TornadoProfilerResult profile = result.getProfilerResult();
         lastCopied = new Copied(profile.getTotalBytesCopyIn(), profile.getTotalBytesCopyOut());

@@ -18,7 +18,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
      *
      * @param pixels {@code int[width * rows]} where the output is ARGB, else one int
      * @param radiance {@code float[3 * width * rows]} where the output is LINEAR, else one float
-     * @param shortcuts one of {@link PixelKernel}'s
+     * @param search one of {@link dev.twister.kernel.Hit}'s
      * @param output one of {@link PixelKernel}'s
      */
     static void draw(
@@ -26,22 +26,21 @@ public final class TornadoKernel implements Supplier<DrawTask> {
             float[] radiance,
             int[] dimensions,
             float[] camera,
-            float[] rayTracingProperties,
-            float[] bodyPositions,
-            float[] bodySizes,
-            float[] bodyColors,
-            float[] bodyReflectivities,
-            float[] skybox,
-            int[] skyboxDimensions,
+            float[] properties,
+            float[] places,
+            float[] looks,
+            float[] hierarchy,
+            float[] sky,
+            int[] skyDimensions,
             float[] shadowDisc,
             float[] pixelOffsets,
-            float[] hierarchy,
             int width,
             int rows,
-            int shortcuts,
+            int search,
             int output) {
         for (@Parallel int row = 0; row < rows; row++) {
             for (@Parallel int column = 0; column < width; column++) {
+                float[] path = new float[Layout.PATH_LENGTH];
                 float[] scratch = new float[Layout.SCRATCH_LENGTH];
                 PixelKernel.draw(
                         column,
@@ -50,18 +49,17 @@ public final class TornadoKernel implements Supplier<DrawTask> {
                         radiance,
                         dimensions,
                         camera,
-                        rayTracingProperties,
-                        bodyPositions,
-                        bodySizes,
-                        bodyColors,
-                        bodyReflectivities,
-                        skybox,
-                        skyboxDimensions,
+                        properties,
+                        places,
+                        looks,
+                        hierarchy,
+                        sky,
+                        skyDimensions,
                         shadowDisc,
                         pixelOffsets,
-                        hierarchy,
+                        path,
                         scratch,
-                        shortcuts,
+                        search,
                         output);
             }
         }

@@ -1,15 +1,15 @@
 package dev.twister.engine.tornado;
 
-import dev.twister.kernel.ClosestHit;
+import dev.twister.kernel.Camera;
+import dev.twister.kernel.Hit;
 import dev.twister.kernel.Intersection;
 import dev.twister.kernel.KernelMath;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.NearestHit;
-import dev.twister.kernel.Shading;
-import dev.twister.kernel.SkyLookup;
-import dev.twister.kernel.SoftShadow;
-import dev.twister.kernel.ToneMapping;
-import dev.twister.kernel.ViewRay;
+import dev.twister.kernel.Light;
+import dev.twister.kernel.Material;
+import dev.twister.kernel.Shadow;
+import dev.twister.kernel.Sky;
+import dev.twister.kernel.Tone;
 import java.util.function.Supplier;
 import uk.ac.manchester.tornado.api.annotations.Parallel;
 
@@ -29,15 +29,15 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             case "inverseRoot" -> HelperKernels::inverseRootItems;
             case "pow" -> HelperKernels::powItems;
             case "atan2" -> HelperKernels::atan2Items;
-            case "viewRay" -> HelperKernels::viewRayItems;
+            case "viewport" -> HelperKernels::viewportItems;
             case "sphere" -> HelperKernels::sphereItems;
             case "plane" -> HelperKernels::planeItems;
-            case "closestHit" -> HelperKernels::closestHitItems;
-            case "nearestHit" -> HelperKernels::nearestHitItems;
-            case "skyLookup" -> HelperKernels::skyLookupItems;
-            case "shading" -> HelperKernels::shadingItems;
-            case "toneMapping" -> HelperKernels::toneMappingItems;
-            case "softShadow" -> HelperKernels::softShadowItems;
+            case "hit" -> HelperKernels::hitItems;
+            case "walk" -> HelperKernels::walkItems;
+            case "sky" -> HelperKernels::skyItems;
+            case "light" -> HelperKernels::lightItems;
+            case "tone" -> HelperKernels::toneItems;
+            case "shadow" -> HelperKernels::shadowItems;
             default -> throw new IllegalArgumentException(helper);
         };
     }
@@ -66,12 +66,12 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
-    static void viewRayItems(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
+    static void viewportItems(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             int width = (int) in[4 * i + 2];
             int height = (int) in[4 * i + 3];
-            out[2 * i] = ViewRay.u(in[4 * i], width, height);
-            out[2 * i + 1] = ViewRay.v(in[4 * i + 1], width, height);
+            out[2 * i] = Camera.u(in[4 * i], width, height);
+            out[2 * i + 1] = Camera.v(in[4 * i + 1], width, height);
         }
     }
 
@@ -102,124 +102,90 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
-    /** Item: origin, direction, the body that the ray leaves, how many bodies. Tables: positions, sizes. */
-    static void closestHitItems(float[] in, float[] positions, float[] sizes, float[] c, float[] out, int count) {
+    /** Item: origin, direction, the body that the ray leaves, how many bodies. Table: places. */
+    static void hitItems(float[] in, float[] places, float[] hierarchy, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
-            int body = ClosestHit.body(
-                    in[8 * i],
-                    in[8 * i + 1],
-                    in[8 * i + 2],
-                    in[8 * i + 3],
-                    in[8 * i + 4],
-                    in[8 * i + 5],
-                    (int) in[8 * i + 6],
-                    positions,
-                    sizes,
-                    (int) in[8 * i + 7]);
-            float distance = Intersection.MISS;
-            if (body >= 0) {
-                distance = ClosestHit.distance(
-                        body,
-                        in[8 * i],
-                        in[8 * i + 1],
-                        in[8 * i + 2],
-                        in[8 * i + 3],
-                        in[8 * i + 4],
-                        in[8 * i + 5],
-                        positions,
-                        sizes);
-            }
-            out[2 * i] = body;
-            out[2 * i + 1] = distance;
+            float[] path = new float[Layout.PATH_LENGTH];
+            float[] scratch = new float[Layout.SCRATCH_LENGTH];
+            path[Layout.ORIGIN] = in[8 * i];
+            path[Layout.ORIGIN + 1] = in[8 * i + 1];
+            path[Layout.ORIGIN + 2] = in[8 * i + 2];
+            path[Layout.DIRECTION] = in[8 * i + 3];
+            path[Layout.DIRECTION + 1] = in[8 * i + 4];
+            path[Layout.DIRECTION + 2] = in[8 * i + 5];
+            path[Layout.LEAVING] = in[8 * i + 6];
+            out[2 * i] = Hit.find(path, places, hierarchy, (int) in[8 * i + 7], scratch, Hit.ALL);
+            out[2 * i + 1] = path[Layout.DISTANCE];
         }
     }
 
-    /** Item: origin, direction, the body that the ray leaves, the root. Tables: positions, sizes, hierarchy. */
-    static void nearestHitItems(
-            float[] in, float[] positions, float[] sizes, float[] hierarchy, float[] out, int count) {
+    /** The same by the hierarchy. Tables: places, hierarchy. */
+    static void walkItems(float[] in, float[] places, float[] hierarchy, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
+            float[] path = new float[Layout.PATH_LENGTH];
             float[] scratch = new float[Layout.SCRATCH_LENGTH];
-            int body = NearestHit.body(
-                    in[8 * i],
-                    in[8 * i + 1],
-                    in[8 * i + 2],
-                    in[8 * i + 3],
-                    in[8 * i + 4],
-                    in[8 * i + 5],
-                    (int) in[8 * i + 6],
-                    positions,
-                    sizes,
-                    hierarchy,
-                    (int) in[8 * i + 7],
-                    scratch);
-            float distance = Intersection.MISS;
-            if (body >= 0) {
-                distance = ClosestHit.distance(
-                        body,
-                        in[8 * i],
-                        in[8 * i + 1],
-                        in[8 * i + 2],
-                        in[8 * i + 3],
-                        in[8 * i + 4],
-                        in[8 * i + 5],
-                        positions,
-                        sizes);
-            }
-            out[2 * i] = body;
-            out[2 * i + 1] = distance;
+            path[Layout.ORIGIN] = in[8 * i];
+            path[Layout.ORIGIN + 1] = in[8 * i + 1];
+            path[Layout.ORIGIN + 2] = in[8 * i + 2];
+            path[Layout.DIRECTION] = in[8 * i + 3];
+            path[Layout.DIRECTION + 1] = in[8 * i + 4];
+            path[Layout.DIRECTION + 2] = in[8 * i + 5];
+            path[Layout.LEAVING] = in[8 * i + 6];
+            out[2 * i] = Hit.find(path, places, hierarchy, (int) in[8 * i + 7], scratch, Hit.WALK);
+            out[2 * i + 1] = path[Layout.DISTANCE];
         }
     }
 
     /** Item: direction, width, height. Table: the panorama. */
-    static void skyLookupItems(float[] in, float[] skybox, float[] b, float[] c, float[] out, int count) {
+    static void skyItems(float[] in, float[] skybox, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             int width = (int) in[5 * i + 3];
             int height = (int) in[5 * i + 4];
-            float column = SkyLookup.column(in[5 * i], in[5 * i + 2], width);
-            float row = SkyLookup.row(in[5 * i], in[5 * i + 1], in[5 * i + 2], height);
+            float column = Sky.column(in[5 * i], in[5 * i + 2], width);
+            float row = Sky.row(in[5 * i], in[5 * i + 1], in[5 * i + 2], height);
             out[5 * i] = column;
             out[5 * i + 1] = row;
-            out[5 * i + 2] = SkyLookup.radiance(skybox, width, height, column, row, 0);
-            out[5 * i + 3] = SkyLookup.radiance(skybox, width, height, column, row, 1);
-            out[5 * i + 4] = SkyLookup.radiance(skybox, width, height, column, row, 2);
+            out[5 * i + 2] = Sky.radiance(skybox, width, height, column, row, 0);
+            out[5 * i + 3] = Sky.radiance(skybox, width, height, column, row, 1);
+            out[5 * i + 4] = Sky.radiance(skybox, width, height, column, row, 2);
         }
     }
 
-    static void shadingItems(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
+    static void lightItems(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
-            out[3 * i] = Shading.lit(in[6 * i], in[6 * i + 1], in[6 * i + 2]);
-            out[3 * i + 1] =
-                    Shading.specular(in[6 * i + 3], in[6 * i + 1], in[6 * i + 4], in[6 * i + 5], in[6 * i + 2]);
-            out[3 * i + 2] = Shading.isEvenSquare(100f * in[6 * i + 1], 100f * in[6 * i + 4]);
+            out[3 * i] = Light.lit(in[6 * i], in[6 * i + 1], in[6 * i + 2]);
+            out[3 * i + 1] = Light.specular(in[6 * i + 3], in[6 * i + 1], in[6 * i + 4], in[6 * i + 5], in[6 * i + 2]);
+            out[3 * i + 2] = Material.isEvenSquare(100f * in[6 * i + 1], 100f * in[6 * i + 4]);
         }
     }
 
-    static void toneMappingItems(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
+    static void toneItems(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
-            out[2 * i] = ToneMapping.quantized(in[4 * i], in[4 * i + 1], (int) in[4 * i + 2], in[4 * i + 3]);
-            out[2 * i + 1] = ToneMapping.srgbEncoded(Math.min(in[4 * i], 1f));
+            out[2 * i] = Tone.quantized(in[4 * i], in[4 * i + 1], (int) in[4 * i + 2], in[4 * i + 3]);
+            out[2 * i + 1] = Tone.srgbEncoded(Math.min(in[4 * i], 1f));
         }
     }
 
     /** Item: point, own body, A, D, the disc's radius, samples, the root. Tables: unit disc, hierarchy. */
-    static void softShadowItems(float[] in, float[] disc, float[] hierarchy, float[] c, float[] out, int count) {
+    static void shadowItems(float[] in, float[] disc, float[] hierarchy, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
+            float[] path = new float[Layout.PATH_LENGTH];
             float[] scratch = new float[Layout.SCRATCH_LENGTH];
-            out[i] = SoftShadow.visible(
-                    in[11 * i],
-                    in[11 * i + 1],
-                    in[11 * i + 2],
-                    (int) in[11 * i + 3],
-                    in[11 * i + 4],
-                    in[11 * i + 5],
-                    in[11 * i + 6],
-                    in[11 * i + 7],
-                    in[11 * i + 8],
-                    (int) in[11 * i + 9],
-                    disc,
-                    hierarchy,
-                    (int) in[11 * i + 10],
-                    scratch);
+            float[] places = new float[Layout.PLACE_STRIDE];
+            float[] properties = new float[Layout.PROPERTIES_LENGTH];
+            path[Layout.POINT] = in[11 * i];
+            path[Layout.POINT + 1] = in[11 * i + 1];
+            path[Layout.POINT + 2] = in[11 * i + 2];
+            path[Layout.TO_LIGHT] = in[11 * i + 4];
+            path[Layout.TO_LIGHT + 1] = in[11 * i + 5];
+            path[Layout.TO_LIGHT + 2] = in[11 * i + 6];
+            path[Layout.LIGHT_DISTANCE] = in[11 * i + 7];
+            path[Layout.NORMAL_DOT_LIGHT] = 1f;
+            places[Layout.PLACE_SIZE] = 0.5f * in[11 * i + 8];
+            properties[Layout.SHADOW_SAMPLES] = in[11 * i + 9];
+            properties[Layout.AMBIENT] = 0f;
+            out[i] = Shadow.visible(
+                    path, (int) in[11 * i + 3], properties, places, disc, hierarchy, (int) in[11 * i + 10], scratch);
         }
     }
 }

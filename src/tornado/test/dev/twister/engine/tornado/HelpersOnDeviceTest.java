@@ -52,15 +52,15 @@ class HelpersOnDeviceTest {
             new Helper("inverseRoot", 1, 1, 1e-6, 0),
             new Helper("pow", 2, 1, 3e-5, 0),
             new Helper("atan2", 2, 1, 1e-6, 0),
-            new Helper("viewRay", 4, 2, 2e-6, 0),
+            new Helper("viewport", 4, 2, 2e-6, 0),
             new Helper("sphere", 7, 1, 2e-4, 20),
             new Helper("plane", 8, 1, 1e-5, 4),
-            new Helper("closestHit", 8, 2, 1e-3, 20, 3 * BODIES, BODIES, 1),
-            new Helper("nearestHit", 8, 2, 1e-3, 20, 3 * BODIES, BODIES, SphereHierarchy.length(BODIES)),
-            new Helper("skyLookup", 5, 5, 2e-4, 0, 3 * 32 * 16, 1, 1),
-            new Helper("shading", 6, 3, 1e-4, 0),
+            new Helper("hit", 8, 2, 1e-3, 20, Layout.PLACE_STRIDE * BODIES, SphereHierarchy.length(BODIES), 1),
+            new Helper("walk", 8, 2, 1e-3, 20, Layout.PLACE_STRIDE * BODIES, SphereHierarchy.length(BODIES), 1),
+            new Helper("sky", 5, 5, 2e-4, 0, 3 * 32 * 16, 1, 1),
+            new Helper("light", 6, 3, 1e-4, 0),
             // One step of 255 more or less where the rounding falls between two.
-            new Helper("toneMapping", 4, 2, 1e-2, 0));
+            new Helper("tone", 4, 2, 1e-2, 0));
 
     static Stream<Object[]> helpersOnDevices() {
         return Devices.all().stream().flatMap(device -> HELPERS.stream().map(helper -> new Object[] {helper, device}));
@@ -94,19 +94,18 @@ class HelpersOnDeviceTest {
     }
 
     /** None, one, a few and more candidates than a point remembers; few and many samples. */
-    @ParameterizedTest(name = "softShadow on {0}")
+    @ParameterizedTest(name = "shadow on {0}")
     @MethodSource("devices")
     void softShadowsAreTheSameOnTheDevice(TornadoDevice device) throws TornadoExecutionPlanException {
         try (HelperRun run = new HelperRun(
-                "softShadow", device, ITEMS / 10, 11, 1, 2 * MOST_SAMPLES, SphereHierarchy.length(MANY_BODIES), 1)) {
+                "shadow", device, ITEMS / 10, 11, 1, 2 * MOST_SAMPLES, SphereHierarchy.length(MANY_BODIES), 1)) {
             Random random = new Random(11);
             for (int bodies : new int[] {2, 3, 8, BODIES, MANY_BODIES}) {
-                float[] positions = new float[3 * bodies];
-                float[] sizes = new float[bodies];
+                float[] places = new float[Layout.PLACE_STRIDE * bodies];
                 for (int samples : new int[] {1, 7, 64, MOST_SAMPLES}) {
                     fillSunflower(run.first, samples);
-                    fillBodies(positions, sizes, random);
-                    put(run.second, 0, SphereHierarchy.of(positions, sizes, sizes.length, 1 + random.nextInt(bodies)));
+                    fillBodies(places, random);
+                    put(run.second, 0, SphereHierarchy.of(places, bodies, 1 + random.nextInt(bodies)));
                     for (int item = 0; item < ITEMS / 10; item++) {
                         put(run.input, item, shadowedPoint(samples, bodies, random));
                     }
@@ -150,7 +149,7 @@ class HelpersOnDeviceTest {
                 item % 4 == 0
                         ? floats(random.nextInt(3) - 1, random.nextInt(3) - 1)
                         : floats(spread(random, 3), spread(random, 3));
-            case "viewRay" -> viewRay(random);
+            case "viewport" -> viewport(random);
             case "sphere" ->
                 concat(
                         floats(spread(random, 9), spread(random, 9), spread(random, 9), 4 * random.nextDouble()),
@@ -159,17 +158,17 @@ class HelpersOnDeviceTest {
                 concat(
                         floats(spread(random, 9), 20, spread(random, 9), spread(random, 9), spread(random, 9)),
                         item % 10 == 0 ? floats(1, 0, 0) : direction(random));
-            case "closestHit" ->
+            case "hit" ->
                 concat(
                         concat(floats(spread(random, 15), spread(random, 15), spread(random, 15)), direction(random)),
                         floats(random.nextInt(BODIES + 1) - 1, 2 + random.nextInt(BODIES - 1)));
-            case "nearestHit" ->
+            case "walk" ->
                 concat(
                         concat(floats(spread(random, 15), spread(random, 15), spread(random, 15)), direction(random)),
-                        floats(random.nextInt(BODIES + 1) - 1, Layout.root(BODIES)));
-            case "skyLookup" ->
+                        floats(random.nextInt(BODIES + 1) - 1, BODIES));
+            case "sky" ->
                 concat(item % 10 == 0 ? floats(0, item % 20 == 0 ? 1 : -1, 0) : direction(random), floats(32, 16));
-            case "shading" ->
+            case "light" ->
                 floats(
                         random.nextDouble(),
                         spread(random, 1),
@@ -177,7 +176,7 @@ class HelpersOnDeviceTest {
                         item % 5 == 0 ? 128 * (item / 5 % 2) : 128 * random.nextDouble(),
                         spread(random, 1.9),
                         3 + random.nextDouble());
-            case "toneMapping" ->
+            case "tone" ->
                 floats(
                         item % 4 == 0 ? 1000 * random.nextDouble() : random.nextDouble(),
                         Math.pow(2, spread(random, 4)),
@@ -187,7 +186,7 @@ class HelpersOnDeviceTest {
         };
     }
 
-    private static float[] viewRay(Random random) {
+    private static float[] viewport(Random random) {
         int width = 1 + random.nextInt(4000);
         int height = 1 + random.nextInt(4000);
         return floats(width * random.nextDouble(), height * random.nextDouble(), width, height);
@@ -210,10 +209,8 @@ class HelpersOnDeviceTest {
 
     private static void fillTables(HelperRun run, Random random) {
         if (run.second.length > 1) {
-            fillBodies(run.first, run.second, random);
-            if (run.third.length > 1) {
-                put(run.third, 0, SphereHierarchy.of(run.first, run.second, run.second.length, MOST_IN_LEAF));
-            }
+            fillBodies(run.first, random);
+            put(run.second, 0, SphereHierarchy.of(run.first, BODIES, MOST_IN_LEAF));
         } else {
             for (int i = 0; i < run.first.length; i++) {
                 run.first[i] = 4 * random.nextFloat();
@@ -221,12 +218,10 @@ class HelpersOnDeviceTest {
         }
     }
 
-    private static void fillBodies(float[] positions, float[] sizes, Random random) {
-        for (int i = 0; i < positions.length; i++) {
-            positions[i] = (float) spread(random, 10);
-        }
-        for (int i = 0; i < sizes.length; i++) {
-            sizes[i] = 0.1f + 2 * random.nextFloat();
+    private static void fillBodies(float[] places, Random random) {
+        for (int i = 0; i < places.length; i++) {
+            boolean isSize = i % Layout.PLACE_STRIDE == Layout.PLACE_SIZE;
+            places[i] = isSize ? 0.1f + 2 * random.nextFloat() : (float) spread(random, 10);
         }
     }
 

@@ -63,8 +63,8 @@ class ScenesOnDeviceTest {
         try (Engine engine = offer.opener().get()) {
             int[] plain = Pictures.of(
                     engine,
-                    input.withHierarchy(SphereHierarchy.of(
-                            input.bodyPositions(), input.bodySizes(), input.bodies(), input.bodies())));
+                    input.withHierarchy(
+                            SphereHierarchy.of(input.bodies().places(), input.bodyCount(), input.bodyCount())));
             assertThat(Pictures.of(engine, input)).isEqualTo(plain);
         }
     }

@@ -10,6 +10,7 @@ import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
+import dev.twister.world.Positions;
 import dev.twister.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -81,21 +82,7 @@ class TornadoEngineTest {
             World other = SceneSamples.world(4, 6);
             other.setSettings(world.settings());
             FrameInput looks = other.snapshot();
-            Pictures.requireSequentials(
-                    engine,
-                    new FrameInput(
-                            input.dimensions(),
-                            input.camera(),
-                            input.rayTracingProperties(),
-                            looks.bodyPositions(),
-                            looks.bodySizes(),
-                            looks.bodyColors(),
-                            looks.bodyReflectivities(),
-                            input.skybox(),
-                            input.skyboxDimensions(),
-                            input.shadowDisc(),
-                            input.pixelOffsets(),
-                            looks.hierarchy()));
+            Pictures.requireSequentials(engine, new FrameInput(input.view(), looks.bodies(), input.panorama()));
             assertThat(engine.plan()).containsSame(plan);
         }
     }
@@ -104,12 +91,12 @@ class TornadoEngineTest {
     void spheresThatJoinAFewNeedNoCompilation() {
         World pour = SceneSamples.world(5, 40);
         pour.setSettings(RenderSettings.DEFAULT.withSize(40, 30));
-        float[] places = pour.snapshot().bodyPositions();
+        float[] positions = Positions.of(pour.snapshot());
         try (TornadoEngine engine = Devices.openFirst()) {
-            pour.setBodyPositions(places, 6);
+            pour.setBodyPositions(positions, 6);
             Pictures.requireSequentials(engine, pour.snapshot());
             DevicePlan plan = engine.plan().orElseThrow();
-            pour.setBodyPositions(places, 42);
+            pour.setBodyPositions(positions, 42);
             Pictures.requireSequentials(engine, pour.snapshot());
             assertThat(engine.plan()).containsSame(plan);
         }

@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class SoftShadowTest {
+class ShadowTest {
     private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
     private static final int SAMPLES = 300;
 
@@ -23,9 +23,8 @@ class SoftShadowTest {
         for (int i = 0; i < SAMPLES; i++) {
             blocked += 2 * 0.5 * Math.sqrt((double) i / SAMPLES) / 10 <= blockedSlope ? 1 : 0;
         }
-        float[] positions = {0, 10, 0, 0, 0, 0, 0, 4, 0};
-        float[] sizes = {0.5f, 10, radius};
-        assertThat(soft(positions, sizes, 0, 0, 0, Layout.PLANE, SAMPLES))
+        float[] places = {0, 10, 0, 0.5f, 0, 0, 0, 10, 0, 4, 0, radius};
+        assertThat(soft(places, 0, 0, 0, Layout.PLANE, SAMPLES))
                 .isCloseTo(1f - (float) blocked / SAMPLES, within(1e-6f));
     }
 
@@ -40,39 +39,30 @@ class SoftShadowTest {
         "around the light, 0, 10, 0, 2, 0"
     })
     void oneSphereHidesAllOrNothing(String where, float x, float y, float z, float radius, float visible) {
-        float[] positions = {0, 10, 0, 0, 0, 0, x, y, z};
-        float[] sizes = {0.5f, 10, radius};
-        assertThat(soft(positions, sizes, 0, 0, 0, Layout.PLANE, SAMPLES))
-                .as(where)
-                .isEqualTo(visible);
-        assertThat(plain(positions, sizes, 0, 0, 0, Layout.PLANE, SAMPLES))
-                .as(where)
-                .isEqualTo(visible);
+        float[] places = {0, 10, 0, 0.5f, 0, 0, 0, 10, x, y, z, radius};
+        assertThat(soft(places, 0, 0, 0, Layout.PLANE, SAMPLES)).as(where).isEqualTo(visible);
+        assertThat(plain(places, 0, 0, 0, Layout.PLANE, SAMPLES)).as(where).isEqualTo(visible);
     }
 
     @Test
     void ownBodyCastsNoShadowOnItself() {
-        float[] positions = {0, 10, 0, 0, 0, 0, 0, 4, 0};
-        float[] sizes = {0.5f, 10, 1};
-        assertThat(soft(positions, sizes, 0, 0, 0, Layout.FIRST_SPHERE, SAMPLES))
-                .isEqualTo(1f);
+        float[] places = {0, 10, 0, 0.5f, 0, 0, 0, 10, 0, 4, 0, 1};
+        assertThat(soft(places, 0, 0, 0, Layout.FIRST_SPHERE, SAMPLES)).isEqualTo(1f);
     }
 
     @Test
     void oneSampleIsTheHardShadow() {
-        float[] positions = {0, 10, 0, 0, 0, 0, 0.9f, 4, 0};
-        float[] sizes = {2f, 10, 1};
-        assertThat(soft(positions, sizes, 0, 0, 0, Layout.PLANE, 1)).isZero();
-        assertThat(soft(positions, sizes, -0.3f, 0, 0, Layout.PLANE, 1)).isEqualTo(1f);
+        float[] places = {0, 10, 0, 2, 0, 0, 0, 10, 0.9f, 4, 0, 1};
+        assertThat(soft(places, 0, 0, 0, Layout.PLANE, 1)).isZero();
+        assertThat(soft(places, -0.3f, 0, 0, Layout.PLANE, 1)).isEqualTo(1f);
     }
 
     @ParameterizedTest
     @CsvSource({"1, 0, 0", "-1, 0, 0", "0, 1, 0", "0, -1, 0", "0, 0, 1", "0, 0, -1"})
     void discsAxesAreThePlainOnesAlongEveryAxis(float x, float y, float z) {
-        float[] positions = {10 * x, 10 * y, 10 * z, 0, 0, 0, 4 * x + 0.3f, 4 * y + 0.2f, 4 * z + 0.1f};
-        float[] sizes = {1, 10, 0.5f};
-        assertThat(soft(positions, sizes, 0, 0, 0, Layout.PLANE, 200))
-                .isEqualTo(plain(positions, sizes, 0, 0, 0, Layout.PLANE, 200))
+        float[] places = {10 * x, 10 * y, 10 * z, 1, 0, 0, 0, 10, 4 * x + 0.3f, 4 * y + 0.2f, 4 * z + 0.1f, 0.5f};
+        assertThat(soft(places, 0, 0, 0, Layout.PLANE, 200))
+                .isEqualTo(plain(places, 0, 0, 0, Layout.PLANE, 200))
                 .isBetween(0.05f, 0.95f);
     }
 
@@ -86,20 +76,19 @@ class SoftShadowTest {
         int points = 4000;
         for (int i = 0; i < points; i++) {
             int spheres = 1 + random.nextInt(random.nextInt(20) == 0 ? 200 : 60);
-            float[] positions = new float[3 * (2 + spheres)];
-            float[] sizes = new float[2 + spheres];
-            positions[1] = 10;
-            sizes[Layout.LIGHT] = 1;
-            for (int body = Layout.FIRST_SPHERE; body < sizes.length; body++) {
-                positions[3 * body] = (float) random.nextGaussian();
-                positions[3 * body + 1] = 11 * random.nextFloat() - 0.5f;
-                positions[3 * body + 2] = (float) random.nextGaussian();
-                sizes[body] = 0.02f + 0.25f * random.nextFloat();
+            float[] places = new float[Layout.PLACE_STRIDE * (Layout.FIRST_SPHERE + spheres)];
+            places[1] = 10;
+            places[Layout.PLACE_SIZE] = 1;
+            for (int at = Layout.PLACE_STRIDE * Layout.FIRST_SPHERE; at < places.length; at += Layout.PLACE_STRIDE) {
+                places[at] = (float) random.nextGaussian();
+                places[at + 1] = 11 * random.nextFloat() - 0.5f;
+                places[at + 2] = (float) random.nextGaussian();
+                places[at + Layout.PLACE_SIZE] = 0.02f + 0.25f * random.nextFloat();
             }
             float x = (float) random.nextGaussian();
             float z = (float) random.nextGaussian();
-            float visible = soft(positions, sizes, x, 0, z, Layout.PLANE, samples);
-            disagreeing += Math.abs(visible - plain(positions, sizes, x, 0, z, Layout.PLANE, samples)) * samples;
+            float visible = soft(places, x, 0, z, Layout.PLANE, samples);
+            disagreeing += Math.abs(visible - plain(places, x, 0, z, Layout.PLANE, samples)) * samples;
             partlySeen += visible > 0 && visible < 1 ? 1 : 0;
         }
         assertThat(partlySeen).isGreaterThan(points / 2.0);
@@ -107,53 +96,41 @@ class SoftShadowTest {
     }
 
     /** By the plain loop over all spheres, to which the walk through a hierarchy is equal to the bit. */
-    private static float soft(float[] positions, float[] sizes, float x, float y, float z, int own, int samples) {
-        float visible = soft(positions, sizes, x, y, z, own, samples, sizes.length);
+    private static float soft(float[] places, float x, float y, float z, int own, int samples) {
+        float visible = soft(places, x, y, z, own, samples, bodies(places));
         for (int mostInLeaf = 1; mostInLeaf < 4; mostInLeaf++) {
-            assertThat(soft(positions, sizes, x, y, z, own, samples, mostInLeaf))
+            assertThat(soft(places, x, y, z, own, samples, mostInLeaf))
                     .as("with at most %d spheres in a leaf", mostInLeaf)
                     .isEqualTo(visible);
         }
         return visible;
     }
 
-    private static float soft(
-            float[] positions, float[] sizes, float x, float y, float z, int own, int samples, int mostInLeaf) {
-        float[] toLight = {positions[0] - x, positions[1] - y, positions[2] - z};
-        float distance = length(toLight);
-        return SoftShadow.visible(
-                x,
-                y,
-                z,
+    private static float soft(float[] places, float x, float y, float z, int own, int samples, int mostInLeaf) {
+        return Shadow.visible(
+                lit(places, x, y, z),
                 own,
-                toLight[0] / distance,
-                toLight[1] / distance,
-                toLight[2] / distance,
-                distance,
-                2 * sizes[Layout.LIGHT],
-                samples,
+                Paths.properties(samples),
+                places,
                 sunflower(samples),
-                SphereHierarchy.of(positions, sizes, sizes.length, mostInLeaf),
-                Layout.root(sizes.length),
+                SphereHierarchy.of(places, bodies(places), mostInLeaf),
+                Layout.root(bodies(places)),
                 new float[Layout.SCRATCH_LENGTH]);
     }
 
-    private static float plain(float[] positions, float[] sizes, float x, float y, float z, int own, int samples) {
-        float[] toLight = {positions[0] - x, positions[1] - y, positions[2] - z};
+    private static float plain(float[] places, float x, float y, float z, int own, int samples) {
+        return PlainShadow.visible(lit(places, x, y, z), own, samples, places, bodies(places));
+    }
+
+    private static int bodies(float[] places) {
+        return places.length / Layout.PLACE_STRIDE;
+    }
+
+    private static float[] lit(float[] places, float x, float y, float z) {
+        float[] toLight = {places[0] - x, places[1] - y, places[2] - z};
         float distance = length(toLight);
-        return PlainShadow.visible(
-                x,
-                y,
-                z,
-                own,
-                toLight[0] / distance,
-                toLight[1] / distance,
-                toLight[2] / distance,
-                sizes[Layout.LIGHT],
-                samples,
-                positions,
-                sizes,
-                sizes.length);
+        float[] axis = {toLight[0] / distance, toLight[1] / distance, toLight[2] / distance};
+        return Paths.lit(new float[] {x, y, z}, axis, distance);
     }
 
     private static float length(float[] vector) {

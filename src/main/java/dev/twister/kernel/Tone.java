@@ -1,7 +1,7 @@
 package dev.twister.kernel;
 
-/** From linear colour, exposure applied, to what a pixel shows. */
-public final class ToneMapping {
+/** From linear color, exposure applied, to what a pixel shows. */
+public final class Tone {
     public static final int CLAMP = 0;
     public static final int REINHARD = 1;
     public static final int ACES = 2;
@@ -24,7 +24,29 @@ public final class ToneMapping {
     public static final float SRGB_SCALE = 1.055f;
     public static final float SRGB_OFFSET = 0.055f;
 
-    private ToneMapping() {}
+    /** The alpha of every pixel, beside 8 bits each of red, green and blue. */
+    public static final int OPAQUE = 0xFF000000;
+
+    private Tone() {}
+
+    /**
+     * The opaque ARGB of the path's radiance.
+     *
+     * @param average what the radiance is multiplied by first
+     * @param properties {@link Layout#PROPERTIES_LENGTH} floats
+     */
+    public static int argb(float[] path, float average, float[] properties) {
+        int argb = OPAQUE;
+        for (int channel = 0; channel < 3; channel++) {
+            int level = quantized(
+                    path[Layout.RADIANCE + channel] * average,
+                    properties[Layout.EXPOSURE_SCALE],
+                    (int) properties[Layout.TONE_MAP],
+                    properties[Layout.SRGB]);
+            argb = argb | (level << (16 - 8 * channel));
+        }
+        return argb;
+    }
 
     /** 0 to 255 for one channel of linear radiance. */
     public static int quantized(float radiance, float exposureScale, int operator, float srgb) {

@@ -1,37 +1,31 @@
 package dev.twister.kernel;
 
-/** One shadow ray of {@link SoftShadow} through the hierarchy, where a point has more candidates than it remembers. */
-final class SampleRay {
-    private SampleRay() {}
+/** One shadow ray of {@link Shadow} through the hierarchy, where a point has more candidates than it remembers. */
+final class ShadowRay {
+    private ShadowRay() {}
 
     /**
      * 1 where any sphere blocks the ray through (1, x, y) * distance, in the frame of A, U (whose x is 0) and W.
      *
      * @param start the node to start at, or {@link Layout#NO_NODE}, which blocks nothing
      */
-    static int blocked(
-            float pointX,
-            float pointY,
-            float pointZ,
-            int own,
-            float axisX,
-            float axisY,
-            float axisZ,
-            float uY,
-            float uZ,
-            float wX,
-            float wY,
-            float wZ,
-            float x,
-            float y,
-            float distance,
-            float[] hierarchy,
-            int start,
-            float[] scratch) {
+    static int blocked(float[] path, int own, float x, float y, float[] hierarchy, int start, float[] scratch) {
+        float pointX = path[Layout.POINT];
+        float pointY = path[Layout.POINT + 1];
+        float pointZ = path[Layout.POINT + 2];
+        float axisX = path[Layout.TO_LIGHT];
+        float axisY = path[Layout.TO_LIGHT + 1];
+        float axisZ = path[Layout.TO_LIGHT + 2];
+        float uY = path[Layout.DISC_U_Y];
+        float uZ = path[Layout.DISC_U_Z];
+        float wX = path[Layout.DISC_W];
+        float wY = path[Layout.DISC_W + 1];
+        float wZ = path[Layout.DISC_W + 2];
+        float distance = path[Layout.LIGHT_DISTANCE];
         float inverseX = NodeBox.inverse(axisX + wX * y);
         float inverseY = NodeBox.inverse(axisY + uY * x + wY * y);
         float inverseZ = NodeBox.inverse(axisZ + uZ * x + wZ * y);
-        float end = distance * SoftShadow.RELATIVE_MARGIN;
+        float end = distance * Shadow.RELATIVE_MARGIN;
         int blocked = 0;
         int node = start;
         int waiting = 0;
@@ -59,7 +53,7 @@ final class SampleRay {
                     float toY = hierarchy[at + 1] - pointY;
                     float toZ = hierarchy[at + 2] - pointZ;
                     float radius = hierarchy[at + Layout.SPHERE_RADIUS];
-                    blocked = SoftShadow.blocks(
+                    blocked = Shadow.blocks(
                             toX * axisX + toY * axisY + toZ * axisZ,
                             uY * toY + uZ * toZ,
                             wX * toX + wY * toY + wZ * toZ,

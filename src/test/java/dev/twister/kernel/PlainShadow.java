@@ -2,28 +2,24 @@ package dev.twister.kernel;
 
 /**
  * Soft shadows by the equations alone: every sample's place by sine and cosine, every sphere by its quadratic's near
- * root. The shortcuts of {@link SoftShadow} are held to it and measured against it; it runs on the JVM only.
+ * root. The shortcuts of {@link Shadow} are held to it.
  */
-final class PlainShadow {
+public final class PlainShadow {
     /** {@code pi * (3 - sqrt 5)} radians. */
     private static final double GOLDEN_ANGLE = 2.399963229728653;
 
     private PlainShadow() {}
 
-    /** S in [0, 1]: 1 - blocked / samples. */
-    static float visible(
-            float pointX,
-            float pointY,
-            float pointZ,
-            int own,
-            float axisX,
-            float axisY,
-            float axisZ,
-            float lightRadius,
-            int samples,
-            float[] bodyPositions,
-            float[] bodySizes,
-            int bodies) {
+    /** S in [0, 1] at {@link Layout#POINT}: 1 - blocked / samples. */
+    public static float visible(float[] path, int own, int samples, float[] places, int bodies) {
+        float pointX = path[Layout.POINT];
+        float pointY = path[Layout.POINT + 1];
+        float pointZ = path[Layout.POINT + 2];
+        float axisX = path[Layout.TO_LIGHT];
+        float axisY = path[Layout.TO_LIGHT + 1];
+        float axisZ = path[Layout.TO_LIGHT + 2];
+        int light = Layout.PLACE_STRIDE * Layout.LIGHT;
+        float lightRadius = places[light + Layout.PLACE_SIZE];
         int alongX = (axisY == 0f ? 1 : 0) & (axisZ == 0f ? 1 : 0);
         float uY = alongX != 0 ? 0f : axisZ;
         float uZ = alongX != 0 ? axisX : -axisY;
@@ -38,19 +34,20 @@ final class PlainShadow {
             float distance = 2f * lightRadius * (float) Math.sqrt((double) sample / samples);
             float x = distance * (float) Math.cos(sample * GOLDEN_ANGLE);
             float y = distance * (float) Math.sin(sample * GOLDEN_ANGLE);
-            float toX = bodyPositions[3 * Layout.LIGHT] + wX * y - pointX;
-            float toY = bodyPositions[3 * Layout.LIGHT + 1] + uY * x + wY * y - pointY;
-            float toZ = bodyPositions[3 * Layout.LIGHT + 2] + uZ * x + wZ * y - pointZ;
+            float toX = places[light] + wX * y - pointX;
+            float toY = places[light + 1] + uY * x + wY * y - pointY;
+            float toZ = places[light + 2] + uZ * x + wZ * y - pointZ;
             float length = (float) Math.sqrt(toX * toX + toY * toY + toZ * toZ);
             float inverseLength = length > 0f ? 1f / length : 0f;
             int hit = 0;
             for (int body = Layout.FIRST_SPHERE; body < bodies && hit == 0; body++) {
                 if (body != own) {
+                    int place = Layout.PLACE_STRIDE * body;
                     float near = Intersection.sphere(
-                            bodyPositions[3 * body] - pointX,
-                            bodyPositions[3 * body + 1] - pointY,
-                            bodyPositions[3 * body + 2] - pointZ,
-                            bodySizes[body],
+                            places[place] - pointX,
+                            places[place + 1] - pointY,
+                            places[place + 2] - pointZ,
+                            places[place + Layout.PLACE_SIZE],
                             toX * inverseLength,
                             toY * inverseLength,
                             toZ * inverseLength);

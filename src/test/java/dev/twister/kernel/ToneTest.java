@@ -7,14 +7,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class ToneMappingTest {
+class ToneTest {
     @Test
     void srgbCurveKeepsItsBound() {
         double largest = 0;
         for (int i = 0; i <= 1_000_000; i++) {
             float linear = i * 1e-6f;
             double expected = linear <= 0.0031308 ? 12.92 * linear : 1.055 * StrictMath.pow(linear, 1 / 2.4) - 0.055;
-            largest = Math.max(largest, Math.abs(ToneMapping.srgbEncoded(linear) - expected));
+            largest = Math.max(largest, Math.abs(Tone.srgbEncoded(linear) - expected));
         }
         assertThat(largest).isLessThan(2e-6);
     }
@@ -32,22 +32,21 @@ class ToneMappingTest {
         "50, 2, 255"
     })
     void curvesAtKnownValues(float radiance, int operator, int shown) {
-        assertThat(ToneMapping.quantized(radiance, 1f, operator, 0f)).isEqualTo(shown);
+        assertThat(Tone.quantized(radiance, 1f, operator, 0f)).isEqualTo(shown);
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {ToneMapping.CLAMP, ToneMapping.REINHARD, ToneMapping.ACES})
+    @ValueSource(ints = {Tone.CLAMP, Tone.REINHARD, Tone.ACES})
     void anEndlessRadianceIsWhite(int operator) {
-        assertThat(ToneMapping.quantized(Float.POSITIVE_INFINITY, 4f, operator, 1f))
-                .isEqualTo(255);
+        assertThat(Tone.quantized(Float.POSITIVE_INFINITY, 4f, operator, 1f)).isEqualTo(255);
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {ToneMapping.CLAMP, ToneMapping.REINHARD, ToneMapping.ACES})
+    @ValueSource(ints = {Tone.CLAMP, Tone.REINHARD, Tone.ACES})
     void brighterNeverShowsDarker(int operator) {
         int last = 0;
         for (float radiance = 0f; radiance < 20f; radiance += 1e-3f) {
-            int shown = ToneMapping.quantized(radiance, 1f, operator, 1f);
+            int shown = Tone.quantized(radiance, 1f, operator, 1f);
             assertThat(shown).isGreaterThanOrEqualTo(last);
             last = shown;
         }
@@ -55,6 +54,6 @@ class ToneMappingTest {
 
     @Test
     void exposureComesBeforeTheCurve() {
-        assertThat(ToneMapping.quantized(0.25f, 4f, ToneMapping.REINHARD, 0f)).isEqualTo(128);
+        assertThat(Tone.quantized(0.25f, 4f, Tone.REINHARD, 0f)).isEqualTo(128);
     }
 }

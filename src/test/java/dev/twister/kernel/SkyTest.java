@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class SkyLookupTest {
+class SkyTest {
     private static final int[][] SIZES = {{1, 1}, {2, 1}, {1, 2}, {3, 2}, {7, 5}, {64, 32}};
 
     @Test
@@ -49,8 +49,8 @@ class SkyLookupTest {
     @ParameterizedTest
     @CsvSource({"1, 0, 0, 2", "0, 0, 1, 3", "-1, 0, 0, 0", "0, 0, -1, 1"})
     void axesAreQuartersOfThePanorama(float x, float y, float z, float quarters) {
-        assertThat(SkyLookup.column(x, z, 4) + 0.5f).isCloseTo(quarters == 0 ? 4 : quarters, within(1e-6f));
-        assertThat(SkyLookup.row(x, y, z, 4)).isCloseTo(1.5f, within(1e-6f));
+        assertThat(Sky.column(x, z, 4) + 0.5f).isCloseTo(quarters == 0 ? 4 : quarters, within(1e-6f));
+        assertThat(Sky.row(x, y, z, 4)).isCloseTo(1.5f, within(1e-6f));
     }
 
     private static void assertLookup(float[] sky, int[] size, double x, double y, double z) {
@@ -58,10 +58,10 @@ class SkyLookupTest {
         float directionX = (float) (x / length);
         float directionY = (float) (y / length);
         float directionZ = (float) (z / length);
-        float column = SkyLookup.column(directionX, directionZ, size[0]);
-        float row = SkyLookup.row(directionX, directionY, directionZ, size[1]);
+        float column = Sky.column(directionX, directionZ, size[0]);
+        float row = Sky.row(directionX, directionY, directionZ, size[1]);
         for (int channel = 0; channel < 3; channel++) {
-            assertThat((double) SkyLookup.radiance(sky, size[0], size[1], column, row, channel))
+            assertThat((double) Sky.radiance(sky, size[0], size[1], column, row, channel))
                     .as("%s x %s towards (%s, %s, %s)", size[0], size[1], x, y, z)
                     .isCloseTo(bilinear(sky, size, directionX, directionY, directionZ, channel), within(1e-4));
         }

@@ -13,7 +13,7 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.ShrinkingMode;
 
 /** The walk through hierarchies against the plain loops, bit for bit. */
-class NearestHitTest {
+class WalkTest {
     private static final int RAYS = 300;
     private static final int SAMPLES = 6;
 
@@ -26,38 +26,16 @@ class NearestHitTest {
     void hierarchyFindsWhatThePlainLoopFinds(@ForAll("seeds") long seed) {
         Random random = new Random(seed);
         RandomCrowds crowd = RandomCrowds.of(random, 1 + random.nextInt(400));
-        int bodies = crowd.sizes().length;
-        float[] hierarchy =
-                SphereHierarchy.of(crowd.positions(), crowd.sizes(), crowd.sizes().length, 1 + random.nextInt(8));
+        int bodies = crowd.bodies();
+        float[] hierarchy = SphereHierarchy.of(crowd.places(), bodies, 1 + random.nextInt(8));
         float[] scratch = new float[Layout.SCRATCH_LENGTH];
         for (int count = 0; count < RAYS; count++) {
             int leaving = random.nextInt(bodies + 1) - 1;
             float[] origin = origin(random, crowd, leaving);
             float[] direction = direction(random, crowd, origin);
-            int expected = ClosestHit.body(
-                    origin[0],
-                    origin[1],
-                    origin[2],
-                    direction[0],
-                    direction[1],
-                    direction[2],
-                    leaving,
-                    crowd.positions(),
-                    crowd.sizes(),
-                    bodies);
-            int actual = NearestHit.body(
-                    origin[0],
-                    origin[1],
-                    origin[2],
-                    direction[0],
-                    direction[1],
-                    direction[2],
-                    leaving,
-                    crowd.positions(),
-                    crowd.sizes(),
-                    hierarchy,
-                    Layout.root(bodies),
-                    scratch);
+            float[] path = Paths.ray(origin, direction, leaving);
+            int expected = Hit.find(path, crowd.places(), hierarchy, bodies, scratch, Hit.ALL);
+            int actual = Hit.find(path, crowd.places(), hierarchy, bodies, scratch, Hit.WALK);
             assertThat(actual).as("ray %d of seed %d", count, seed).isEqualTo(expected);
         }
     }
@@ -66,10 +44,9 @@ class NearestHitTest {
     void hierarchyShadesWhatThePlainLoopShades(@ForAll("seeds") long seed) {
         Random random = new Random(seed);
         RandomCrowds crowd = RandomCrowds.of(random, 1 + random.nextInt(400));
-        int bodies = crowd.sizes().length;
-        float[] hierarchy =
-                SphereHierarchy.of(crowd.positions(), crowd.sizes(), crowd.sizes().length, 1 + random.nextInt(8));
-        float[] oneLeaf = SphereHierarchy.of(crowd.positions(), crowd.sizes(), crowd.sizes().length, bodies);
+        int bodies = crowd.bodies();
+        float[] hierarchy = SphereHierarchy.of(crowd.places(), bodies, 1 + random.nextInt(8));
+        float[] oneLeaf = SphereHierarchy.of(crowd.places(), bodies, bodies);
         float[] scratch = new float[Layout.SCRATCH_LENGTH];
         float[] disc = new float[2 * SAMPLES];
         for (int sample = 0; sample < SAMPLES; sample++) {
@@ -82,37 +59,19 @@ class NearestHitTest {
             float[] axis = direction(random, crowd, point);
             float distance = (float) Math.pow(10, -1 + 3 * random.nextDouble());
             float discRadius = (float) (distance * Math.pow(10, -3 + 3 * random.nextDouble()));
-            assertThat(visible(point, own, axis, distance, discRadius, disc, hierarchy, bodies, scratch))
+            float[] places = crowd.places().clone();
+            places[Layout.PLACE_SIZE] = discRadius / 2;
+            float[] path = Paths.lit(point, axis, distance);
+            assertThat(visible(path, own, places, disc, hierarchy, bodies, scratch))
                     .as("point %d of seed %d", count, seed)
-                    .isEqualTo(visible(point, own, axis, distance, discRadius, disc, oneLeaf, bodies, scratch));
+                    .isEqualTo(visible(path, own, places, disc, oneLeaf, bodies, scratch));
         }
     }
 
     private static float visible(
-            float[] point,
-            int own,
-            float[] axis,
-            float distance,
-            float discRadius,
-            float[] disc,
-            float[] hierarchy,
-            int bodies,
-            float[] scratch) {
-        return SoftShadow.visible(
-                point[0],
-                point[1],
-                point[2],
-                own,
-                axis[0],
-                axis[1],
-                axis[2],
-                distance,
-                discRadius,
-                SAMPLES,
-                disc,
-                hierarchy,
-                Layout.root(bodies),
-                scratch);
+            float[] path, int own, float[] places, float[] disc, float[] hierarchy, int bodies, float[] scratch) {
+        return Shadow.visible(
+                path, own, Paths.properties(SAMPLES), places, disc, hierarchy, Layout.root(bodies), scratch);
     }
 
     /** On the body that is left, inside a sphere, among them or far away. */
@@ -120,13 +79,13 @@ class NearestHitTest {
         float[] away = direction(random);
         int body = leaving < Layout.FIRST_SPHERE ? Layout.LIGHT : leaving;
         double distance = switch (random.nextInt(4)) {
-            case 0 -> 0.7 * crowd.sizes()[body];
+            case 0 -> 0.7 * crowd.radius(body);
             case 1 -> Math.pow(10, -2 + 7 * random.nextDouble());
-            default -> crowd.sizes()[body];
+            default -> crowd.radius(body);
         };
         float[] origin = new float[3];
         for (int axis = 0; axis < 3; axis++) {
-            origin[axis] = (float) (crowd.positions()[3 * body + axis] + distance * away[axis]);
+            origin[axis] = (float) (crowd.center(body, axis) + distance * away[axis]);
         }
         return origin;
     }
@@ -134,7 +93,7 @@ class NearestHitTest {
     /** Anywhere, along an axis, or at a body, often at its very rim. */
     private static float[] direction(Random random, RandomCrowds crowd, float[] origin) {
         float[] direction = direction(random);
-        int body = random.nextInt(crowd.sizes().length);
+        int body = random.nextInt(crowd.bodies());
         int kind = random.nextInt(6);
         if (kind == 0) {
             direction = new float[3];
@@ -142,8 +101,8 @@ class NearestHitTest {
         } else if (kind > 1) {
             double[] to = new double[3];
             for (int axis = 0; axis < 3; axis++) {
-                to[axis] = crowd.positions()[3 * body + axis]
-                        + (kind == 2 ? 0 : crowd.sizes()[body] * direction[axis])
+                to[axis] = crowd.center(body, axis)
+                        + (kind == 2 ? 0 : crowd.radius(body) * direction[axis])
                         - (double) origin[axis];
             }
             double length = Math.sqrt(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);

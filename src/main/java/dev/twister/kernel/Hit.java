@@ -1,0 +1,143 @@
+package dev.twister.kernel;
+
+/** Which body a ray meets first. */
+public final class Hit {
+    /** Values of the argument {@code search}: every body is tested, or the spheres by way of the hierarchy. Both find the same. */
+    public static final int ALL = 0;
+
+    public static final int WALK = 1;
+
+    private Hit() {}
+
+    /**
+     * The closest body in front of the path's ray, the lower index on a tie; {@link Layout#NOTHING} where there is none.
+     * The body that the ray leaves is ignored. Writes the distance in meters to {@link Layout#DISTANCE}.
+     *
+     * @param path {@link Layout#PATH_LENGTH} floats
+     * @param places {@link Layout#PLACE_STRIDE} floats a body
+     * @param hierarchy over the spheres
+     * @param bodies how many there are
+     * @param scratch {@link Layout#SCRATCH_LENGTH} floats
+     * @param search {@link #ALL} or {@link #WALK}
+     */
+    public static int find(float[] path, float[] places, float[] hierarchy, int bodies, float[] scratch, int search) {
+        int body = amongFirst(path, places, search == WALK ? Layout.FIRST_SPHERE : bodies);
+        if (search == WALK) {
+            body = onWalk(path, body, hierarchy, Layout.root(bodies), scratch);
+        }
+        return body;
+    }
+
+    private static int amongFirst(float[] path, float[] places, int count) {
+        int ignored = (int) path[Layout.LEAVING];
+        float closest = Intersection.MISS;
+        int hit = Layout.NOTHING;
+        for (int body = 0; body < count; body++) {
+            if (body != ignored) {
+                float distance = distance(path, body, places);
+                hit = distance < closest ? body : hit;
+                closest = distance < closest ? distance : closest;
+            }
+        }
+        path[Layout.DISTANCE] = closest;
+        return hit;
+    }
+
+    private static float distance(float[] path, int body, float[] places) {
+        int place = Layout.PLACE_STRIDE * body;
+        float distance;
+        if (body == Layout.PLANE) {
+            distance = Intersection.plane(
+                    places[place + 1],
+                    places[place + Layout.PLACE_SIZE],
+                    path[Layout.ORIGIN],
+                    path[Layout.ORIGIN + 1],
+                    path[Layout.ORIGIN + 2],
+                    path[Layout.DIRECTION],
+                    path[Layout.DIRECTION + 1],
+                    path[Layout.DIRECTION + 2]);
+        } else {
+            distance = sphere(path, places, place);
+        }
+        return distance;
+    }
+
+    /** Distance to a sphere whose center and radius are at that place of an array. */
+    private static float sphere(float[] path, float[] spheres, int at) {
+        return Intersection.sphere(
+                spheres[at] - path[Layout.ORIGIN],
+                spheres[at + 1] - path[Layout.ORIGIN + 1],
+                spheres[at + 2] - path[Layout.ORIGIN + 2],
+                spheres[at + Layout.PLACE_SIZE],
+                path[Layout.DIRECTION],
+                path[Layout.DIRECTION + 1],
+                path[Layout.DIRECTION + 2]);
+    }
+
+    /**
+     * The nearer child is walked first, and what begins beyond the closest hit so far is not walked at all.
+     *
+     * @param first the closest hit so far
+     * @param root where in the hierarchy its root is
+     */
+    private static int onWalk(float[] path, int first, float[] hierarchy, int root, float[] scratch) {
+        float originX = path[Layout.ORIGIN];
+        float originY = path[Layout.ORIGIN + 1];
+        float originZ = path[Layout.ORIGIN + 2];
+        float inverseX = NodeBox.inverse(path[Layout.DIRECTION]);
+        float inverseY = NodeBox.inverse(path[Layout.DIRECTION + 1]);
+        float inverseZ = NodeBox.inverse(path[Layout.DIRECTION + 2]);
+        int hit = first;
+        int node = root;
+        int waiting = 0;
+        while (node != Layout.NO_NODE) {
+            int link = (int) hierarchy[node + Layout.NODE_LINK];
+            int spheres = (int) hierarchy[node + Layout.NODE_SPHERES];
+            int next = Layout.NO_NODE;
+            if (spheres < 0) {
+                float left = NodeBox.entry(hierarchy, link, originX, originY, originZ, inverseX, inverseY, inverseZ);
+                float right = NodeBox.entry(
+                        hierarchy, link + Layout.NODE_STRIDE, originX, originY, originZ, inverseX, inverseY, inverseZ);
+                int swapped = right < left ? Layout.NODE_STRIDE : 0;
+                float near = right < left ? right : left;
+                float far = right < left ? left : right;
+                if (far <= path[Layout.DISTANCE]) {
+                    scratch[Layout.SCRATCH_STACK + 2 * waiting] = link + Layout.NODE_STRIDE - swapped;
+                    scratch[Layout.SCRATCH_STACK + 2 * waiting + 1] = far;
+                    waiting = waiting + 1;
+                }
+                next = near <= path[Layout.DISTANCE] ? link + swapped : Layout.NO_NODE;
+            }
+            hit = inLeaf(path, hit, hierarchy, link, spheres);
+            while (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
+                waiting = waiting - 1;
+                float entry = scratch[Layout.SCRATCH_STACK + 2 * waiting + 1];
+                next = entry <= path[Layout.DISTANCE]
+                        ? (int) scratch[Layout.SCRATCH_STACK + 2 * waiting]
+                        : Layout.NO_NODE;
+            }
+            node = next;
+        }
+        return hit;
+    }
+
+    /** The closest hit so far, or a sphere of the leaf that is closer. */
+    private static int inLeaf(float[] path, int first, float[] hierarchy, int link, int spheres) {
+        int ignored = (int) path[Layout.LEAVING];
+        float closest = path[Layout.DISTANCE];
+        int hit = first;
+        for (int sphere = 0; sphere < spheres; sphere++) {
+            int at = link + Layout.SPHERE_STRIDE * sphere;
+            float distance = sphere(path, hierarchy, at);
+            if (distance <= closest) {
+                int body = (int) hierarchy[at + Layout.SPHERE_BODY];
+                int closer = (distance < closest ? 1 : 0) | (body < hit ? 1 : 0);
+                int taken = closer & (body != ignored ? 1 : 0);
+                hit = taken != 0 ? body : hit;
+                closest = taken != 0 ? distance : closest;
+            }
+        }
+        path[Layout.DISTANCE] = closest;
+        return hit;
+    }
+}

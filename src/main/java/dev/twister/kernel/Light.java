@@ -1,0 +1,86 @@
+package dev.twister.kernel;
+
+/** The light: as a body that is seen, and as what a surface is lit by (Blinn-Phong, {@code shade(C) = C * lit + lightColor * spec}). */
+public final class Light {
+    /** {@code 1 / (8 pi)}. */
+    public static final float INVERSE_EIGHT_PI = 0.039788734f;
+
+    private Light() {}
+
+    /**
+     * Adds the light's own color where the path ends in it.
+     *
+     * @param path {@link Layout#PATH_LENGTH} floats
+     * @param looks {@link Layout#LOOK_STRIDE} floats a body
+     */
+    public static void add(float[] path, float[] looks) {
+        for (int channel = 0; channel < 3; channel++) {
+            path[Layout.RADIANCE + channel] = path[Layout.RADIANCE + channel]
+                    + path[Layout.THROUGHPUT] * looks[Layout.LOOK_STRIDE * Layout.LIGHT + channel];
+        }
+    }
+
+    /**
+     * Writes the unit vector from {@link Layout#POINT} to the light's center, the distance in meters, and the cosine
+     * against the normal.
+     *
+     * @param path {@link Layout#PATH_LENGTH} floats
+     * @param places {@link Layout#PLACE_STRIDE} floats a body
+     */
+    public static void aim(float[] path, float[] places) {
+        float x = places[Layout.PLACE_STRIDE * Layout.LIGHT] - path[Layout.POINT];
+        float y = places[Layout.PLACE_STRIDE * Layout.LIGHT + 1] - path[Layout.POINT + 1];
+        float z = places[Layout.PLACE_STRIDE * Layout.LIGHT + 2] - path[Layout.POINT + 2];
+        float distanceSquared = x * x + y * y + z * z;
+        float inverse = KernelMath.inverseRoot(distanceSquared);
+        x = x * inverse;
+        y = y * inverse;
+        z = z * inverse;
+        path[Layout.TO_LIGHT] = x;
+        path[Layout.TO_LIGHT + 1] = y;
+        path[Layout.TO_LIGHT + 2] = z;
+        path[Layout.LIGHT_DISTANCE] = distanceSquared * inverse;
+        path[Layout.NORMAL_DOT_LIGHT] =
+                path[Layout.NORMAL] * x + path[Layout.NORMAL + 1] * y + path[Layout.NORMAL + 2] * z;
+    }
+
+    /** {@code max(a, max(0, N.L) * S)}. */
+    public static float lit(float ambient, float normalDotLight, float visible) {
+        return normalDotLight * visible > ambient ? normalDotLight * visible : ambient;
+    }
+
+    /** The highlight's strength at {@link Layout#POINT}, by {@link #specular(float, float, float, float, float)}. */
+    static float highlight(float[] path, float visible) {
+        float halfX = path[Layout.TO_LIGHT] - path[Layout.DIRECTION];
+        float halfY = path[Layout.TO_LIGHT + 1] - path[Layout.DIRECTION + 1];
+        float halfZ = path[Layout.TO_LIGHT + 2] - path[Layout.DIRECTION + 2];
+        return specular(
+                path[Layout.REFLECTIVITY],
+                path[Layout.NORMAL_DOT_LIGHT],
+                path[Layout.NORMAL] * halfX + path[Layout.NORMAL + 1] * halfY + path[Layout.NORMAL + 2] * halfZ,
+                halfX * halfX + halfY * halfY + halfZ * halfZ,
+                visible);
+    }
+
+    /**
+     * {@code S * (8 + p) / (8 pi) * max(0, N.H)^p * p / 128} where the light is in front, else 0. H is the unit vector
+     * of L + V; where L and V cancel, it is 0.
+     *
+     * @param normalDotHalf N.(L + V), not yet divided by the length
+     * @param halfLengthSquared of L + V
+     */
+    public static float specular(
+            float reflectivity, float normalDotLight, float normalDotHalf, float halfLengthSquared, float visible) {
+        float specular = 0f;
+        if (normalDotLight > 0f) {
+            float cosine = Math.min(Math.max(0f, normalDotHalf * KernelMath.inverseRoot(halfLengthSquared)), 1f);
+            specular = visible
+                    * (8f + reflectivity)
+                    * INVERSE_EIGHT_PI
+                    * KernelMath.pow(cosine, reflectivity)
+                    * reflectivity
+                    / Layout.MAX_REFLECTIVITY;
+        }
+        return specular;
+    }
+}

@@ -1,0 +1,36 @@
+package dev.twister.kernel;
+
+/** What a body is made of at a point of its surface. */
+public final class Material {
+    private Material() {}
+
+    /**
+     * Writes the albedo and the reflectivity at {@link Layout#POINT}.
+     *
+     * @param path {@link Layout#PATH_LENGTH} floats
+     * @param body the plane or a sphere
+     * @param looks {@link Layout#LOOK_STRIDE} floats a body
+     * @param properties {@link Layout#PROPERTIES_LENGTH} floats
+     */
+    public static void find(float[] path, int body, float[] looks, float[] properties) {
+        int look = Layout.LOOK_STRIDE * body;
+        float red = looks[look];
+        float green = looks[look + 1];
+        float blue = looks[look + 2];
+        if (body == Layout.PLANE) {
+            int even = isEvenSquare(path[Layout.POINT], path[Layout.POINT + 2]);
+            red = even != 0 ? red : properties[Layout.PLANE_ODD_COLOR];
+            green = even != 0 ? green : properties[Layout.PLANE_ODD_COLOR + 1];
+            blue = even != 0 ? blue : properties[Layout.PLANE_ODD_COLOR + 2];
+        }
+        path[Layout.ALBEDO] = red;
+        path[Layout.ALBEDO + 1] = green;
+        path[Layout.ALBEDO + 2] = blue;
+        path[Layout.REFLECTIVITY] = looks[look + Layout.LOOK_REFLECTIVITY];
+    }
+
+    /** 1 where {@code floor(x) + floor(z)} is even (the plane's first color), else 0. */
+    public static int isEvenSquare(float x, float z) {
+        return 1 - ((KernelMath.floor(x) + KernelMath.floor(z)) & 1);
+    }
+}

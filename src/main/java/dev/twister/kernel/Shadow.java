@@ -1,0 +1,314 @@
+package dev.twister.kernel;
+
+/**
+ * The visible part of the light's disc, exactly as the plain equations have it but for rounding, and much sooner.
+ *
+ * <p>Everything is seen in a frame with the surface point at its origin: A towards the light's center at distance D, U
+ * and W the disc's axes. A shadow ray then goes through (D, x, y), with (x, y) the sample's place on the disc, and a
+ * sphere at (a, u, w) meets its line where the perpendicular distance is at most the radius:
+ * {@code |(a, u, w) x (D, x, y)|^2 <= radius^2 * |(D, x, y)|^2}. With x' = x / D, y' = y / D, p = u - a x' and q = w - a y'
+ * that is {@code (p y' - q x')^2 + p^2 + q^2 <= radius^2 * (1 + x'^2 + y'^2)}: no square root, and small differences of
+ * large numbers only where they cancel exactly.
+ *
+ * <p>Spheres that cannot meet the cone from the point to the disc are left out first; most points have none left.
+ */
+public final class Shadow {
+    /** What {@link #judge} says of a sphere. */
+    public static final int HARMLESS = 0;
+
+    public static final int CANDIDATE = 1;
+    public static final int HIDES_ALL = 2;
+
+    /** What {@link #candidates} says where a sphere surely hides the whole disc. */
+    private static final int ALL_HIDDEN = -1;
+
+    /** Culling must err on one side only: this much is added to a reach, so that rounding never drops a blocker. */
+    public static final float RELATIVE_MARGIN = 1.0005f;
+
+    public static final float ABSOLUTE_MARGIN = 1.0e-5f;
+
+    /** And this much is asked more of a sphere that is to hide the whole disc without a look at the samples. */
+    public static final float UMBRA_MARGIN = 0.999f;
+
+    private Shadow() {}
+
+    /**
+     * S in [0, 1] at {@link Layout#POINT}: 1 - blocked / samples; 1 where S would change nothing, as the light is behind
+     * the surface or adds less than the ambient light.
+     *
+     * @param path {@link Layout#PATH_LENGTH} floats
+     * @param own the body that the point lies on
+     * @param properties {@link Layout#PROPERTIES_LENGTH} floats
+     * @param places {@link Layout#PLACE_STRIDE} floats a body
+     * @param shadowDisc the unit sunflower, {@code float[2 * samples]}
+     * @param hierarchy over the spheres
+     * @param root where in the hierarchy its root is, see {@link Layout#root}
+     * @param scratch {@link Layout#SCRATCH_LENGTH} floats
+     */
+    public static float visible(
+            float[] path,
+            int own,
+            float[] properties,
+            float[] places,
+            float[] shadowDisc,
+            float[] hierarchy,
+            int root,
+            float[] scratch) {
+        float cosine = path[Layout.NORMAL_DOT_LIGHT];
+        int matters = (cosine > properties[Layout.AMBIENT] ? 1 : 0)
+                | ((cosine > 0f ? 1 : 0) & (path[Layout.REFLECTIVITY] > 0f ? 1 : 0));
+        float visible = 1f;
+        if (matters != 0) {
+            int samples = (int) properties[Layout.SHADOW_SAMPLES];
+            float discRadius = 2f * places[Layout.PLACE_STRIDE * Layout.LIGHT + Layout.PLACE_SIZE];
+            float sampleScale = face(path, discRadius, samples, shadowDisc);
+            int count = candidates(path, own, hierarchy, root, scratch);
+            visible = count == ALL_HIDDEN ? 0f : 1f;
+            if (count > 0) {
+                int blocked = blocked(path, own, count, samples, sampleScale, shadowDisc, hierarchy, root, scratch);
+                visible = 1f - (float) blocked / samples;
+            }
+        }
+        return visible;
+    }
+
+    /**
+     * Writes the disc's axes and its half angle as the point sees it.
+     *
+     * @param discRadius twice the light's radius, in meters: where the sunflower's rim is
+     * @return from the unit disc to the plane at distance 1
+     */
+    static float face(float[] path, float discRadius, int samples, float[] shadowDisc) {
+        float axisX = path[Layout.TO_LIGHT];
+        float axisY = path[Layout.TO_LIGHT + 1];
+        float axisZ = path[Layout.TO_LIGHT + 2];
+        float acrossSquared = axisY * axisY + axisZ * axisZ;
+        float scale = KernelMath.inverseRoot(acrossSquared > 0f ? acrossSquared : axisX * axisX);
+        float uY = acrossSquared > 0f ? axisZ * scale : 0f;
+        float uZ = acrossSquared > 0f ? -axisY * scale : axisX * scale;
+        path[Layout.DISC_U_Y] = uY;
+        path[Layout.DISC_U_Z] = uZ;
+        path[Layout.DISC_W] = uY * axisZ - uZ * axisY;
+        path[Layout.DISC_W + 1] = uZ * axisX;
+        path[Layout.DISC_W + 2] = -uY * axisX;
+        float distance = path[Layout.LIGHT_DISTANCE];
+        float sampleScale = discRadius * (distance > 0f ? 1f / distance : 0f);
+        float rimX = shadowDisc[2 * samples - 2];
+        float rimY = shadowDisc[2 * samples - 1];
+        float tangent = sampleScale * (float) Math.sqrt(rimX * rimX + rimY * rimY);
+        path[Layout.DISC_TANGENT] = tangent;
+        path[Layout.DISC_SECANT] = (float) Math.sqrt(1f + tangent * tangent);
+        return sampleScale;
+    }
+
+    /** How many samples are blocked, by the candidates in the scratch or, where there are more, by any sphere. */
+    private static int blocked(
+            float[] path,
+            int own,
+            int count,
+            int samples,
+            float sampleScale,
+            float[] shadowDisc,
+            float[] hierarchy,
+            int root,
+            float[] scratch) {
+        float distance = path[Layout.LIGHT_DISTANCE];
+        int remembered = Math.min(count, Layout.MOST_CANDIDATES);
+        int alone = count == 1 ? liesBetween(scratch, distance) : 0;
+        int blocked = alone != 0 ? blockedByOne(scratch, shadowDisc, sampleScale, samples) : 0;
+        int firstSample = alone != 0 ? samples : 0;
+        for (int sample = firstSample; sample < samples; sample++) {
+            float x = shadowDisc[2 * sample] * sampleScale;
+            float y = shadowDisc[2 * sample + 1] * sampleScale;
+            int hit = 0;
+            for (int candidate = 0; candidate < remembered && hit == 0; candidate++) {
+                hit = blocks(
+                        scratch[Layout.CANDIDATE_STRIDE * candidate],
+                        scratch[Layout.CANDIDATE_STRIDE * candidate + 1],
+                        scratch[Layout.CANDIDATE_STRIDE * candidate + 2],
+                        scratch[Layout.CANDIDATE_STRIDE * candidate + 3],
+                        x,
+                        y,
+                        distance);
+            }
+            int forgotten = (count > Layout.MOST_CANDIDATES ? 1 : 0) & (hit == 0 ? 1 : 0);
+            if (forgotten != 0) {
+                hit = ShadowRay.blocked(path, own, x, y, hierarchy, root, scratch);
+            }
+            blocked = blocked + hit;
+        }
+        return blocked;
+    }
+
+    /**
+     * Looks for the spheres that may come between the point and the disc, and writes the first
+     * {@link Layout#MOST_CANDIDATES} into the scratch.
+     *
+     * @return how many there are, at least if there are more, or {@link #ALL_HIDDEN}
+     */
+    private static int candidates(float[] path, int own, float[] hierarchy, int root, float[] scratch) {
+        float inverseX = NodeBox.inverse(path[Layout.TO_LIGHT]);
+        float inverseY = NodeBox.inverse(path[Layout.TO_LIGHT + 1]);
+        float inverseZ = NodeBox.inverse(path[Layout.TO_LIGHT + 2]);
+        int count = 0;
+        int node = root;
+        int waiting = 0;
+        while (node != Layout.NO_NODE) {
+            int link = (int) hierarchy[node + Layout.NODE_LINK];
+            int spheres = (int) hierarchy[node + Layout.NODE_SPHERES];
+            int next = Layout.NO_NODE;
+            if (spheres < 0) {
+                float first = NodeBox.coneEntry(path, hierarchy, link, inverseX, inverseY, inverseZ);
+                float second =
+                        NodeBox.coneEntry(path, hierarchy, link + Layout.NODE_STRIDE, inverseX, inverseY, inverseZ);
+                int swapped = second < first ? Layout.NODE_STRIDE : 0;
+                float near = second < first ? second : first;
+                float far = second < first ? first : second;
+                if (far < NodeBox.PASSED) {
+                    scratch[Layout.SCRATCH_STACK + waiting] = link + Layout.NODE_STRIDE - swapped;
+                    waiting = waiting + 1;
+                }
+                next = near < NodeBox.PASSED ? link + swapped : Layout.NO_NODE;
+            }
+            count = addLeaf(path, own, count, hierarchy, link, spheres, scratch);
+            if (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
+                waiting = waiting - 1;
+                next = (int) scratch[Layout.SCRATCH_STACK + waiting];
+            }
+            int known = (count == ALL_HIDDEN ? 1 : 0) | (count > Layout.MOST_CANDIDATES ? 1 : 0);
+            node = known == 0 ? next : Layout.NO_NODE;
+        }
+        return count;
+    }
+
+    /**
+     * The candidates of a leaf, after those that were found before.
+     *
+     * @return how many there are now, or {@link #ALL_HIDDEN}
+     */
+    private static int addLeaf(
+            float[] path, int own, int found, float[] hierarchy, int link, int spheres, float[] scratch) {
+        int count = found;
+        for (int sphere = 0; sphere < spheres && count != ALL_HIDDEN; sphere++) {
+            int at = link + Layout.SPHERE_STRIDE * sphere;
+            int body = (int) hierarchy[at + Layout.SPHERE_BODY];
+            if (body != own) {
+                float x = hierarchy[at] - path[Layout.POINT];
+                float y = hierarchy[at + 1] - path[Layout.POINT + 1];
+                float z = hierarchy[at + 2] - path[Layout.POINT + 2];
+                float radius = hierarchy[at + Layout.SPHERE_RADIUS];
+                float a = x * path[Layout.TO_LIGHT] + y * path[Layout.TO_LIGHT + 1] + z * path[Layout.TO_LIGHT + 2];
+                float u = path[Layout.DISC_U_Y] * y + path[Layout.DISC_U_Z] * z;
+                float w = path[Layout.DISC_W] * x + path[Layout.DISC_W + 1] * y + path[Layout.DISC_W + 2] * z;
+                int judgement = judge(
+                        a,
+                        u,
+                        w,
+                        radius,
+                        path[Layout.LIGHT_DISTANCE],
+                        path[Layout.DISC_TANGENT],
+                        path[Layout.DISC_SECANT]);
+                if (judgement == CANDIDATE) {
+                    remember(count, a, u, w, radius, scratch);
+                    count = count + 1;
+                }
+                count = judgement == HIDES_ALL ? ALL_HIDDEN : count;
+            }
+        }
+        return count;
+    }
+
+    private static void remember(int candidate, float a, float u, float w, float radius, float[] scratch) {
+        if (candidate < Layout.MOST_CANDIDATES) {
+            scratch[Layout.CANDIDATE_STRIDE * candidate] = a;
+            scratch[Layout.CANDIDATE_STRIDE * candidate + 1] = u;
+            scratch[Layout.CANDIDATE_STRIDE * candidate + 2] = w;
+            scratch[Layout.CANDIDATE_STRIDE * candidate + 3] = radius * radius;
+        }
+    }
+
+    /**
+     * Whether a sphere may come between the point and the disc, with its center at (a, u, w), and whether it surely hides
+     * the whole disc.
+     */
+    public static int judge(float a, float u, float w, float radius, float distance, float tangent, float secant) {
+        float across = u * u + w * w;
+        int judgement = HARMLESS;
+        if (mayMeet(a, across, radius, distance, tangent, secant) != 0) {
+            judgement = hidesDisc(a, across, radius, distance, tangent, secant) != 0 ? HIDES_ALL : CANDIDATE;
+        }
+        return judgement;
+    }
+
+    /** 1 where a sphere may meet the cone, with its center at a along the axis and a square of {@code across} beside it. */
+    static int mayMeet(float a, float across, float radius, float distance, float tangent, float secant) {
+        float reach =
+                (a * tangent + radius * secant) * RELATIVE_MARGIN + ABSOLUTE_MARGIN * (Math.abs(a) + distance + radius);
+        return (a + radius > 0f ? 1 : 0)
+                & (a - radius < distance * RELATIVE_MARGIN ? 1 : 0)
+                & (reach > 0f ? 1 : 0)
+                & (across <= reach * reach ? 1 : 0)
+                & (a * a + across > radius * radius ? 1 : 0);
+    }
+
+    /** 1 where the first candidate lies wholly between the point and the disc: then only its distance from a ray counts. */
+    private static int liesBetween(float[] scratch, float distance) {
+        float radius = (float) Math.sqrt(scratch[3]);
+        return (scratch[0] - radius > 0f ? 1 : 0) & (scratch[0] + radius < distance * UMBRA_MARGIN ? 1 : 0);
+    }
+
+    /** How many samples the first candidate blocks, which lies wholly between: most points in a penumbra have but one. */
+    private static int blockedByOne(float[] scratch, float[] shadowDisc, float sampleScale, int samples) {
+        float a = scratch[0];
+        float u = scratch[1];
+        float w = scratch[2];
+        float radiusSquared = scratch[3];
+        int blocked = 0;
+        for (int sample = 0; sample < samples; sample++) {
+            float x = shadowDisc[2 * sample] * sampleScale;
+            float y = shadowDisc[2 * sample + 1] * sampleScale;
+            float p = u - a * x;
+            float q = w - a * y;
+            float moment = p * y - q * x;
+            int met = moment * moment + p * p + q * q <= radiusSquared * (1f + x * x + y * y) ? 1 : 0;
+            blocked = blocked + met;
+        }
+        return blocked;
+    }
+
+    /**
+     * 1 where a sphere blocks the shadow ray through (1, x, y) * distance: its line is met, and the near side lies
+     * between the point and the sample. A point inside the sphere does not see it.
+     */
+    static int blocks(float a, float u, float w, float radiusSquared, float x, float y, float distance) {
+        float p = u - a * x;
+        float q = w - a * y;
+        float moment = p * y - q * x;
+        float lengthSquared = 1f + x * x + y * y;
+        int blocks = 0;
+        if (moment * moment + p * p + q * q <= radiusSquared * lengthSquared) {
+            float along = a + x * u + y * w;
+            float beyondA = distance - a;
+            float beyondU = distance * x - u;
+            float beyondW = distance * y - w;
+            float beyondSquared = beyondA * beyondA + beyondU * beyondU + beyondW * beyondW;
+            int before = (along < distance * lengthSquared ? 1 : 0) | (beyondSquared < radiusSquared ? 1 : 0);
+            int outside = a * a + u * u + w * w > radiusSquared ? 1 : 0;
+            blocks = (along > 0f ? 1 : 0) & before & outside;
+        }
+        return blocks;
+    }
+
+    /**
+     * 1 where the sphere surely hides the whole disc: it lies wholly between point and disc, and the cone of the disc
+     * lies inside the sphere's cone, {@code sin(theta + alpha) <= radius / distance of the center}, with theta between
+     * A and the center and alpha the disc's half angle, both together below a right angle.
+     */
+    private static int hidesDisc(float a, float across, float radius, float distance, float tangent, float secant) {
+        float perpendicular = (float) Math.sqrt(across);
+        return (a - radius > 0f ? 1 : 0)
+                & (a + radius < distance * UMBRA_MARGIN ? 1 : 0)
+                & (a > perpendicular * tangent ? 1 : 0)
+                & (perpendicular + a * tangent <= radius * secant * UMBRA_MARGIN ? 1 : 0);
+    }
+}

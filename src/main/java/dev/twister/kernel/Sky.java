@@ -1,0 +1,60 @@
+package dev.twister.kernel;
+
+/** The panorama in a direction: equirectangular, bilinear between texel centers, wrapping around, clamped up and down. */
+public final class Sky {
+    private static final float TURNS_PER_RADIAN = 0.15915494f;
+    private static final float HALF_TURNS_PER_RADIAN = 0.31830987f;
+
+    private Sky() {}
+
+    /**
+     * Adds the sky that the path's ray looks at.
+     *
+     * @param path {@link Layout#PATH_LENGTH} floats
+     * @param sky three floats a texel: linear radiance, row by row from the top
+     * @param skyDimensions width and height in texels
+     */
+    public static void add(float[] path, float[] sky, int[] skyDimensions) {
+        int width = skyDimensions[Layout.SKY_WIDTH];
+        int height = skyDimensions[Layout.SKY_HEIGHT];
+        float column = column(path[Layout.DIRECTION], path[Layout.DIRECTION + 2], width);
+        float row = row(path[Layout.DIRECTION], path[Layout.DIRECTION + 1], path[Layout.DIRECTION + 2], height);
+        for (int channel = 0; channel < 3; channel++) {
+            path[Layout.RADIANCE + channel] = path[Layout.RADIANCE + channel]
+                    + path[Layout.THROUGHPUT] * radiance(sky, width, height, column, row, channel);
+        }
+    }
+
+    /** Columns from the first texel's center, in [-0.5, width - 0.5]: {@code (0.5 + atan2(z, x) / 2 pi) * width - 0.5}. */
+    public static float column(float x, float z, int width) {
+        return (0.5f + KernelMath.atan2(z, x) * TURNS_PER_RADIAN) * width - 0.5f;
+    }
+
+    /**
+     * Rows from the first texel's center, in [-0.5, height - 0.5]: {@code (0.5 - asin(y) / pi) * height - 0.5}. The arc
+     * sine is taken as an arc tangent, which keeps its digits near straight up and down.
+     */
+    public static float row(float x, float y, float z, int height) {
+        float elevation = KernelMath.atan2(y, (float) Math.sqrt(x * x + z * z));
+        return (0.5f - elevation * HALF_TURNS_PER_RADIAN) * height - 0.5f;
+    }
+
+    /** Linear radiance of one channel (0 red, 1 green, 2 blue) at a column and a row as above. */
+    public static float radiance(float[] sky, int width, int height, float column, float row, int channel) {
+        int left = KernelMath.floor(column);
+        int top = KernelMath.floor(row);
+        float toRight = column - left;
+        float toBottom = row - top;
+        int wrappedLeft = left < 0 ? left + width : Math.min(left, width - 1);
+        int wrappedRight = left + 1 >= width ? 0 : left + 1;
+        int clampedTop = Math.min(Math.max(top, 0), height - 1);
+        int clampedBottom = Math.min(Math.max(top + 1, 0), height - 1);
+        float topLeft = sky[3 * (clampedTop * width + wrappedLeft) + channel];
+        float topRight = sky[3 * (clampedTop * width + wrappedRight) + channel];
+        float bottomLeft = sky[3 * (clampedBottom * width + wrappedLeft) + channel];
+        float bottomRight = sky[3 * (clampedBottom * width + wrappedRight) + channel];
+        float upper = topLeft + (topRight - topLeft) * toRight;
+        float lower = bottomLeft + (bottomRight - bottomLeft) * toRight;
+        return upper + (lower - upper) * toBottom;
+    }
+}

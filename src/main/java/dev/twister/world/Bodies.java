@@ -1,0 +1,39 @@
+package dev.twister.world;
+
+import dev.twister.kernel.Layout;
+import java.util.Arrays;
+
+/**
+ * The bodies as the kernel reads them; {@link Layout} has the places in the arrays, none of which changes. They have room for
+ * all bodies that a scene may come to have; {@link FrameInput#bodyCount} tells how many of them are there.
+ *
+ * @param places {@code float[4 * room]}: each body's center and radius; the plane's is (0, height, 0) and its side
+ * @param looks {@code float[4 * room]}: each body's color (albedo; the light's radiance; the plane's first color) and
+ *     reflectivity in [0, 128]
+ * @param hierarchy over the spheres that are there: see {@link SphereHierarchy}; its length depends on the room alone
+ */
+@SuppressWarnings("ArrayRecordComponent") // identity is what counts, see FrameInput
+public record Bodies(float[] places, float[] looks, float[] hierarchy) {
+    /** How many bodies there may come to be. */
+    public int room() {
+        return places.length / Layout.PLACE_STRIDE;
+    }
+
+    /** A coordinate of a body's center, in meters: 0 for x, 1 for y, 2 for z. */
+    public float center(int body, int axis) {
+        return places[Layout.PLACE_STRIDE * body + axis];
+    }
+
+    /** The light's or a sphere's radius, the plane's side, in meters. */
+    public float size(int body) {
+        return places[Layout.PLACE_STRIDE * body + Layout.PLACE_SIZE];
+    }
+
+    Bodies withHierarchy(float[] newHierarchy) {
+        return new Bodies(places, looks, newHierarchy);
+    }
+
+    Bodies withLooksOf(Bodies earlier) {
+        return Arrays.equals(earlier.looks, looks) ? new Bodies(places, earlier.looks, hierarchy) : this;
+    }
+}
