@@ -19,9 +19,6 @@ public interface BenchmarkProgress {
     /** A frame, warm-up or measured, is there; or a step of what comes before. */
     void drewFrame();
 
-    /** An engine is done with a size; not everyone minds. */
-    default void measured(@SuppressWarnings("unused") Measurement measurement) {}
-
-    /** An engine failed, and the next one's turn comes; not everyone minds. */
-    default void failed(@SuppressWarnings("unused") EngineFailure failure) {}
+    /** An engine is done with a setting, or failed; the report is unfinished and without pictures. */
+    default void found(@SuppressWarnings("unused") BenchmarkReport soFar) {}
 }

@@ -18,7 +18,7 @@ final class PaperTables {
 
     private PaperTables() {}
 
-    static String machine(PaperReport report) {
+    static String machine(BenchmarkReport report) {
         MachineInfo machine = report.machine();
         List<List<Cell>> rows = new ArrayList<>();
         rows.add(fact("processor", machine.processor() + ", " + machine.cores() + " cores"));
@@ -31,8 +31,8 @@ final class PaperTables {
         return HtmlText.table("facts", List.of(), rows);
     }
 
-    static String parameters(PaperReport report) {
-        PaperPlan plan = report.plan();
+    static String parameters(BenchmarkReport report) {
+        BenchmarkPlan plan = report.plan();
         return HtmlText.table(
                 "facts",
                 List.of(),
@@ -57,7 +57,7 @@ final class PaperTables {
                                         : "not all are " + Benchmark.REFERENCE + "'s; see below")));
     }
 
-    static String sizes(PaperReport report) {
+    static String sizes(BenchmarkReport report) {
         List<Cell> titles = new ArrayList<>(titles(report.engines()));
         titles.add(new Cell(PublishedFigures.DEVICE + ", the paper's figure", THEIRS));
         return HtmlText.table(
@@ -75,7 +75,7 @@ final class PaperTables {
                         .toList());
     }
 
-    static String fps(PaperReport report, PaperFigure figure, Function<PaperSetting, String> name) {
+    static String fps(BenchmarkReport report, PaperFigure figure, Function<Setting, String> name) {
         return HtmlText.table(
                 "",
                 titles(report.engines()),
@@ -86,10 +86,10 @@ final class PaperTables {
     }
 
     /** A row for each baseline and size. */
-    static String speedup(PaperReport report) {
+    static String speedup(BenchmarkReport report) {
         List<List<Cell>> rows = new ArrayList<>();
         for (String baseline : List.of(JvmEngines.SEQUENTIAL, JvmEngines.PARALLEL)) {
-            for (PaperSetting setting : report.plan().settings(PaperFigure.SPEEDUP)) {
+            for (Setting setting : report.plan().settings(PaperFigure.SPEEDUP)) {
                 rows.add(row(
                         "over " + baseline + ", " + setting.size().name(),
                         report.engines(),
@@ -107,7 +107,7 @@ final class PaperTables {
         return HtmlText.table("", titles(report.engines()), rows);
     }
 
-    private static Optional<Double> fps(PaperReport report, String engine, PaperSetting setting) {
+    private static Optional<Double> fps(BenchmarkReport report, String engine, Setting setting) {
         return report.find(engine, setting)
                 .map(measurement -> measurement.times().fps());
     }
@@ -139,7 +139,7 @@ final class PaperTables {
     }
 
     /** The first measurement of each engine. */
-    private static List<Measurement> devices(PaperReport report) {
+    private static List<Measurement> devices(BenchmarkReport report) {
         return report.engines().stream()
                 .map(engine -> report.measurements().stream()
                         .filter(measurement -> measurement.engine().equals(engine))
