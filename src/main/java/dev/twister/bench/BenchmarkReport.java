@@ -58,6 +58,11 @@ public record BenchmarkReport(
                 .findFirst();
     }
 
+    /** An engine's frames a second at a setting; empty where it was not measured. */
+    Optional<Double> fps(String engine, Setting setting) {
+        return find(engine, setting).map(measurement -> measurement.times().fps());
+    }
+
     /** How many times faster than the baseline, by the means of the same frames; empty where that one was not measured. */
     public Optional<Double> speedupOver(String baseline, Measurement measurement) {
         return find(baseline, measurement.setting()).map(other -> speedup(other, measurement));

@@ -16,48 +16,13 @@ import org.apache.commons.csv.CSVPrinter;
 /** A report for spreadsheets: a line for each figure, setting and engine, with all there is to know on it. */
 public final class CsvReport {
     /** Whatever is known of a measurement. */
-    private static final List<String> COLUMNS = List.of(
-            "engine",
-            "device",
-            "width",
-            "height",
-            "shadowSamples",
-            "bounces",
-            "bodies",
-            "warmupFrames",
-            "frames",
-            "fps",
-            "msMin",
-            "msMedian",
-            "msMean",
-            "msP95",
-            "msKernel",
-            "msCopyIn",
-            "msCopyOut",
-            "msStep",
-            "msRebuild",
-            "speedupOverSequential",
-            "speedupOverParallel",
-            "differingPixels",
-            "allowedDifferingPixels",
-            "largestDifference",
-            "samePicture",
-            "failure",
-            "scene",
-            "plannedWarmupFrames",
-            "plannedFrames",
-            "maxSeconds",
-            "processor",
-            "cores",
-            "memoryBytes",
-            "maxHeapBytes",
-            "operatingSystem",
-            "jdk",
-            "jdkVendor",
-            "jit",
-            "twister",
-            "tornadoVm",
-            "finished");
+    private static final List<String> COLUMNS =
+            List.of(("engine device width height shadowSamples bounces bodies warmupFrames frames fps msMin "
+                            + "msMedian msMean msP95 msKernel msCopyIn msCopyOut msStep msRebuild speedupOverSequential "
+                            + "speedupOverParallel differingPixels allowedDifferingPixels largestDifference samePicture "
+                            + "failure scene plannedWarmupFrames plannedFrames maxSeconds processor cores memoryBytes "
+                            + "maxHeapBytes operatingSystem jdk jdkVendor jit twister tornadoVm finished")
+                    .split(" "));
 
     /** The first column, where there are several. */
     private static final String FIGURE = "figure";

@@ -76,13 +76,7 @@ final class PaperPlots {
         List<Setting> settings = report.plan().settings(PaperFigure.SIZES);
         List<Double> values = new ArrayList<>();
         for (String engine : report.engines()) {
-            addBars(
-                    chart,
-                    engine,
-                    settings,
-                    setting -> report.find(engine, setting)
-                            .map(measurement -> measurement.times().fps()),
-                    values);
+            addBars(chart, engine, settings, setting -> report.fps(engine, setting), values);
         }
         if (settings.stream()
                 .anyMatch(setting -> PublishedFigures.fps(setting.size()).isPresent())) {

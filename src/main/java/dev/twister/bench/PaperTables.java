@@ -27,7 +27,11 @@ final class PaperTables {
         rows.add(fact("JDK", machine.jdk() + ", " + machine.vendor() + ", " + machine.jit()));
         rows.add(fact("Twister", machine.twister()));
         rows.add(fact("TornadoVM", machine.tornadoVm().orElse("not here")));
-        devices(report).forEach((engine) -> rows.add(fact("engine " + engine.engine(), engine.device())));
+        report.engines()
+                .forEach(engine -> report.measurements().stream()
+                        .filter(measurement -> measurement.engine().equals(engine))
+                        .findFirst()
+                        .ifPresent(first -> rows.add(fact("engine " + engine, first.device()))));
         return HtmlText.table("facts", List.of(), rows);
     }
 
@@ -68,7 +72,7 @@ final class PaperTables {
                                         row(
                                                 setting.size().name(),
                                                 report.engines(),
-                                                engine -> fps(report, engine, setting))
+                                                engine -> report.fps(engine, setting))
                                                 .stream(),
                                         Stream.of(new Cell(shown(PublishedFigures.fps(setting.size())), THEIRS)))
                                 .toList())
@@ -81,7 +85,7 @@ final class PaperTables {
                 titles(report.engines()),
                 report.plan().settings(figure).stream()
                         .map(setting ->
-                                row(name.apply(setting), report.engines(), engine -> fps(report, engine, setting)))
+                                row(name.apply(setting), report.engines(), engine -> report.fps(engine, setting)))
                         .toList());
     }
 
@@ -105,11 +109,6 @@ final class PaperTables {
         report.engines().forEach(_ -> published.add(new Cell("", THEIRS)));
         rows.add(published);
         return HtmlText.table("", titles(report.engines()), rows);
-    }
-
-    private static Optional<Double> fps(BenchmarkReport report, String engine, Setting setting) {
-        return report.find(engine, setting)
-                .map(measurement -> measurement.times().fps());
     }
 
     private static List<Cell> titles(List<String> engines) {
@@ -136,15 +135,5 @@ final class PaperTables {
 
     private static List<Cell> fact(String name, String value) {
         return List.of(Cell.of(name), Cell.of(value));
-    }
-
-    /** The first measurement of each engine. */
-    private static List<Measurement> devices(BenchmarkReport report) {
-        return report.engines().stream()
-                .map(engine -> report.measurements().stream()
-                        .filter(measurement -> measurement.engine().equals(engine))
-                        .findFirst()
-                        .orElseThrow())
-                .toList();
     }
 }

@@ -19,7 +19,7 @@ final class BenchmarkLine implements BenchmarkProgress, AutoCloseable {
     private final PrintWriter err;
     private final ReportFiles files;
     private final ProgressLine line;
-    private final Unfinished unfinished = Unfinished.until(this::giveUp);
+    private final Thread hook = Thread.ofPlatform().name("unfinished").unstarted(this::giveUp);
     private volatile String engine = "benchmark";
     private volatile String task = engine;
     private Optional<BenchmarkReport> latest = Optional.empty();
@@ -40,6 +40,7 @@ final class BenchmarkLine implements BenchmarkProgress, AutoCloseable {
         long engines = plan.engines().size();
         line = ProgressLine.start(
                 err, "benchmark", settings + engines * (1 + settings * (stepsToStart + plan.framesEach())));
+        Runtime.getRuntime().addShutdownHook(hook);
     }
 
     /** An engine whose time was up early has drawn fewer frames than foreseen: the bar jumps over the rest. */
@@ -86,7 +87,11 @@ final class BenchmarkLine implements BenchmarkProgress, AutoCloseable {
 
     @Override
     public void close() {
-        unfinished.close();
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException _) {
+            // The process ends already: the hook has spoken, or will.
+        }
         line.close();
     }
 }

@@ -34,9 +34,34 @@ public final class FastestEngine {
 
     private static final long LOOK_NANOS = 20_000_000;
 
-    private final EngineTrial trial;
+    /** Time for the JVM's compiler, for all engines of the JVM together; a trial that settles ends sooner. */
+    private static final Duration JVM_TRIALS = Duration.ofSeconds(30);
+
+    /** For all devices together, whose first frame waits for the kernel's compiler. */
+    private static final Duration DEVICE_TRIALS = Duration.ofSeconds(60);
+
+    private final Trial trial;
     private final ChoiceStore store;
     private final Waiting waiting;
+
+    /** Finds out how fast an engine is. */
+    @FunctionalInterface
+    interface Trial {
+        /**
+         * How long the engine takes for a small picture; empty where it fails, or has not drawn one within the limit.
+         *
+         * @param cancelled asked again and again; once it is true, the answer does not count and comes soon
+         */
+        Optional<Duration> frameTime(EngineOffer offer, Duration limit, BooleanSupplier cancelled);
+    }
+
+    /**
+     * What an engine's trial came to.
+     *
+     * @param engine its id
+     * @param frame its fastest frame; empty where it drew none in the time it had
+     */
+    public record Time(String engine, Optional<Duration> frame) {}
 
     /** Lets so much time go by, or less where nobody waits for what comes after it. */
     @FunctionalInterface
@@ -44,7 +69,7 @@ public final class FastestEngine {
         void await(Duration time, BooleanSupplier cancelled);
     }
 
-    FastestEngine(EngineTrial trial, ChoiceStore store, Waiting waiting) {
+    FastestEngine(Trial trial, ChoiceStore store, Waiting waiting) {
         this.trial = trial;
         this.store = store;
         this.waiting = waiting;
@@ -145,10 +170,10 @@ public final class FastestEngine {
         });
     }
 
-    private static Optional<String> fastestOf(List<EngineTime> times) {
+    private static Optional<String> fastestOf(List<Time> times) {
         return times.stream()
                 .filter(time -> time.frame().isPresent())
-                .map(EngineTime::engine)
+                .map(Time::engine)
                 .findFirst();
     }
 
@@ -193,25 +218,33 @@ public final class FastestEngine {
     }
 
     /** Measures with the patience that a device's compiler needs, and remembers; the fastest comes first. */
-    public List<EngineTime> measurePatiently(List<EngineOffer> offers) {
+    public List<Time> measurePatiently(List<EngineOffer> offers) {
         return measureAll(candidates(offers));
     }
 
-    private List<EngineTime> measureAll(List<EngineOffer> candidates) {
-        List<EngineTime> times = measure(candidates, () -> false);
+    private List<Time> measureAll(List<EngineOffer> candidates) {
+        List<Time> times = measure(candidates, () -> false);
         remember(candidates, fastestOf(times), () -> false);
         return times;
     }
 
     /** The JVM's engines come first: they need no compiler that could still be at work beside the next trial. */
-    private List<EngineTime> measure(List<EngineOffer> candidates, BooleanSupplier cancelled) {
+    private List<Time> measure(List<EngineOffer> candidates, BooleanSupplier cancelled) {
         return candidates.stream()
                 .sorted(Comparator.comparing(offer -> Engines.isDevice(offer.id())))
-                .map(offer -> new EngineTime(
-                        offer.id(), trial.frameTime(offer, TrialLimits.PATIENT.of(offer, candidates), cancelled)))
+                .map(offer -> new Time(offer.id(), trial.frameTime(offer, limit(offer, candidates), cancelled)))
                 .sorted(Comparator.comparing(
                         time -> time.frame().orElse(null), Comparator.nullsLast(Comparator.naturalOrder())))
                 .toList();
+    }
+
+    /** This engine's share of the time for trials. */
+    private static Duration limit(EngineOffer offer, List<EngineOffer> all) {
+        boolean device = Engines.isDevice(offer.id());
+        long sharers = all.stream()
+                .filter(other -> Engines.isDevice(other.id()) == device)
+                .count();
+        return (device ? DEVICE_TRIALS : JVM_TRIALS).dividedBy(Math.max(1, sharers));
     }
 
     private static Engine openUnmeasured(List<EngineOffer> candidates) {
@@ -219,9 +252,9 @@ public final class FastestEngine {
     }
 
     /** Those that drew, the fastest first; where none was ready in time, the paper's baseline, then any. */
-    private static Engine openFirst(List<EngineOffer> candidates, List<EngineTime> times) {
+    private static Engine openFirst(List<EngineOffer> candidates, List<Time> times) {
         List<String> order = Stream.of(
-                        times.stream().filter(time -> time.frame().isPresent()).map(EngineTime::engine),
+                        times.stream().filter(time -> time.frame().isPresent()).map(Time::engine),
                         Stream.of(JvmEngines.PARALLEL),
                         candidates.stream().map(EngineOffer::id))
                 .flatMap(ids -> ids)
