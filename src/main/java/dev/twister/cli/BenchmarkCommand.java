@@ -24,6 +24,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -229,6 +230,13 @@ final class BenchmarkCommand implements Callable<Integer> {
                     .filter(id -> !id.equals(FastestEngine.AUTO))
                     .toList();
         }
-        return EngineNames.resolve(engines, offers);
+        // An error in the last name should not come out after minutes of measuring the others.
+        return engines.stream()
+                .map(name -> Engines.find(offers, name)
+                        .map(EngineOffer::id)
+                        .orElseThrow(() -> new BadInputException("--engine is '" + name + "', but must be one of "
+                                + offers.stream().map(EngineOffer::id).collect(Collectors.joining(", ")))))
+                .distinct()
+                .toList();
     }
 }

@@ -105,7 +105,8 @@ public final class FastestEngine {
     public Engine openAtOnce(List<EngineOffer> atOnce, Supplier<List<EngineOffer>> all) {
         List<EngineOffer> candidates = candidates(atOnce);
         Optional<String> known = store.read(MachineKey.beforeDevices(candidates));
-        boolean device = known.filter(id -> find(candidates, id).isEmpty()).isPresent();
+        boolean device =
+                known.filter(id -> Engines.find(candidates, id).isEmpty()).isPresent();
         if (candidates.isEmpty() || device) {
             return openAtOnce(all.get());
         }
@@ -124,7 +125,7 @@ public final class FastestEngine {
     private static Engine openWarming(Engine standIn, String id, List<EngineOffer> candidates) {
         return Optional.of(id)
                 .filter(wanted -> !wanted.equals(standIn.id()))
-                .flatMap(wanted -> find(candidates, wanted))
+                .flatMap(wanted -> Engines.find(candidates, wanted))
                 .<Engine>map(offer -> new AutoEngine(
                         standIn, new Successor(_ -> opened(offer), PATIENCE), () -> openUnmeasured(candidates)))
                 .orElse(standIn);
@@ -142,7 +143,7 @@ public final class FastestEngine {
         known.ifPresent(id -> store.write(MachineKey.beforeDevices(candidates), id));
         return known.or(() -> fastestBeside(drawing, standIn, candidates, cancelled))
                 .filter(fastest -> !fastest.equals(drawing.id()) && !cancelled.getAsBoolean())
-                .flatMap(fastest -> find(candidates, fastest))
+                .flatMap(fastest -> Engines.find(candidates, fastest))
                 .flatMap(FastestEngine::opened);
     }
 
@@ -184,7 +185,7 @@ public final class FastestEngine {
      */
     public Engine openMeasured(List<EngineOffer> offers) {
         List<EngineOffer> candidates = candidates(offers);
-        Optional<EngineOffer> known = remembered(offers).flatMap(id -> find(candidates, id));
+        Optional<EngineOffer> known = remembered(offers).flatMap(id -> Engines.find(candidates, id));
         if (known.isPresent()) {
             try {
                 return known.get().opener().get();
@@ -206,15 +207,11 @@ public final class FastestEngine {
         return Optional.of(offer.opener().get());
     }
 
-    private static Optional<EngineOffer> find(List<EngineOffer> candidates, String id) {
-        return candidates.stream().filter(offer -> offer.id().equals(id)).findFirst();
-    }
-
     /** The id of the engine that {@link #openMeasured} takes, where it was measured before. */
     public Optional<String> remembered(List<EngineOffer> offers) {
         List<EngineOffer> candidates = candidates(offers);
         return store.read(MachineKey.of(candidates))
-                .filter(id -> candidates.stream().anyMatch(offer -> offer.id().equals(id)));
+                .filter(id -> Engines.find(candidates, id).isPresent());
     }
 
     /** Measures with the patience that a device's compiler needs, and remembers; the fastest comes first. */
@@ -253,23 +250,20 @@ public final class FastestEngine {
 
     /** Those that drew, the fastest first; where none was ready in time, the paper's baseline, then any. */
     private static Engine openFirst(List<EngineOffer> candidates, List<Time> times) {
-        List<String> order = Stream.of(
+        List<EngineOffer> order = Stream.of(
                         times.stream().filter(time -> time.frame().isPresent()).map(Time::engine),
                         Stream.of(JvmEngines.PARALLEL),
                         candidates.stream().map(EngineOffer::id))
                 .flatMap(ids -> ids)
                 .distinct()
+                .flatMap(id -> Engines.find(candidates, id).stream())
                 .toList();
         EngineException failure = new EngineException("no engine works here; 'twister devices' says why");
-        for (String id : order) {
-            for (EngineOffer offer : candidates) {
-                if (offer.id().equals(id)) {
-                    try {
-                        return offer.opener().get();
-                    } catch (EngineException notThis) {
-                        failure.addSuppressed(notThis);
-                    }
-                }
+        for (EngineOffer offer : order) {
+            try {
+                return offer.opener().get();
+            } catch (EngineException notThis) {
+                failure.addSuppressed(notThis);
             }
         }
         throw failure;
