@@ -290,11 +290,6 @@ class BenchmarkTest {
                     public void begins(String engine, PictureSize size, int frames) {
                         heard.add(engine + " " + size + " " + frames);
                     }
-
-                    @Override
-                    public void drewFrame() {
-                        // What is drawn tells of itself.
-                    }
                 });
         return report.measurements().getLast();
     }

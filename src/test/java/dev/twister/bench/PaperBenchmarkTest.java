@@ -255,12 +255,6 @@ class PaperBenchmarkTest {
         return Benchmark.run(
                 PaperBenchmarkTest::open, plan, "test", TestWorld.create(), Optional.empty(), new BenchmarkProgress() {
                     @Override
-                    public void begins(String engine, PictureSize size, int frames) {}
-
-                    @Override
-                    public void drewFrame() {}
-
-                    @Override
                     public void found(BenchmarkReport report) {
                         soFar.accept(report);
                     }
