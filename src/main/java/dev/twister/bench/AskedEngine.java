@@ -16,7 +16,7 @@ record AskedEngine(String id, Engine engine) {
         return (engine.id().equals(id) ? "" : engine.id() + ": ") + engine.device();
     }
 
-    /** Whether it draws on a device of TornadoVM's, whatever it is called. */
+    /** Whether it draws on a device, whatever it is called. */
     boolean isDevice() {
         return Engines.isDevice(engine.id());
     }

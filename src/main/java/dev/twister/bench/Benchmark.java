@@ -2,9 +2,11 @@ package dev.twister.bench;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
+import dev.twister.engine.Engines;
 import dev.twister.engine.JvmEngines;
+import dev.twister.engine.UnknownEngineException;
+import dev.twister.engine.auto.FastestEngine;
 import dev.twister.image.Frame;
-import dev.twister.image.PictureSize;
 import dev.twister.world.FrameInput;
 import dev.twister.world.World;
 import java.util.ArrayList;
@@ -14,31 +16,48 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 
-/** Measures engines one after the other and holds each one's picture to sequential's. */
+/** Measures engines one after the other and holds each one's pictures to sequential's. */
 public final class Benchmark {
     /** The engine that all pictures are compared with. */
     public static final String REFERENCE = JvmEngines.SEQUENTIAL;
 
     private final Function<String, Engine> opener;
     private final BenchmarkPlan plan;
+    private final String scene;
     private final World world;
     private final Optional<MotionPlan> motion;
     private final BenchmarkProgress progress;
-    private final Map<PictureSize, int[]> references = new HashMap<>();
+    private final MachineInfo machine = MachineInfo.ofThisMachine();
+    private final Map<Setting, Frame> references = new HashMap<>();
     private final List<Measurement> measurements = new ArrayList<>();
     private final List<EngineFailure> failures = new ArrayList<>();
 
     private Benchmark(
             Function<String, Engine> opener,
             BenchmarkPlan plan,
+            String scene,
             World world,
             Optional<MotionPlan> motion,
             BenchmarkProgress progress) {
         this.opener = opener;
         this.plan = plan;
+        this.scene = scene;
         this.world = world;
         this.motion = motion;
         this.progress = progress;
+    }
+
+    /**
+     * Opens the engine of that name to be measured. {@value FastestEngine#AUTO} has chosen before it draws: frames of another
+     * engine meanwhile would be measured as its own.
+     *
+     * @throws UnknownEngineException where no engine has that name
+     * @throws EngineException where it cannot be opened
+     */
+    public static Engine open(String id) {
+        return id.equals(FastestEngine.AUTO)
+                ? FastestEngine.ofThisMachine().openMeasured(Engines.offers())
+                : Engines.open(id);
     }
 
     /**
@@ -47,7 +66,7 @@ public final class Benchmark {
      * @param opener opens the engine of an id
      * @param scene what the report calls the world's scene
      * @param world its settings' size, samples and bounces give way to the plan's
-     * @param motion how its bodies move, where they do: each engine starts anew at each size
+     * @param motion how its bodies move, where they do: each engine starts anew at each setting
      * @throws EngineException where the reference cannot be drawn
      */
     public static BenchmarkReport run(
@@ -57,38 +76,35 @@ public final class Benchmark {
             World world,
             Optional<MotionPlan> motion,
             BenchmarkProgress progress) {
-        Benchmark benchmark = new Benchmark(opener, plan, world, motion, progress);
+        Benchmark benchmark = new Benchmark(opener, plan, scene, world, motion, progress);
         if (motion.isEmpty()) {
             benchmark.drawReferences();
         }
         plan.engines().forEach(benchmark::measure);
-        return new BenchmarkReport(
-                MachineInfo.ofThisMachine(), plan, scene, benchmark.measurements, benchmark.failures);
+        benchmark.references.keySet().retainAll(plan.shown());
+        return benchmark.report(benchmark.references, true);
+    }
+
+    private BenchmarkReport report(Map<Setting, Frame> pictures, boolean finished) {
+        return new BenchmarkReport(machine, plan, scene, measurements, failures, pictures, finished);
     }
 
     private void drawReferences() {
         try (Engine engine = opener.apply(REFERENCE)) {
-            for (PictureSize size : plan.sizes()) {
-                progress.begins("reference", size, 1);
-                Frame frame = Frame.ofPixels(size.width(), size.height());
-                engine.render(inputAt(size), frame);
+            for (Setting setting : plan.settings()) {
+                progress.begins("reference", setting.size(), 1);
+                references.put(setting, draw(engine, inputAt(setting)));
                 progress.drewFrame();
-                references.put(size, frame.argb());
             }
         }
     }
 
     private void measure(String id) {
-        EngineMeasuring measuring =
-                new EngineMeasuring(plan.warmupFrames(), plan.frames(), plan.maxSeconds(), progress);
         try (Engine engine = opener.apply(id)) {
             AskedEngine asked = new AskedEngine(id, engine);
-            for (PictureSize size : plan.sizes()) {
-                Measurement measurement = motion.isPresent()
-                        ? measureMoving(asked, size, motion.get())
-                        : measureStanding(asked, size, measuring);
-                measurements.add(measurement);
-                progress.measured(measurement);
+            for (Setting setting : plan.settings()) {
+                measurements.add(measure(asked, setting));
+                progress.found(report(Map.of(), false));
             }
         } catch (EngineException failure) {
             note(new EngineFailure(id, failure.getMessage()));
@@ -99,46 +115,47 @@ public final class Benchmark {
 
     private void note(EngineFailure failure) {
         failures.add(failure);
-        progress.failed(failure);
+        progress.found(report(Map.of(), false));
     }
 
-    private Measurement measureStanding(AskedEngine asked, PictureSize size, EngineMeasuring measuring) {
-        FrameInput input = inputAt(size);
-        letCompile(asked, size, input);
-        progress.begins(asked.id(), size, plan.warmupFrames() + plan.frames());
-        return measuring.measure(asked, input, references.get(size));
-    }
-
-    private Measurement measureMoving(AskedEngine asked, PictureSize size, MotionPlan moving) {
-        applySettings(size);
-        return new MotionMeasuring(plan, moving, world, progress)
-                .measure(asked, start -> letCompile(asked, size, start), this::drawReference);
-    }
-
-    private void letCompile(AskedEngine asked, PictureSize size, FrameInput input) {
-        // What is compiled for one size is so for the next ones.
-        if (plan.warmupFrames() > 0 && size.equals(plan.sizes().getFirst())) {
-            new EngineWarmUp(plan.maxSeconds(), progress).run(asked, size, List.of(input));
+    private Measurement measure(AskedEngine asked, Setting setting) {
+        world.setSettings(setting.over(world.settings()));
+        try (MeasuredBodies bodies = new MeasuredBodies(world, motion)) {
+            if (bodies.stepsToStart() > 0) {
+                progress.begins(asked.id() + ", moving to its start,", setting.size(), bodies.stepsToStart());
+            }
+            bodies.moveToStart(progress::drewFrame);
+            // What is compiled at one setting is so at the next ones.
+            if (plan.warmupFrames() > 0 && setting.equals(plan.settings().getFirst())) {
+                List<FrameInput> inputs =
+                        plan.shown().stream().map(this::inputAt).toList();
+                new EngineWarmUp(plan.maxSeconds(), progress).run(asked, setting.size(), inputs);
+                world.setSettings(setting.over(world.settings()));
+            }
+            return new EngineMeasuring(asked, plan, progress)
+                    .measure(setting, bodies, input -> reference(setting, input));
         }
     }
 
-    private int[] drawReference(FrameInput input) {
-        try (Engine engine = opener.apply(REFERENCE)) {
-            Frame frame = Frame.ofPixels(input.width(), input.height());
-            engine.render(input, frame);
-            return frame.argb();
+    private int[] reference(Setting setting, FrameInput input) {
+        Frame drawn = references.get(setting);
+        if (drawn == null) {
+            try (Engine engine = opener.apply(REFERENCE)) {
+                drawn = draw(engine, input);
+            }
         }
+        return drawn.argb();
     }
 
-    private FrameInput inputAt(PictureSize size) {
-        applySettings(size);
+    private static Frame draw(Engine engine, FrameInput input) {
+        Frame frame = Frame.ofPixels(input.width(), input.height());
+        engine.render(input, frame);
+        return frame;
+    }
+
+    /** Bodies are where they are. */
+    private FrameInput inputAt(Setting setting) {
+        world.setSettings(setting.over(world.settings()));
         return world.snapshot();
-    }
-
-    private void applySettings(PictureSize size) {
-        world.setSettings(world.settings()
-                .withSize(size.width(), size.height())
-                .withShadows(plan.shadowSamples())
-                .withBounces(plan.bounces()));
     }
 }

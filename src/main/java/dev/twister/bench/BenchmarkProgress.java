@@ -2,26 +2,17 @@ package dev.twister.bench;
 
 import dev.twister.image.PictureSize;
 
-/** Hears how a benchmark comes along. */
+/** Hears how a benchmark comes along, as far as it cares. */
+@SuppressWarnings("unused")
 public interface BenchmarkProgress {
-    /** For those who do not care. */
-    BenchmarkProgress SILENT = new BenchmarkProgress() {
-        @Override
-        public void begins(String engine, PictureSize size, int frames) {}
-
-        @Override
-        public void drewFrame() {}
-    };
+    BenchmarkProgress SILENT = new BenchmarkProgress() {};
 
     /** An engine starts on a size, with so many frames to come at most; or what comes before them, with so many steps. */
-    void begins(String engine, PictureSize size, int frames);
+    default void begins(String engine, PictureSize size, int frames) {}
 
     /** A frame, warm-up or measured, is there; or a step of what comes before. */
-    void drewFrame();
+    default void drewFrame() {}
 
-    /** An engine is done with a size; not everyone minds. */
-    default void measured(@SuppressWarnings("unused") Measurement measurement) {}
-
-    /** An engine failed, and the next one's turn comes; not everyone minds. */
-    default void failed(@SuppressWarnings("unused") EngineFailure failure) {}
+    /** An engine is done with a setting, or failed; the report is unfinished and without pictures. */
+    default void found(BenchmarkReport soFar) {}
 }

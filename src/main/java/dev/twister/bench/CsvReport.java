@@ -3,59 +3,29 @@ package dev.twister.bench;
 import dev.twister.files.WholeFile;
 import java.io.IOException;
 import java.io.OutputStreamWriter;
-import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVPrinter;
 
-/** A report for spreadsheets: a line for each engine and size, with all there is to know on it. */
+/** A report for spreadsheets: a line for each figure, setting and engine, with all there is to know on it. */
 public final class CsvReport {
     /** Whatever is known of a measurement. */
-    static final List<String> COLUMNS = List.of(
-            "engine",
-            "device",
-            "width",
-            "height",
-            "shadowSamples",
-            "bounces",
-            "bodies",
-            "warmupFrames",
-            "frames",
-            "fps",
-            "msMin",
-            "msMedian",
-            "msMean",
-            "msP95",
-            "msKernel",
-            "msCopyIn",
-            "msCopyOut",
-            "msStep",
-            "msRebuild",
-            "speedupOverSequential",
-            "speedupOverParallel",
-            "differingPixels",
-            "allowedDifferingPixels",
-            "largestDifference",
-            "samePicture",
-            "failure",
-            "scene",
-            "plannedWarmupFrames",
-            "plannedFrames",
-            "maxSeconds",
-            "processor",
-            "cores",
-            "memoryBytes",
-            "maxHeapBytes",
-            "operatingSystem",
-            "jdk",
-            "jdkVendor",
-            "jit",
-            "twister",
-            "tornadoVm");
+    private static final List<String> COLUMNS =
+            List.of(("engine device width height shadowSamples bounces bodies warmupFrames frames fps msMin "
+                            + "msMedian msMean msP95 msKernel msCopyIn msCopyOut msStep msRebuild speedupOverSequential "
+                            + "speedupOverParallel differingPixels allowedDifferingPixels largestDifference samePicture "
+                            + "failure scene plannedWarmupFrames plannedFrames maxSeconds processor cores memoryBytes "
+                            + "maxHeapBytes operatingSystem jdk jdkVendor jit twister tornadoVm finished")
+                    .split(" "));
+
+    /** The first column, where there are several. */
+    private static final String FIGURE = "figure";
 
     private CsvReport() {}
 
@@ -65,29 +35,38 @@ public final class CsvReport {
      * @throws IOException as {@link WholeFile#write}
      */
     public static void write(BenchmarkReport report, Path file) throws IOException {
+        List<String> columns = report.plan().hasOneFigure()
+                ? COLUMNS
+                : Stream.concat(Stream.of(FIGURE), COLUMNS.stream()).toList();
+        Map<String, Object> common = new LinkedHashMap<>(ReportFields.ofPlan(report));
+        common.putAll(ReportFields.ofMachine(report.machine()));
+        common.put("finished", report.finished());
         WholeFile.write(file, out -> {
-            Writer writer = new OutputStreamWriter(out, StandardCharsets.UTF_8);
             CSVPrinter printer = CSVFormat.RFC4180
                     .builder()
-                    .setHeader(COLUMNS.toArray(String[]::new))
+                    .setHeader(columns.toArray(String[]::new))
                     .get()
-                    .print(writer);
-            for (Measurement measurement : report.measurements()) {
-                print(printer, report, ReportFields.ofMeasurement(report, measurement));
-            }
-            for (EngineFailure failure : report.failures()) {
-                print(printer, report, Map.of("engine", failure.engine(), "failure", failure.message()));
+                    .print(new OutputStreamWriter(out, StandardCharsets.UTF_8));
+            for (Map<String, Object> row : rows(report)) {
+                printer.printRecord(columns.stream()
+                        .map(column -> row.getOrDefault(column, common.getOrDefault(column, "")))
+                        .toList());
             }
             printer.flush();
         });
     }
 
-    private static void print(CSVPrinter printer, BenchmarkReport report, Map<String, Object> result)
-            throws IOException {
-        Map<String, Object> fields = new LinkedHashMap<>(ReportFields.ofPlan(report));
-        fields.putAll(ReportFields.ofMachine(report.machine()));
-        fields.putAll(result);
-        printer.printRecord(
-                COLUMNS.stream().map(column -> fields.getOrDefault(column, "")).toList());
+    private static List<Map<String, Object>> rows(BenchmarkReport report) {
+        List<Map<String, Object>> rows = new ArrayList<>();
+        for (PaperFigure figure : report.plan().figures().keySet()) {
+            for (Map<String, Object> row : ReportFields.ofFigure(report, figure)) {
+                row.put(FIGURE, figure.id());
+                rows.add(row);
+            }
+        }
+        for (EngineFailure failure : report.failures()) {
+            rows.add(Map.of("engine", failure.engine(), "failure", failure.message()));
+        }
+        return rows;
     }
 }

@@ -2,15 +2,25 @@ package dev.twister.bench;
 
 import dev.twister.image.FrameTimes;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.ToLongFunction;
 
 /** Where the measured frames' time went on a device, in milliseconds, each the mean over the frames. */
 public record DeviceTimes(double kernel, double copyIn, double copyOut) {
     private static final double NANOS_PER_MILLI = 1e6;
 
-    static DeviceTimes meanOf(List<FrameTimes> frames) {
-        return new DeviceTimes(
-                frames.stream().mapToLong(FrameTimes::kernelNanos).average().orElse(0) / NANOS_PER_MILLI,
-                frames.stream().mapToLong(FrameTimes::copyInNanos).average().orElse(0) / NANOS_PER_MILLI,
-                frames.stream().mapToLong(FrameTimes::copyOutNanos).average().orElse(0) / NANOS_PER_MILLI);
+    /** Empty on the JVM, where the kernel's time is the whole. */
+    static Optional<DeviceTimes> meanOf(List<FrameTimes> frames) {
+        boolean onJvm = frames.stream().allMatch(frame -> frame.equals(FrameTimes.onJvm(frame.totalNanos())));
+        return onJvm
+                ? Optional.empty()
+                : Optional.of(new DeviceTimes(
+                        mean(frames, FrameTimes::kernelNanos),
+                        mean(frames, FrameTimes::copyInNanos),
+                        mean(frames, FrameTimes::copyOutNanos)));
+    }
+
+    private static double mean(List<FrameTimes> frames, ToLongFunction<FrameTimes> nanos) {
+        return frames.stream().mapToLong(nanos).average().orElse(0) / NANOS_PER_MILLI;
     }
 }

@@ -1,33 +1,61 @@
 package dev.twister.bench;
 
 import dev.twister.image.Frame;
-import dev.twister.image.PictureSize;
+import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Function;
 
-/**
- * How an engine is measured.
- *
- * @param warmupFrames before the measured ones
- * @param frames measured ones
- * @param maxSeconds for both together, half of it at most for the former
- */
-record EngineMeasuring(int warmupFrames, int frames, double maxSeconds, BenchmarkProgress progress) {
-    /** Measures one engine with one input, and compares its picture with the reference. */
-    Measurement measure(AskedEngine asked, FrameInput input, int[] reference) {
-        Frame frame = Frame.ofPixels(input.width(), input.height());
-        FrameLoop loop = new FrameLoop(asked.engine(), input, frame, progress, maxSeconds);
-        int warmups = loop.warmUp(warmupFrames);
-        MeasuredFrames measured = loop.measure(frames);
+/** Measures an engine at a setting: some frames that do not count, and some that do. */
+record EngineMeasuring(AskedEngine asked, BenchmarkPlan plan, BenchmarkProgress progress) {
+    private static final double NANOS_PER_MILLI = 1e6;
+    private static final double NANOS_PER_SECOND = 1e9;
+
+    /**
+     * Draws the bodies where they are, then as they move, where they do: the same frames for every engine, however many it
+     * draws to warm up.
+     *
+     * @param reference draws what the last frame should have been
+     */
+    Measurement measure(Setting setting, MeasuredBodies bodies, Function<FrameInput, int[]> reference) {
+        progress.begins(asked.id(), setting.size(), plan.framesEach());
+        Frame frame = Frame.ofPixels(setting.size().width(), setting.size().height());
+        long start = System.nanoTime();
+        int warmups = 0;
+        while (warmups < plan.warmupFrames() && (warmups == 0 || isWithin(start, plan.maxSeconds() / 2))) {
+            draw(bodies.rehearse(), frame);
+            warmups++;
+        }
+        // An engine that left pixels unwritten would show the warm-up's: what is compared is drawn over nothing.
+        Arrays.fill(frame.argb(), 0);
+        List<FrameTimes> times = new ArrayList<>();
+        while (times.size() < plan.frames() && (times.isEmpty() || isWithin(start, plan.maxSeconds()))) {
+            draw(bodies.next(), frame);
+            times.add(frame.times());
+        }
         return new Measurement(
                 asked.id(),
                 asked.device(),
-                new PictureSize(input.width(), input.height()),
-                input.shadowSamples(),
-                input.bounces(),
-                input.bodyCount(),
+                setting,
+                bodies.input().bodyCount(),
                 warmups,
-                measured.statistics(),
-                measured.deviceTimes(),
-                PictureComparison.of(reference, frame.argb()));
+                Statistics.ofNanos(
+                        times.stream().mapToLong(FrameTimes::totalNanos).toArray()),
+                DeviceTimes.meanOf(times),
+                PictureComparison.of(reference.apply(bodies.input()), frame.argb()),
+                bodies.times(times.stream()
+                        .map(time -> time.totalNanos() / NANOS_PER_MILLI)
+                        .toList()));
+    }
+
+    private void draw(FrameInput input, Frame frame) {
+        asked.engine().render(input, frame);
+        progress.drewFrame();
+    }
+
+    private static boolean isWithin(long start, double seconds) {
+        return (System.nanoTime() - start) / NANOS_PER_SECOND < seconds;
     }
 }

@@ -1,7 +1,6 @@
 package dev.twister.bench;
 
 import dev.twister.files.WholeFile;
-import dev.twister.image.PictureSize;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -10,7 +9,7 @@ import java.util.Map;
 import tools.jackson.databind.SerializationFeature;
 import tools.jackson.databind.json.JsonMapper;
 
-/** A report for programs, whole, as JSON. */
+/** A report for programs, whole, as JSON: the results, or those of each figure where there are several. */
 public final class JsonReport {
     private JsonReport() {}
 
@@ -37,18 +36,41 @@ public final class JsonReport {
         parameters.put("engines", report.plan().engines());
         parameters.put(
                 "sizes",
-                report.plan().sizes().stream().map(PictureSize::toString).toList());
-        tree.put("parameters", parameters);
-        tree.put(
-                "results",
-                report.measurements().stream()
-                        .map(measurement -> ReportFields.ofMeasurement(report, measurement))
+                report.plan().settings(PaperFigure.SIZES).stream()
+                        .map(setting -> setting.size().toString())
                         .toList());
+        tree.put("parameters", parameters);
+        if (report.plan().hasOneFigure()) {
+            tree.put("results", ReportFields.ofFigure(report, PaperFigure.SIZES));
+        } else {
+            Map<String, Object> figures = new LinkedHashMap<>();
+            report.plan()
+                    .figures()
+                    .keySet()
+                    .forEach(figure -> figures.put(figure.id(), ReportFields.ofFigure(report, figure)));
+            tree.put("figures", figures);
+            tree.put("published", published(report));
+        }
         List<Map<String, String>> failures = report.failures().stream()
                 .map(failure -> Map.of("engine", failure.engine(), "message", failure.message()))
                 .toList();
         tree.put("failures", failures);
+        tree.put("finished", report.finished());
         tree.put("passed", report.passed());
+        return tree;
+    }
+
+    private static Map<String, Object> published(BenchmarkReport report) {
+        List<Map<String, Object>> fps = report.plan().settings(PaperFigure.SIZES).stream()
+                .map(Setting::size)
+                .flatMap(size -> PublishedFigures.fps(size).stream()
+                        .map(found -> Map.<String, Object>of("size", size.toString(), "fps", found)))
+                .toList();
+        Map<String, Object> tree = new LinkedHashMap<>();
+        tree.put("paper", PublishedFigures.PAPER);
+        tree.put("device", PublishedFigures.DEVICE);
+        tree.put("fpsWithHardShadowsAndOneBounce", fps);
+        tree.put("largestSpeedupOverParallel", PublishedFigures.LARGEST_SPEEDUP_OVER_PARALLEL);
         return tree;
     }
 }

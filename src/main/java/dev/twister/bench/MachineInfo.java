@@ -1,7 +1,10 @@
 package dev.twister.bench;
 
+import com.sun.management.OperatingSystemMXBean;
+import dev.twister.engine.JvmOptions;
 import dev.twister.engine.Processor;
 import dev.twister.files.TwisterVersion;
+import java.lang.management.ManagementFactory;
 import java.util.Optional;
 
 /**
@@ -33,14 +36,30 @@ public record MachineInfo(
         return new MachineInfo(
                 Processor.name(),
                 Runtime.getRuntime().availableProcessors(),
-                Jvm.machineMemory(),
+                machineMemory(),
                 Runtime.getRuntime().maxMemory(),
                 System.getProperty("os.name") + " " + System.getProperty("os.version") + " "
                         + System.getProperty("os.arch"),
                 System.getProperty("java.runtime.version", System.getProperty("java.version")),
-                Jvm.vendor(),
-                Jvm.jit(),
+                vendorAndVersion(),
+                compilerAndJvm(),
                 TwisterVersion.text(),
                 TornadoVersion.find());
+    }
+
+    private static long machineMemory() {
+        OperatingSystemMXBean system = ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
+        return system == null ? 0 : system.getTotalMemorySize();
+    }
+
+    private static String vendorAndVersion() {
+        String own = System.getProperty("java.vendor.version", "");
+        return System.getProperty("java.vendor", "unknown") + (own.isEmpty() ? "" : " (" + own + ")");
+    }
+
+    private static String compilerAndJvm() {
+        boolean graal =
+                JvmOptions.value("UseJVMCICompiler").filter("true"::equals).isPresent();
+        return (graal ? "Graal" : "C2") + ", " + System.getProperty("java.vm.name", "unknown JVM");
     }
 }

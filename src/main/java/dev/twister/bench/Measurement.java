@@ -1,10 +1,9 @@
 package dev.twister.bench;
 
-import dev.twister.image.PictureSize;
 import java.util.Optional;
 
 /**
- * One engine at one size.
+ * One engine at one setting.
  *
  * @param engine the id that was asked for
  * @param device what did the work, after the engine's own id where it has another one
@@ -18,41 +17,13 @@ import java.util.Optional;
 public record Measurement(
         String engine,
         String device,
-        PictureSize size,
-        int shadowSamples,
-        int bounces,
+        Setting setting,
         int bodies,
         int warmupFrames,
         Statistics times,
         Optional<DeviceTimes> deviceTimes,
         PictureComparison comparison,
         Optional<MotionTimes> motionTimes) {
-    /** One engine at one size with bodies that stand still. */
-    public Measurement(
-            String engine,
-            String device,
-            PictureSize size,
-            int shadowSamples,
-            int bounces,
-            int bodies,
-            int warmupFrames,
-            Statistics times,
-            Optional<DeviceTimes> deviceTimes,
-            PictureComparison comparison) {
-        this(
-                engine,
-                device,
-                size,
-                shadowSamples,
-                bounces,
-                bodies,
-                warmupFrames,
-                times,
-                deviceTimes,
-                comparison,
-                Optional.empty());
-    }
-
     /**
      * The mean time of so many frames in milliseconds, by which engines compare: of the first ones where bodies move, as an
      * engine that had time for more went on with other bodies; otherwise of all, which are alike.

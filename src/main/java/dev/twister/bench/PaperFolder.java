@@ -2,28 +2,27 @@ package dev.twister.bench;
 
 import dev.twister.files.SystemReason;
 import dev.twister.files.WholeFile;
+import dev.twister.image.Frame;
 import dev.twister.image.PngWriter;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
+import java.util.HashMap;
 import java.util.Map;
 
-/** Writes the evaluation into a folder: the numbers, the pictures, the plots, and the page that shows them all. */
+/** Writes the paper's evaluation into a folder: the pictures, the plots, and the page that shows everything. */
 public final class PaperFolder {
     /** The page that shows everything. */
     public static final String PAGE = "index.html";
 
-    /** The numbers of an evaluation that goes on, or was stopped. */
-    public static final String UNFINISHED_JSON = "paper-unfinished.json";
+    /** The report, which is written beside the page. */
+    public static final String JSON = "paper.json";
 
     /** The same for spreadsheets. */
-    public static final String UNFINISHED_CSV = "paper-unfinished.csv";
+    public static final String CSV = "paper.csv";
 
-    private static final String JSON = "paper.json";
-    private static final String CSV = "paper.csv";
     private static final String PLOT_ENDING = ".svg";
 
     private PaperFolder() {}
@@ -44,27 +43,22 @@ public final class PaperFolder {
     }
 
     /**
-     * Writes all files, each whole or not at all; the numbers first, so that they are there whatever fails later. Unfinished
-     * numbers, and an older evaluation's plots of what was not measured now, are gone then.
+     * Writes the pictures, the plots and the page, each file whole or not at all. An older evaluation's plots of what was not
+     * measured now are gone then.
      *
      * @param folder must be there
      * @return the page
      * @throws IOException as {@link WholeFile#write}, or where this system has no fonts to draw plots with
      */
-    public static Path write(PaperReport report, Path folder) throws IOException {
-        PaperJson.write(report, folder.resolve(JSON));
-        PaperCsv.write(report, folder.resolve(CSV));
-        Files.deleteIfExists(folder.resolve(UNFINISHED_JSON));
-        Files.deleteIfExists(folder.resolve(UNFINISHED_CSV));
-        Map<PaperPicture, byte[]> pictures = new LinkedHashMap<>();
-        for (PaperPicture picture : report.pictures()) {
-            Path file = folder.resolve(picture.fileName());
-            PngWriter.write(
-                    file,
-                    picture.frame().width(),
-                    picture.frame().height(),
-                    picture.frame().argb());
-            pictures.put(picture, Files.readAllBytes(file));
+    public static Path write(BenchmarkReport report, Path folder) throws IOException {
+        Map<Setting, byte[]> pictures = new HashMap<>();
+        for (Map.Entry<Setting, Frame> picture : report.pictures().entrySet()) {
+            Setting setting = picture.getKey();
+            Frame frame = picture.getValue();
+            Path file = folder.resolve(
+                    "picture-" + setting.shadowSamples() + "-samples-" + setting.bounces() + "-bounces.png");
+            PngWriter.write(file, frame.width(), frame.height(), frame.argb());
+            pictures.put(setting, Files.readAllBytes(file));
         }
         Map<String, String> plots = plots(report, folder);
         for (String name : PaperPlots.names()) {
@@ -81,18 +75,7 @@ public final class PaperFolder {
         return page;
     }
 
-    /**
-     * Writes the numbers that there are so far, each file whole or not at all, and leaves those of a finished evaluation alone.
-     *
-     * @param folder must be there
-     * @throws IOException as {@link WholeFile#write}
-     */
-    public static void writeUnfinished(PaperReport report, Path folder) throws IOException {
-        PaperJson.write(report, folder.resolve(UNFINISHED_JSON));
-        PaperCsv.write(report, folder.resolve(UNFINISHED_CSV));
-    }
-
-    private static Map<String, String> plots(PaperReport report, Path folder) throws IOException {
+    private static Map<String, String> plots(BenchmarkReport report, Path folder) throws IOException {
         try {
             return PaperPlots.of(report);
         } catch (InternalError | UnsatisfiedLinkError noFonts) {

@@ -3,10 +3,8 @@ package dev.twister.bench;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.Base64;
 import java.util.Comparator;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -15,11 +13,11 @@ import java.util.stream.Collectors;
 final class PaperPage {
     private static final String STYLE = "paper.css";
 
-    private final PaperReport report;
+    private final BenchmarkReport report;
     private final Map<String, String> plots;
-    private final Map<PaperPicture, byte[]> pictures;
+    private final Map<Setting, byte[]> pictures;
 
-    private PaperPage(PaperReport report, Map<String, String> plots, Map<PaperPicture, byte[]> pictures) {
+    private PaperPage(BenchmarkReport report, Map<String, String> plots, Map<Setting, byte[]> pictures) {
         this.report = report;
         this.plots = plots;
         this.pictures = pictures;
@@ -29,9 +27,9 @@ final class PaperPage {
      * The page's text.
      *
      * @param plots SVG documents by their names
-     * @param pictures their PNG files' content
+     * @param pictures what the reference drew, as PNG files' content
      */
-    static String of(PaperReport report, Map<String, String> plots, Map<PaperPicture, byte[]> pictures)
+    static String of(BenchmarkReport report, Map<String, String> plots, Map<Setting, byte[]> pictures)
             throws IOException {
         return new PaperPage(report, plots, pictures).text(style());
     }
@@ -61,7 +59,7 @@ final class PaperPage {
     }
 
     private String lead() {
-        PaperSetting first = report.plan().settings(PaperFigure.SIZES).getFirst();
+        Setting first = report.plan().settings(PaperFigure.SIZES).getFirst();
         String repeated = "Twister repeats the evaluation of “" + PublishedFigures.PAPER + "” ("
                 + PublishedFigures.AUTHORS + ") on " + report.machine().processor() + ", "
                 + report.machine().cores() + " cores.";
@@ -80,17 +78,7 @@ final class PaperPage {
     }
 
     private String problems() {
-        List<String> problems = new ArrayList<>();
-        report.failures().forEach(failure -> problems.add(failure.engine() + " failed: " + failure.message()));
-        for (Measurement measurement : report.measurements()) {
-            PictureComparison comparison = measurement.comparison();
-            if (!comparison.withinTolerance()) {
-                problems.add(measurement.engine() + " draws another picture than " + Benchmark.REFERENCE + " at "
-                        + PaperSetting.of(measurement) + ": " + comparison.differingPixels() + " of "
-                        + comparison.pixels() + " pixels differ");
-            }
-        }
-        return problems.stream()
+        return report.problems().stream()
                 .map(problem -> "<p class=\"failed\">" + HtmlText.escaped(problem) + "</p>\n")
                 .collect(Collectors.joining());
     }
@@ -140,15 +128,16 @@ final class PaperPage {
     }
 
     private String drawn() {
-        String figures = report.pictures().stream()
-                .map(picture -> "<figure>"
+        String figures = report.plan().shown().stream()
+                .filter(pictures::containsKey)
+                .map(setting -> "<figure>"
                         + image(
                                 "The scene as drawn",
                                 "png",
-                                pictures.get(picture),
-                                picture.frame().width(),
-                                picture.frame().height())
-                        + "<figcaption>" + HtmlText.escaped(picture.setting().toString())
+                                pictures.get(setting),
+                                setting.size().width(),
+                                setting.size().height())
+                        + "<figcaption>" + HtmlText.escaped(setting.toString())
                         + "</figcaption></figure>\n")
                 .collect(Collectors.joining());
         return section("What was drawn", "<div class=\"pictures\">\n" + figures + "</div>\n", "");

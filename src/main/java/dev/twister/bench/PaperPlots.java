@@ -33,22 +33,22 @@ final class PaperPlots {
     /** Above the bar. */
     private static final double LABEL_POSITION = 1.04;
 
-    private final PaperReport report;
+    private final BenchmarkReport report;
 
-    private PaperPlots(PaperReport report) {
+    private PaperPlots(BenchmarkReport report) {
         this.report = report;
     }
 
     /** Each plot as SVG, by its name; those of which nothing was measured are missing. */
-    static Map<String, String> of(PaperReport report) {
+    static Map<String, String> of(BenchmarkReport report) {
         PaperPlots plots = new PaperPlots(report);
         Map<String, String> drawn = new LinkedHashMap<>();
         if (!report.measurements().isEmpty()) {
             drawn.put(PaperFigure.SIZES.id(), plots.sizes());
             drawn.put(
                     PaperFigure.SHADOW_SAMPLES.id(),
-                    plots.lines(PaperFigure.SHADOW_SAMPLES, "shadow samples", PaperSetting::shadowSamples));
-            drawn.put(PaperFigure.BOUNCES.id(), plots.lines(PaperFigure.BOUNCES, "bounces", PaperSetting::bounces));
+                    plots.lines(PaperFigure.SHADOW_SAMPLES, "shadow samples", Setting::shadowSamples));
+            drawn.put(PaperFigure.BOUNCES.id(), plots.lines(PaperFigure.BOUNCES, "bounces", Setting::bounces));
             for (String baseline : BASELINES) {
                 if (report.engines().contains(baseline) && report.engines().size() > 1) {
                     drawn.put(speedupName(baseline), plots.speedup(baseline));
@@ -73,16 +73,10 @@ final class PaperPlots {
 
     private String sizes() {
         CategoryChart chart = bars("Hard shadows, one bounce", FPS);
-        List<PaperSetting> settings = report.plan().settings(PaperFigure.SIZES);
+        List<Setting> settings = report.plan().settings(PaperFigure.SIZES);
         List<Double> values = new ArrayList<>();
         for (String engine : report.engines()) {
-            addBars(
-                    chart,
-                    engine,
-                    settings,
-                    setting -> report.find(engine, setting)
-                            .map(measurement -> measurement.times().fps()),
-                    values);
+            addBars(chart, engine, settings, setting -> report.fps(engine, setting), values);
         }
         if (settings.stream()
                 .anyMatch(setting -> PublishedFigures.fps(setting.size()).isPresent())) {
@@ -119,9 +113,9 @@ final class PaperPlots {
         return SvgPlot.of(chart, PaperFigure.SPEEDUP.title() + ": " + baseline);
     }
 
-    private String lines(PaperFigure figure, String axis, ToIntFunction<PaperSetting> place) {
-        List<PaperSetting> settings = report.plan().settings(figure);
-        PaperSetting first = settings.getFirst();
+    private String lines(PaperFigure figure, String axis, ToIntFunction<Setting> place) {
+        List<Setting> settings = report.plan().settings(figure);
+        Setting first = settings.getFirst();
         String fixed = figure == PaperFigure.BOUNCES
                 ? ReportNumbers.counted(first.shadowSamples(), "shadow sample")
                 : ReportNumbers.counted(first.bounces(), "bounce");
@@ -144,7 +138,7 @@ final class PaperPlots {
                         .map(measurement -> measurement.times().fps())
                         .toList();
                 List<Integer> places = measured.stream()
-                        .map(measurement -> place.applyAsInt(PaperSetting.of(measurement)))
+                        .map(measurement -> place.applyAsInt(measurement.setting()))
                         .toList();
                 XYSeries series = chart.addSeries(engine, places, fps);
                 series.setMarker(SeriesMarkers.CIRCLE);
@@ -181,8 +175,8 @@ final class PaperPlots {
     private CategorySeries addBars(
             CategoryChart chart,
             String name,
-            List<PaperSetting> settings,
-            Function<PaperSetting, Optional<Double>> value,
+            List<Setting> settings,
+            Function<Setting, Optional<Double>> value,
             List<Double> values) {
         List<String> places =
                 settings.stream().map(setting -> setting.size().name()).toList();

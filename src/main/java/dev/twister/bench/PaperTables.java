@@ -18,7 +18,7 @@ final class PaperTables {
 
     private PaperTables() {}
 
-    static String machine(PaperReport report) {
+    static String machine(BenchmarkReport report) {
         MachineInfo machine = report.machine();
         List<List<Cell>> rows = new ArrayList<>();
         rows.add(fact("processor", machine.processor() + ", " + machine.cores() + " cores"));
@@ -27,12 +27,16 @@ final class PaperTables {
         rows.add(fact("JDK", machine.jdk() + ", " + machine.vendor() + ", " + machine.jit()));
         rows.add(fact("Twister", machine.twister()));
         rows.add(fact("TornadoVM", machine.tornadoVm().orElse("not here")));
-        devices(report).forEach((engine) -> rows.add(fact("engine " + engine.engine(), engine.device())));
+        report.engines()
+                .forEach(engine -> report.measurements().stream()
+                        .filter(measurement -> measurement.engine().equals(engine))
+                        .findFirst()
+                        .ifPresent(first -> rows.add(fact("engine " + engine, first.device()))));
         return HtmlText.table("facts", List.of(), rows);
     }
 
-    static String parameters(PaperReport report) {
-        PaperPlan plan = report.plan();
+    static String parameters(BenchmarkReport report) {
+        BenchmarkPlan plan = report.plan();
         return HtmlText.table(
                 "facts",
                 List.of(),
@@ -57,7 +61,7 @@ final class PaperTables {
                                         : "not all are " + Benchmark.REFERENCE + "'s; see below")));
     }
 
-    static String sizes(PaperReport report) {
+    static String sizes(BenchmarkReport report) {
         List<Cell> titles = new ArrayList<>(titles(report.engines()));
         titles.add(new Cell(PublishedFigures.DEVICE + ", the paper's figure", THEIRS));
         return HtmlText.table(
@@ -68,28 +72,28 @@ final class PaperTables {
                                         row(
                                                 setting.size().name(),
                                                 report.engines(),
-                                                engine -> fps(report, engine, setting))
+                                                engine -> report.fps(engine, setting))
                                                 .stream(),
                                         Stream.of(new Cell(shown(PublishedFigures.fps(setting.size())), THEIRS)))
                                 .toList())
                         .toList());
     }
 
-    static String fps(PaperReport report, PaperFigure figure, Function<PaperSetting, String> name) {
+    static String fps(BenchmarkReport report, PaperFigure figure, Function<Setting, String> name) {
         return HtmlText.table(
                 "",
                 titles(report.engines()),
                 report.plan().settings(figure).stream()
                         .map(setting ->
-                                row(name.apply(setting), report.engines(), engine -> fps(report, engine, setting)))
+                                row(name.apply(setting), report.engines(), engine -> report.fps(engine, setting)))
                         .toList());
     }
 
     /** A row for each baseline and size. */
-    static String speedup(PaperReport report) {
+    static String speedup(BenchmarkReport report) {
         List<List<Cell>> rows = new ArrayList<>();
         for (String baseline : List.of(JvmEngines.SEQUENTIAL, JvmEngines.PARALLEL)) {
-            for (PaperSetting setting : report.plan().settings(PaperFigure.SPEEDUP)) {
+            for (Setting setting : report.plan().settings(PaperFigure.SPEEDUP)) {
                 rows.add(row(
                         "over " + baseline + ", " + setting.size().name(),
                         report.engines(),
@@ -105,11 +109,6 @@ final class PaperTables {
         report.engines().forEach(_ -> published.add(new Cell("", THEIRS)));
         rows.add(published);
         return HtmlText.table("", titles(report.engines()), rows);
-    }
-
-    private static Optional<Double> fps(PaperReport report, String engine, PaperSetting setting) {
-        return report.find(engine, setting)
-                .map(measurement -> measurement.times().fps());
     }
 
     private static List<Cell> titles(List<String> engines) {
@@ -136,15 +135,5 @@ final class PaperTables {
 
     private static List<Cell> fact(String name, String value) {
         return List.of(Cell.of(name), Cell.of(value));
-    }
-
-    /** The first measurement of each engine. */
-    private static List<Measurement> devices(PaperReport report) {
-        return report.engines().stream()
-                .map(engine -> report.measurements().stream()
-                        .filter(measurement -> measurement.engine().equals(engine))
-                        .findFirst()
-                        .orElseThrow())
-                .toList();
     }
 }

@@ -2,6 +2,7 @@ package dev.twister.bench;
 
 import dev.twister.engine.JvmEngines;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 
 /** A report's facts under the names that its JSON and its CSV share; nothing is null, what is unknown is absent. */
@@ -23,26 +24,38 @@ final class ReportFields {
         return fields;
     }
 
+    /** Shadow samples and bounces where they are the same at all settings. */
     static Map<String, Object> ofPlan(BenchmarkReport report) {
         BenchmarkPlan plan = report.plan();
         Map<String, Object> fields = new LinkedHashMap<>();
         fields.put("scene", report.scene());
-        fields.put("shadowSamples", plan.shadowSamples());
-        fields.put("bounces", plan.bounces());
+        if (plan.hasOneFigure()) {
+            fields.put("shadowSamples", plan.settings().getFirst().shadowSamples());
+            fields.put("bounces", plan.settings().getFirst().bounces());
+        }
         fields.put("plannedWarmupFrames", plan.warmupFrames());
         fields.put("plannedFrames", plan.frames());
         fields.put("maxSeconds", plan.maxSeconds());
         return fields;
     }
 
-    static Map<String, Object> ofMeasurement(SpeedupSource report, Measurement measurement) {
+    /** A row for each engine at each of the figure's settings. */
+    static List<Map<String, Object>> ofFigure(BenchmarkReport report, PaperFigure figure) {
+        return report.plan().settings(figure).stream()
+                .flatMap(setting -> report.measurements().stream()
+                        .filter(measurement -> measurement.setting().equals(setting)))
+                .map(measurement -> ofMeasurement(report, measurement))
+                .toList();
+    }
+
+    static Map<String, Object> ofMeasurement(BenchmarkReport report, Measurement measurement) {
         Map<String, Object> fields = new LinkedHashMap<>();
         fields.put("engine", measurement.engine());
         fields.put("device", measurement.device());
-        fields.put("width", measurement.size().width());
-        fields.put("height", measurement.size().height());
-        fields.put("shadowSamples", measurement.shadowSamples());
-        fields.put("bounces", measurement.bounces());
+        fields.put("width", measurement.setting().size().width());
+        fields.put("height", measurement.setting().size().height());
+        fields.put("shadowSamples", measurement.setting().shadowSamples());
+        fields.put("bounces", measurement.setting().bounces());
         fields.put("bodies", measurement.bodies());
         fields.put("warmupFrames", measurement.warmupFrames());
         putTimes(fields, measurement);

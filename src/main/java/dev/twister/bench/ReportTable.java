@@ -9,7 +9,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** A report for a person at a terminal of 120 columns. */
+/** A report for a person at a terminal of 120 columns, or more where there are several figures. */
 public final class ReportTable {
     private static final int LEFT_ALIGNED = 3;
     private static final int MAX_DEVICE_LENGTH = 30;
@@ -35,10 +35,10 @@ public final class ReportTable {
         lines.addAll(heading(report));
         lines.add("");
         lines.addAll(table(report));
-        List<String> problems = problems(report);
+        List<String> problems = report.problems();
         if (!problems.isEmpty()) {
             lines.add("");
-            lines.addAll(problems);
+            problems.forEach(problem -> lines.add("FAILED: " + problem));
         }
         return String.join(System.lineSeparator(), lines);
     }
@@ -66,10 +66,9 @@ public final class ReportTable {
                                 .orElse("")),
                 String.format(
                         Locale.ROOT,
-                        "scene %s, %s, %s; up to %d + %d frames in %s s",
+                        "scene %s%s; up to %d + %d frames in %s s",
                         report.scene(),
-                        ReportNumbers.counted(plan.shadowSamples(), "shadow sample"),
-                        ReportNumbers.counted(plan.bounces(), "bounce"),
+                        plan.hasOneFigure() ? ", " + plan.settings().getFirst().shading() : "",
                         plan.warmupFrames(),
                         plan.frames(),
                         ReportNumbers.shortest(plan.maxSeconds())));
@@ -111,7 +110,7 @@ public final class ReportTable {
         return List.of(
                 measurement.engine(),
                 shortened(measurement.device()),
-                measurement.size().toString(),
+                (report.plan().hasOneFigure() ? measurement.setting().size() : measurement.setting()).toString(),
                 measurement.warmupFrames() + "+" + times.frames(),
                 ReportNumbers.legible(times.fps(), 1),
                 String.format(Locale.ROOT, "%.2f", times.min()),
@@ -129,29 +128,6 @@ public final class ReportTable {
                     return column < LEFT_ALIGNED ? row.get(column) + padding : padding + row.get(column);
                 })
                 .collect(Collectors.joining("  "));
-    }
-
-    private static List<String> problems(BenchmarkReport report) {
-        List<String> problems = new ArrayList<>();
-        for (Measurement measurement : report.measurements()) {
-            PictureComparison comparison = measurement.comparison();
-            if (!comparison.withinTolerance()) {
-                problems.add(String.format(
-                        Locale.ROOT,
-                        "FAILED: %s at %s draws another picture than %s: %d of %d pixels differ by more than %d of 255"
-                                + " (%d may), by %d at most",
-                        measurement.engine(),
-                        measurement.size(),
-                        Benchmark.REFERENCE,
-                        comparison.differingPixels(),
-                        comparison.pixels(),
-                        PictureComparison.CHANNEL_TOLERANCE,
-                        comparison.allowedPixels(),
-                        comparison.largestDifference()));
-            }
-        }
-        report.failures().forEach(failure -> problems.add("FAILED: " + failure.engine() + ": " + failure.message()));
-        return problems;
     }
 
     private static String speedup(Optional<Double> speedup) {

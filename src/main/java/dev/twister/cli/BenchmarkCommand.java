@@ -1,27 +1,30 @@
 package dev.twister.cli;
 
 import dev.twister.bench.Benchmark;
-import dev.twister.bench.BenchmarkEngines;
 import dev.twister.bench.BenchmarkPlan;
 import dev.twister.bench.BenchmarkReport;
-import dev.twister.bench.MachineInfo;
 import dev.twister.bench.MotionPlan;
+import dev.twister.bench.PaperFolder;
 import dev.twister.bench.PaperPlan;
 import dev.twister.bench.ReportTable;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.engine.auto.FastestEngine;
 import dev.twister.image.PictureSize;
+import dev.twister.physics.Simulation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import dev.twister.sky.SkyboxReader;
 import dev.twister.world.World;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -148,28 +151,37 @@ final class BenchmarkCommand implements Callable<Integer> {
                     + " --engine, --quick, --warmup, --frames, --max-seconds and --output only");
         }
         List<String> ids = engineIds();
-        PaperPlan usual = quick ? PaperPlan.quick(ids) : PaperPlan.full(ids);
-        PaperPlan plan = usual.within(
-                Ranges.check("--warmup", warmup.orElse(usual.warmupFrames()), 0, MAX_FRAMES),
-                Ranges.check("--frames", frames.orElse(usual.frames()), 1, MAX_FRAMES),
-                Ranges.check("--max-seconds", maxSeconds.orElse(usual.maxSeconds()), MIN_SECONDS, MAX_SECONDS));
-        World world = world();
+        BenchmarkPlan plan = limited(quick ? PaperPlan.quick(ids) : PaperPlan.full(ids));
+        Scene scene = SceneReader.read(SceneFiles.find(sceneName));
         Path folder = output.orElse(Path.of(PAPER_FOLDER));
-        PaperEvaluation.prepare(folder);
-        return PaperEvaluation.run(
-                plan,
-                sceneName,
-                world,
-                folder,
-                spec.commandLine().getOut(),
-                spec.commandLine().getErr());
+        if (Files.exists(folder) && !Files.isDirectory(folder)) {
+            throw new BadInputException("--output is " + folder + ", but must be a folder");
+        }
+        PaperFolder.make(folder);
+        OutputFile.check("--output", folder.resolve(PaperFolder.PAGE));
+        ReportFiles files = new ReportFiles(
+                Optional.of(folder.resolve(PaperFolder.JSON)), Optional.of(folder.resolve(PaperFolder.CSV)));
+        BenchmarkReport report = run(plan, scene, files);
+        files.write(report);
+        PrintWriter out = spec.commandLine().getOut();
+        out.println(PaperFolder.write(report, folder) + ": " + report.engines().size() + " engines at "
+                + plan.settings().size() + " settings; beside it JSON, CSV, plots and pictures");
+        report.problems().forEach(problem -> out.println("FAILED: " + problem));
+        return report.passed() ? Main.OK : Main.FAILED;
     }
 
     private int compare() throws IOException {
         if (output.isPresent()) {
             throw new BadInputException("--output is the folder of --paper; write a report with --json or --csv");
         }
-        BenchmarkPlan plan = plan();
+        BenchmarkPlan plan = limited(BenchmarkPlan.bySize(
+                engineIds(),
+                plannedSizes(),
+                shading.shadowSamplesOr(classic ? CLASSIC_SHADOW_SAMPLES : SHADOW_SAMPLES),
+                shading.bouncesOr(classic ? CLASSIC_BOUNCES : BOUNCES),
+                WARMUP_FRAMES,
+                quick ? 5 : 10,
+                quick ? 10 : 30));
         ReportFiles files = new ReportFiles(json, csv);
         files.check();
         Path file = SceneFiles.find(sceneName);
@@ -181,35 +193,23 @@ final class BenchmarkCommand implements Callable<Integer> {
         return report.passed() ? Main.OK : Main.FAILED;
     }
 
-    private World world() {
-        Scene scene = SceneReader.read(SceneFiles.find(sceneName));
-        return World.of(scene, SkyboxReader.read(scene.skybox()));
-    }
-
     private BenchmarkReport run(BenchmarkPlan plan, Scene scene, ReportFiles files) {
         World world = World.of(scene, SkyboxReader.read(scene.skybox()));
         Optional<MotionPlan> moving = motion.isOn()
                 ? Optional.of(new MotionPlan(scene, motion.startSeconds(), motion.secondsPerFrame()))
                 : Optional.empty();
-        try (BenchmarkLines lines = new BenchmarkLines(
-                spec.commandLine().getOut(),
-                spec.commandLine().getErr(),
-                files,
-                (measured, failed) ->
-                        new BenchmarkReport(MachineInfo.ofThisMachine(), plan, sceneName, measured, failed))) {
-            return Benchmark.run(BenchmarkEngines::open, plan, sceneName, world, moving, lines);
+        int stepsToStart = motion.isOn() ? Simulation.stepsIn(motion.startSeconds()) : 0;
+        try (BenchmarkLine line = new BenchmarkLine(
+                spec.commandLine().getOut(), spec.commandLine().getErr(), plan, stepsToStart, files)) {
+            return Benchmark.run(Benchmark::open, plan, sceneName, world, moving, line);
         }
     }
 
-    private BenchmarkPlan plan() {
-        return new BenchmarkPlan(
-                engineIds(),
-                plannedSizes(),
-                shading.shadowSamplesOr(classic ? CLASSIC_SHADOW_SAMPLES : SHADOW_SAMPLES),
-                shading.bouncesOr(classic ? CLASSIC_BOUNCES : BOUNCES),
-                Ranges.check("--warmup", warmup.orElse(WARMUP_FRAMES), 0, MAX_FRAMES),
-                Ranges.check("--frames", frames.orElse(quick ? 5 : 10), 1, MAX_FRAMES),
-                Ranges.check("--max-seconds", maxSeconds.orElse(quick ? 10.0 : 30.0), MIN_SECONDS, MAX_SECONDS));
+    private BenchmarkPlan limited(BenchmarkPlan usual) {
+        return usual.within(
+                Ranges.check("--warmup", warmup.orElse(usual.warmupFrames()), 0, MAX_FRAMES),
+                Ranges.check("--frames", frames.orElse(usual.frames()), 1, MAX_FRAMES),
+                Ranges.check("--max-seconds", maxSeconds.orElse(usual.maxSeconds()), MIN_SECONDS, MAX_SECONDS));
     }
 
     private List<PictureSize> plannedSizes() {
@@ -230,6 +230,13 @@ final class BenchmarkCommand implements Callable<Integer> {
                     .filter(id -> !id.equals(FastestEngine.AUTO))
                     .toList();
         }
-        return EngineNames.resolve(engines, offers);
+        // An error in the last name should not come out after minutes of measuring the others.
+        return engines.stream()
+                .map(name -> Engines.find(offers, name)
+                        .map(EngineOffer::id)
+                        .orElseThrow(() -> new BadInputException("--engine is '" + name + "', but must be one of "
+                                + offers.stream().map(EngineOffer::id).collect(Collectors.joining(", ")))))
+                .distinct()
+                .toList();
     }
 }

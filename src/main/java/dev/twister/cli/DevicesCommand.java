@@ -2,7 +2,6 @@ package dev.twister.cli;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
-import dev.twister.engine.auto.EngineTime;
 import dev.twister.engine.auto.FastestEngine;
 import java.io.PrintWriter;
 import java.time.Duration;
@@ -66,7 +65,7 @@ final class DevicesCommand implements Runnable {
                         "auto has not been measured here yet; 'twister devices --measure' does that and says what it takes.");
     }
 
-    private static void printTime(PrintWriter out, EngineTime time) {
+    private static void printTime(PrintWriter out, FastestEngine.Time time) {
         out.println(time.engine() + ": "
                 + time.frame().map(DevicesCommand::milliseconds).orElse("drew nothing in the time it had"));
     }

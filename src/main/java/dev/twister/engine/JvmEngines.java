@@ -2,6 +2,7 @@ package dev.twister.engine;
 
 import com.google.auto.service.AutoService;
 import dev.twister.image.Frame;
+import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -29,7 +30,7 @@ public final class JvmEngines implements EngineProvider {
                 parallel());
     }
 
-    private static EngineOffer offer(String id, String device, String description, JvmEngine.Rows rows) {
+    private static EngineOffer offer(String id, String device, String description, Rows rows) {
         return EngineOffer.working(id, device, description, () -> new JvmEngine(id, device, rows));
     }
 
@@ -44,5 +45,36 @@ public final class JvmEngines implements EngineProvider {
         IntStream.range(0, frame.height())
                 .parallel()
                 .forEach(index -> JvmKernel.drawRow(input, frame, rows.row(index)));
+    }
+
+    /** How the rows of a frame are gone through. */
+    @FunctionalInterface
+    private interface Rows {
+        void draw(FrameInput input, Frame frame);
+    }
+
+    /**
+     * An engine of the JVM: the kernel's own code, called by plain Java; they differ in who draws which row.
+     *
+     * @param rows draws all rows of a frame
+     */
+    private record JvmEngine(String id, String device, Rows rows) implements Engine {
+        @Override
+        public void render(FrameInput input, Frame frame) {
+            FrameFit.check(input, frame);
+            long start = System.nanoTime();
+            rows.draw(input, frame);
+            frame.setTimes(FrameTimes.onJvm(System.nanoTime() - start));
+        }
+
+        @Override
+        public boolean drawsBandsInProportion() {
+            return true;
+        }
+
+        @Override
+        public void close() {
+            // The JVM's engines hold nothing between frames.
+        }
     }
 }

@@ -2,7 +2,10 @@ package dev.twister.engine;
 
 import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
+import java.lang.management.CompilationMXBean;
+import java.lang.management.ManagementFactory;
 import java.time.Duration;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
 /** The first frames of an engine, which get faster as compilers come to what it runs. */
@@ -14,7 +17,9 @@ public final class SettlingFrames {
     private final FrameInput input;
     private final Frame frame;
     private final BestTime best;
-    private final CompilerActivity compiler = new CompilerActivity();
+    private final Optional<CompilationMXBean> compiler = Optional.ofNullable(ManagementFactory.getCompilationMXBean())
+            .filter(CompilationMXBean::isCompilationTimeMonitoringSupported);
+    private long compiledMillis;
 
     /** Of one input, and with a time of their own. */
     public SettlingFrames(Engine engine, FrameInput input) {
@@ -47,7 +52,7 @@ public final class SettlingFrames {
     public Duration draw() {
         engine.render(input, frame);
         long nanos = frame.times().totalNanos();
-        best.add(nanos, compiler.sinceLastAsked());
+        best.add(nanos, hasCompiled());
         return Duration.ofNanos(nanos);
     }
 
@@ -67,5 +72,13 @@ public final class SettlingFrames {
     /** Whether they are likely to get no faster. */
     public boolean areSettled() {
         return best.isSettled();
+    }
+
+    /** Whether the JVM's compiler has finished anything since it was last asked: code that is compiled anew is faster soon. */
+    private boolean hasCompiled() {
+        long before = compiledMillis;
+        compiledMillis =
+                compiler.map(CompilationMXBean::getTotalCompilationTime).orElse(before);
+        return compiledMillis > before;
     }
 }

@@ -1,5 +1,6 @@
 package dev.twister.gui;
 
+import java.util.Locale;
 import javafx.scene.input.KeyCombination;
 
 /** What a person can do by a menu or a key; the one place that says which key. */
@@ -31,20 +32,14 @@ enum Command {
 
     /** The menus, in their order. */
     enum Group {
-        FILE("File"),
-        EDIT("Edit"),
-        VIEW("View"),
-        PHYSICS("Physics"),
-        HELP("Help");
-
-        private final String label;
-
-        Group(String label) {
-            this.label = label;
-        }
+        FILE,
+        EDIT,
+        VIEW,
+        PHYSICS,
+        HELP;
 
         String label() {
-            return label;
+            return name().charAt(0) + name().substring(1).toLowerCase(Locale.ROOT);
         }
     }
 

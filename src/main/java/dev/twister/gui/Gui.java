@@ -64,7 +64,7 @@ public final class Gui {
             String id = engine.orElse(found.settings().engine());
             // Looking for engines takes TornadoVM a second: that is left to the thread that opens this one.
             EngineOffer offer = EngineOffer.working(id, "", "", () -> Engines.open(id));
-            Studio studio = Studio.start(new GuiOptions(scene, file, offer));
+            Studio studio = Studio.start(new OpenedScene(file, scene), offer);
             MainWindow window = new MainWindow(
                     stage,
                     studio,

@@ -1,6 +1,5 @@
 package dev.twister.gui;
 
-import dev.twister.gui.model.NumberSetting;
 import dev.twister.gui.model.Radiance;
 import dev.twister.gui.model.SceneNumbers;
 import dev.twister.scene.Light;
@@ -18,11 +17,11 @@ final class LightSection {
     LightSection(Studio studio) {
         this.studio = studio;
         numbers = List.of(
-                row(SceneNumbers.LIGHT_X, "Alt+1"),
-                row(SceneNumbers.LIGHT_Y, "Alt+2"),
-                row(SceneNumbers.LIGHT_Z, "Alt+3"),
-                row(SceneNumbers.LIGHT_RADIUS, "Alt+L"),
-                row(SceneNumbers.LIGHT_STRENGTH, "Alt+I"));
+                NumberRow.ofScene(SceneNumbers.LIGHT_X, "Alt+1", studio),
+                NumberRow.ofScene(SceneNumbers.LIGHT_Y, "Alt+2", studio),
+                NumberRow.ofScene(SceneNumbers.LIGHT_Z, "Alt+3", studio),
+                NumberRow.ofScene(SceneNumbers.LIGHT_RADIUS, "Alt+L", studio),
+                NumberRow.ofScene(SceneNumbers.LIGHT_STRENGTH, "Alt+I", studio));
         color = new ColorRow(
                 "Light colour",
                 "The light's hue; how bright it is, the strength says.",
@@ -42,10 +41,6 @@ final class LightSection {
         Light light = scene.light();
         Rgb radiance = Radiance.of(light.color()).withHueOf(hue).color();
         return scene.withLight(new Light(light.position(), light.radius(), radiance));
-    }
-
-    private NumberRow row(NumberSetting setting, String key) {
-        return new NumberRow(setting, key, SceneEdit.ofScene(studio), studio::notice);
     }
 
     private void refresh() {

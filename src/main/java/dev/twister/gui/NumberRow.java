@@ -37,6 +37,11 @@ final class NumberRow extends PanelRow {
     private double shown = Double.NaN;
     private boolean showing;
 
+    /** A row of an edit of the scene. */
+    static NumberRow ofScene(NumberSetting setting, String key, Studio studio) {
+        return new NumberRow(setting, key, SceneEdit.ofScene(studio), studio::notice);
+    }
+
     /**
      * A row that shows nothing until {@link #show}.
      *

@@ -1,7 +1,6 @@
 package dev.twister.gui;
 
 import dev.twister.gui.ChoiceRow.Look;
-import dev.twister.gui.model.NumberSetting;
 import dev.twister.gui.model.SceneNumbers;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
@@ -21,13 +20,12 @@ final class PictureSection {
 
     PictureSection(Studio studio) {
         this.studio = studio;
-        SceneEdit edit = SceneEdit.ofScene(studio);
         numbers = List.of(
-                row(SceneNumbers.SHADOW_SAMPLES, "Alt+S", edit),
-                row(SceneNumbers.BOUNCES, "Alt+B", edit),
-                row(SceneNumbers.SAMPLES_PER_PIXEL, "Alt+A", edit),
-                row(SceneNumbers.EXPOSURE, "Alt+X", edit),
-                row(SceneNumbers.FIELD_OF_VIEW, "Alt+W", SceneEdit.ofCamera(studio)));
+                NumberRow.ofScene(SceneNumbers.SHADOW_SAMPLES, "Alt+S", studio),
+                NumberRow.ofScene(SceneNumbers.BOUNCES, "Alt+B", studio),
+                NumberRow.ofScene(SceneNumbers.SAMPLES_PER_PIXEL, "Alt+A", studio),
+                NumberRow.ofScene(SceneNumbers.EXPOSURE, "Alt+X", studio),
+                new NumberRow(SceneNumbers.FIELD_OF_VIEW, "Alt+W", SceneEdit.ofCamera(studio), studio::notice));
         toneMap = new ChoiceRow<>(
                 "Tone map",
                 "How bright colours are brought down to what a screen can show.",
@@ -53,10 +51,6 @@ final class PictureSection {
     List<PanelRow> rows() {
         return Stream.concat(numbers.stream(), Stream.of(toneMap, srgb, refining))
                 .toList();
-    }
-
-    private NumberRow row(NumberSetting setting, String key, SceneEdit edit) {
-        return new NumberRow(setting, key, edit, studio::notice);
     }
 
     private void refresh() {

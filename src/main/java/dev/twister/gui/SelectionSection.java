@@ -2,7 +2,6 @@ package dev.twister.gui;
 
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.NumberSetting;
 import dev.twister.scene.Scene;
 import java.util.List;
 import java.util.function.Predicate;
@@ -73,11 +72,11 @@ final class SelectionSection extends VBox {
 
     private List<NumberRow> numbers(int body) {
         return List.of(
-                row(BodyEdits.x(body), "Alt+4"),
-                row(BodyEdits.y(body), "Alt+5"),
-                row(BodyEdits.z(body), "Alt+6"),
-                row(BodyEdits.radiusOf(body), "Alt+7"),
-                row(BodyEdits.reflectivityOf(body), "Alt+8"));
+                NumberRow.ofScene(BodyEdits.x(body), "Alt+4", studio),
+                NumberRow.ofScene(BodyEdits.y(body), "Alt+5", studio),
+                NumberRow.ofScene(BodyEdits.z(body), "Alt+6", studio),
+                NumberRow.ofScene(BodyEdits.radiusOf(body), "Alt+7", studio),
+                NumberRow.ofScene(BodyEdits.reflectivityOf(body), "Alt+8", studio));
     }
 
     private ColorRow color(int body) {
@@ -88,10 +87,6 @@ final class SelectionSection extends VBox {
                 SceneEdit.ofScene(studio),
                 scene -> BodyEdits.sphere(scene, body).color(),
                 (scene, albedo) -> BodyEdits.colored(scene, body, albedo));
-    }
-
-    private NumberRow row(NumberSetting setting, String key) {
-        return new NumberRow(setting, key, SceneEdit.ofScene(studio), studio::notice);
     }
 
     private void follow() {

@@ -82,23 +82,28 @@ public final class Studio implements AutoCloseable {
     /** The first request with the numbers that spheres have now; they change where some come or go. */
     private long numbered;
 
-    private Studio(GuiOptions options, SkyShelf skies, DrawingLoop loop) {
+    private Studio(OpenedScene opened, EngineOffer offer, SkyShelf skies, DrawingLoop loop) {
         this.skies = skies;
         this.loop = loop;
-        Scene first = withCameraAbovePlane(options.scene());
+        Scene first = withCameraAbovePlane(opened.scene());
         scene = new ReadOnlyObjectWrapper<>(first);
-        engine = new ReadOnlyObjectWrapper<>(new EngineChoice(0, options.engine()));
-        file = new ReadOnlyObjectWrapper<>(Optional.of(options.file()));
+        engine = new ReadOnlyObjectWrapper<>(new EngineChoice(0, offer));
+        file = new ReadOnlyObjectWrapper<>(Optional.of(opened.file()));
         document = new SceneHistory(first);
-        original = new ReadOnlyObjectWrapper<>(options.scene());
+        original = new ReadOnlyObjectWrapper<>(opened.scene());
         refining.subscribe(_ -> request());
     }
 
-    /** A studio with its drawing thread at work, which draws once the view's size is known. */
-    public static Studio start(GuiOptions options) {
+    /**
+     * A studio with its drawing thread at work, which draws once the view's size is known.
+     *
+     * @param opened shown first
+     * @param engine draws first
+     */
+    public static Studio start(OpenedScene opened, EngineOffer engine) {
         SkyShelf skies = new SkyShelf();
         DrawingLoop loop = new DrawingLoop(skies, JvmEngines.parallel());
-        Studio studio = new Studio(options, skies, loop);
+        Studio studio = new Studio(opened, engine, skies, loop);
         loop.start();
         return studio;
     }

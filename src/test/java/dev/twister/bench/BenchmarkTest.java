@@ -21,6 +21,7 @@ import dev.twister.world.World;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
@@ -38,7 +39,9 @@ class BenchmarkTest {
 
         assertThat(report.passed()).isTrue();
         assertThat(report.measurements())
-                .extracting(Measurement::engine, Measurement::size)
+                .extracting(
+                        Measurement::engine,
+                        measurement -> measurement.setting().size())
                 .containsExactly(
                         tuple("sequential", SMALL),
                         tuple("parallel", SMALL),
@@ -47,8 +50,8 @@ class BenchmarkTest {
         assertThat(report.measurements()).allSatisfy(measurement -> {
             assertThat(measurement.warmupFrames()).isEqualTo(2);
             assertThat(measurement.times().frames()).isEqualTo(4);
-            assertThat(measurement.shadowSamples()).isEqualTo(7);
-            assertThat(measurement.bounces()).isEqualTo(2);
+            assertThat(measurement.setting().shadowSamples()).isEqualTo(7);
+            assertThat(measurement.setting().bounces()).isEqualTo(2);
             assertThat(measurement.bodies()).isEqualTo(5);
             assertThat(measurement.deviceTimes()).isEmpty();
         });
@@ -59,7 +62,7 @@ class BenchmarkTest {
         BenchmarkReport report = run(plan(List.of("sequential", "parallel", "other"), 0, 1, 1000));
 
         Measurement other = report.measurements().get(5);
-        assertThat(other.size()).isEqualTo(LARGE);
+        assertThat(other.setting().size()).isEqualTo(LARGE);
         assertThat(report.speedupOver("sequential", other)).contains(4.0);
         assertThat(report.speedupOver("parallel", other)).contains(2.0);
         assertThat(report.speedupOver("missing", other)).isEmpty();
@@ -112,7 +115,9 @@ class BenchmarkTest {
 
         assertThat(report.failures()).containsExactly(new EngineFailure("greedy", EngineFailure.outOfMemory()));
         assertThat(report.measurements())
-                .extracting(Measurement::engine, Measurement::size)
+                .extracting(
+                        Measurement::engine,
+                        measurement -> measurement.setting().size())
                 .containsExactly(tuple("greedy", SMALL), tuple("sequential", SMALL), tuple("sequential", LARGE));
     }
 
@@ -144,8 +149,9 @@ class BenchmarkTest {
                     }
 
                     @Override
-                    public void measured(Measurement measurement) {
-                        heard.add("measured " + measurement.engine() + " " + measurement.size());
+                    public void found(BenchmarkReport soFar) {
+                        heard.add("found "
+                                + soFar.measurements().getLast().setting().size());
                     }
                 });
 
@@ -160,11 +166,11 @@ class BenchmarkTest {
                         "sequential 5x3 2",
                         "frame",
                         "frame",
-                        "measured sequential 5x3",
+                        "found 5x3",
                         "sequential 9x4 2",
                         "frame",
                         "frame",
-                        "measured sequential 9x4");
+                        "found 9x4");
     }
 
     @Test
@@ -181,7 +187,7 @@ class BenchmarkTest {
     }
 
     static BenchmarkPlan plan(List<String> engines, int warmup, int frames, double seconds) {
-        return new BenchmarkPlan(engines, List.of(SMALL, LARGE), 7, 2, warmup, frames, seconds);
+        return BenchmarkPlan.bySize(engines, List.of(SMALL, LARGE), 7, 2, warmup, frames, seconds);
     }
 
     @Test
@@ -240,7 +246,9 @@ class BenchmarkTest {
                 plan(List.of("sequential", "other"), 0, 3, 100),
                 "test",
                 List.of(moving("sequential", 40, 60), moving("other", 10, 15, 200)),
-                List.of());
+                List.of(),
+                Map.of(),
+                true);
 
         assertThat(report.speedupOver("sequential", report.measurements().getLast()))
                 .contains(4.0);
@@ -253,9 +261,7 @@ class BenchmarkTest {
         return new Measurement(
                 engine,
                 "a device of the test's",
-                SMALL,
-                7,
-                2,
+                new Setting(SMALL, 7, 2),
                 5,
                 0,
                 times,
@@ -283,11 +289,6 @@ class BenchmarkTest {
                     @Override
                     public void begins(String engine, PictureSize size, int frames) {
                         heard.add(engine + " " + size + " " + frames);
-                    }
-
-                    @Override
-                    public void drewFrame() {
-                        // What is drawn tells of itself.
                     }
                 });
         return report.measurements().getLast();

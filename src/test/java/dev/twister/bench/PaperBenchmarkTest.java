@@ -14,6 +14,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -26,15 +27,10 @@ import tools.jackson.databind.json.JsonMapper;
 
 class PaperBenchmarkTest {
     private static final int GREY = 0xff808080;
-    private static final PaperPlan PLAN = new PaperPlan(
-            List.of("sequential", "parallel", "<fast>", "broken"),
-            List.of(new PictureSize(8, 4), new PictureSize(12, 6)),
-            List.of(1, 200),
-            List.of(1, 2, 3),
-            0,
-            1,
-            100);
-    private static final PaperReport REPORT = run(PLAN);
+    private static final List<PictureSize> SIZES = List.of(new PictureSize(8, 4), new PictureSize(12, 6));
+    private static final BenchmarkPlan PLAN = PaperPlan.of(
+            List.of("sequential", "parallel", "<fast>", "broken"), SIZES, List.of(1, 200), List.of(1, 2, 3));
+    private static final BenchmarkReport REPORT = run(PLAN);
 
     @TempDir
     private Path folder;
@@ -52,21 +48,21 @@ class PaperBenchmarkTest {
 
     @Test
     void settingsAreThePapersEachOnce() {
-        PaperPlan full = PaperPlan.full(List.of("sequential"));
+        BenchmarkPlan full = PaperPlan.full(List.of("sequential"));
 
         assertThat(full.settings(PaperFigure.SIZES))
-                .extracting(PaperSetting::toString)
+                .extracting(Setting::toString)
                 .containsExactly(
                         "1280x720, 1 shadow sample, 1 bounce",
                         "1920x1080, 1 shadow sample, 1 bounce",
                         "3840x2160, 1 shadow sample, 1 bounce");
         assertThat(full.settings(PaperFigure.SHADOW_SAMPLES))
-                .extracting(PaperSetting::shadowSamples)
+                .extracting(Setting::shadowSamples)
                 .startsWith(1)
                 .endsWith(400);
         assertThat(full.settings(PaperFigure.BOUNCES))
                 .allMatch(setting -> setting.shadowSamples() == 200)
-                .extracting(PaperSetting::bounces)
+                .extracting(Setting::bounces)
                 .containsExactly(1, 2, 3, 4, 5, 6);
         assertThat(full.settings(PaperFigure.SPEEDUP))
                 .allMatch(setting -> setting.shadowSamples() == 200 && setting.bounces() == 3)
@@ -77,7 +73,7 @@ class PaperBenchmarkTest {
     @Test
     void quickStaysWithinItsMinutesHoweverManyEngines() {
         for (int engines : List.of(1, 4, 40)) {
-            PaperPlan quick = PaperPlan.quick(Stream.iterate(1, i -> i + 1)
+            BenchmarkPlan quick = PaperPlan.quick(Stream.iterate(1, i -> i + 1)
                     .limit(engines)
                     .map(i -> "e" + i)
                     .toList());
@@ -89,7 +85,7 @@ class PaperBenchmarkTest {
     void measuresEveryEngineAtEverySettingOnce() {
         assertThat(REPORT.measurements()).hasSize(3 * PLAN.settings().size());
         assertThat(REPORT.failures()).containsExactly(new EngineFailure("broken", "out of order"));
-        Measurement fast = REPORT.find("<fast>", new PaperSetting(new PictureSize(12, 6), 200, 3))
+        Measurement fast = REPORT.find("<fast>", new Setting(new PictureSize(12, 6), 200, 3))
                 .orElseThrow();
         assertThat(REPORT.speedupOver("sequential", fast)).contains(400.0);
         assertThat(REPORT.speedupOver("parallel", fast)).contains(200.0);
@@ -98,10 +94,9 @@ class PaperBenchmarkTest {
 
     @Test
     void anEngineThatBecomesAnotherIsMeasuredUnderItsName() {
-        PaperPlan plan =
-                new PaperPlan(List.of("becomes parallel", "parallel"), PLAN.sizes(), List.of(1), List.of(1), 0, 1, 100);
+        BenchmarkPlan plan = PaperPlan.of(List.of("becomes parallel", "parallel"), SIZES, List.of(1), List.of(1));
 
-        PaperReport report = run(plan);
+        BenchmarkReport report = run(plan);
 
         assertThat(report.engines()).containsExactly("becomes parallel", "parallel");
         assertThat(report.measurements().getFirst().device()).startsWith("parallel: ");
@@ -109,10 +104,10 @@ class PaperBenchmarkTest {
 
     @Test
     void anEngineThatNeedsTooMuchMemoryDoesNotStopTheOthers() {
-        PaperPlan plan = new PaperPlan(List.of("greedy", "parallel"), PLAN.sizes(), List.of(1), List.of(1), 0, 1, 100);
-        List<PaperReport> reports = new ArrayList<>();
+        BenchmarkPlan plan = PaperPlan.of(List.of("greedy", "parallel"), SIZES, List.of(1), List.of(1));
+        List<BenchmarkReport> reports = new ArrayList<>();
 
-        PaperReport report = run(plan, reports::add);
+        BenchmarkReport report = run(plan, reports::add);
 
         assertThat(report.failures()).containsExactly(new EngineFailure("greedy", EngineFailure.outOfMemory()));
         assertThat(report.engines()).containsExactly("greedy", "parallel");
@@ -121,7 +116,7 @@ class PaperBenchmarkTest {
 
     @Test
     void jsonHasTheFigures() throws IOException {
-        PaperFolder.write(REPORT, folder);
+        write(REPORT);
 
         JsonNode json = JsonMapper.builder().build().readTree(Files.readString(folder.resolve("paper.json")));
         assertThat(json.at("/figures/sizes").size()).isEqualTo(6);
@@ -141,11 +136,11 @@ class PaperBenchmarkTest {
 
     @Test
     void whatIsMeasuredSoFarIsToldEachTime() {
-        List<PaperReport> reports = new ArrayList<>();
+        List<BenchmarkReport> reports = new ArrayList<>();
         run(PLAN, reports::add);
 
         int measurements = 3 * PLAN.settings().size();
-        assertThat(reports).hasSize(measurements + 1).noneMatch(PaperReport::finished);
+        assertThat(reports).hasSize(measurements + 1).noneMatch(BenchmarkReport::finished);
         assertThat(reports.getFirst().measurements()).hasSize(1);
         assertThat(reports.get(measurements - 1).measurements()).hasSize(measurements);
         assertThat(reports.getLast().failures()).hasSize(1);
@@ -153,32 +148,22 @@ class PaperBenchmarkTest {
     }
 
     @Test
-    void unfinishedNumbersSayThatTheyAreAndLeaveAFinishedReportAlone() throws IOException {
-        PaperFolder.write(REPORT, folder);
-        byte[] json = Files.readAllBytes(folder.resolve("paper.json"));
-        byte[] csv = Files.readAllBytes(folder.resolve("paper.csv"));
-        List<PaperReport> reports = new ArrayList<>();
+    void unfinishedNumbersSayThatTheyAre() throws IOException {
+        List<BenchmarkReport> reports = new ArrayList<>();
         run(PLAN, reports::add);
 
-        PaperFolder.writeUnfinished(reports.getFirst(), folder);
+        write(reports.getFirst());
 
-        assertThat(folder.resolve("paper.json")).hasBinaryContent(json);
-        assertThat(folder.resolve("paper.csv")).hasBinaryContent(csv);
-        JsonNode unfinished =
-                JsonMapper.builder().build().readTree(Files.readString(folder.resolve("paper-unfinished.json")));
+        JsonNode unfinished = JsonMapper.builder().build().readTree(Files.readString(folder.resolve("paper.json")));
         assertThat(unfinished.at("/finished").asBoolean(true)).isFalse();
         assertThat(unfinished.at("/passed").asBoolean(true)).isFalse();
         assertThat(unfinished.at("/figures/sizes").size()).isEqualTo(1);
-        assertThat(Files.readString(folder.resolve("paper-unfinished.csv"))).contains(",false");
-
-        PaperFolder.write(REPORT, folder);
-        assertThat(folder.resolve("paper-unfinished.json")).doesNotExist();
-        assertThat(folder.resolve("paper-unfinished.csv")).doesNotExist();
+        assertThat(Files.readString(folder.resolve("paper.csv"))).contains(",false");
     }
 
     @Test
     void csvHasALineForEachFigureSettingAndEngine() throws IOException {
-        PaperFolder.write(REPORT, folder);
+        write(REPORT);
 
         try (Reader reader = Files.newBufferedReader(folder.resolve("paper.csv"))) {
             List<CSVRecord> records = CSVFormat.RFC4180
@@ -203,10 +188,10 @@ class PaperBenchmarkTest {
 
     @Test
     void pageHoldsEverythingAndLeadsNowhere() throws IOException {
-        String page = Files.readString(PaperFolder.write(REPORT, folder));
+        String page = Files.readString(write(REPORT));
 
         assertThat(page)
-                .contains("&lt;fast&gt;", "broken failed: out of order")
+                .contains("&lt;fast&gt;", "broken: out of order")
                 .contains("796", "RTX 2060", "the paper's figure")
                 .contains(REPORT.machine().jdk())
                 .contains("data:image/png;base64,", "data:image/svg+xml;base64,")
@@ -216,17 +201,16 @@ class PaperBenchmarkTest {
 
     @Test
     void publishedFiguresStandBesideTheirSizes() throws IOException {
-        PaperPlan plan =
-                new PaperPlan(List.of("sequential"), List.of(PictureSize.HD), List.of(1), List.of(1), 0, 1, 100);
+        BenchmarkPlan plan = PaperPlan.of(List.of("sequential"), List.of(PictureSize.HD), List.of(1), List.of(1));
 
-        String page = Files.readString(PaperFolder.write(run(plan), folder));
+        String page = Files.readString(write(run(plan)));
 
         assertThat(page).contains("<td class=\"theirs\">234</td>").contains("the paper reports 234 on an RTX 2060");
     }
 
     @Test
     void plotsAreDocumentsOfTheirOwn() throws Exception {
-        PaperFolder.write(REPORT, folder);
+        write(REPORT);
 
         try (Stream<Path> files = Files.list(folder)) {
             List<Path> plots =
@@ -245,12 +229,11 @@ class PaperBenchmarkTest {
 
     @Test
     void noPlotOfAnOlderReportStays() throws IOException {
-        PaperFolder.write(REPORT, folder);
+        write(REPORT);
         Path own = Files.writeString(folder.resolve("my-own.svg"), "kept");
-        PaperPlan plan =
-                new PaperPlan(List.of("sequential", "<fast>"), PLAN.sizes(), List.of(1, 200), List.of(1), 0, 1, 100);
+        BenchmarkPlan plan = PaperPlan.of(List.of("sequential", "<fast>"), SIZES, List.of(1, 200), List.of(1));
 
-        PaperFolder.write(run(plan), folder);
+        write(run(plan));
 
         assertThat(folder.resolve("speed-up-over-parallel.svg")).doesNotExist();
         assertThat(folder.resolve("speed-up-over-sequential.svg")).exists();
@@ -259,21 +242,29 @@ class PaperBenchmarkTest {
 
     @Test
     void withoutAnyMeasurementThereIsStillAPage() throws IOException {
-        PaperPlan plan = new PaperPlan(List.of("broken"), PLAN.sizes(), List.of(1), List.of(1), 0, 1, 100);
+        BenchmarkPlan plan = PaperPlan.of(List.of("broken"), SIZES, List.of(1), List.of(1));
 
-        assertThat(PaperFolder.write(run(plan), folder))
-                .isRegularFile()
-                .content()
-                .contains("out of order");
+        assertThat(write(run(plan))).isRegularFile().content().contains("out of order");
     }
 
-    private static PaperReport run(PaperPlan plan) {
+    private static BenchmarkReport run(BenchmarkPlan plan) {
         return run(plan, _ -> {});
     }
 
-    private static PaperReport run(PaperPlan plan, Consumer<PaperReport> soFar) {
-        return PaperBenchmark.run(
-                PaperBenchmarkTest::open, plan, "test", TestWorld.create(), BenchmarkProgress.SILENT, soFar);
+    private static BenchmarkReport run(BenchmarkPlan plan, Consumer<BenchmarkReport> soFar) {
+        return Benchmark.run(
+                PaperBenchmarkTest::open, plan, "test", TestWorld.create(), Optional.empty(), new BenchmarkProgress() {
+                    @Override
+                    public void found(BenchmarkReport report) {
+                        soFar.accept(report);
+                    }
+                });
+    }
+
+    private Path write(BenchmarkReport report) throws IOException {
+        JsonReport.write(report, folder.resolve(PaperFolder.JSON));
+        CsvReport.write(report, folder.resolve(PaperFolder.CSV));
+        return PaperFolder.write(report, folder);
     }
 
     private static Engine open(String id) {

@@ -8,6 +8,8 @@ import java.io.Reader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVRecord;
 import org.junit.jupiter.api.Test;
@@ -104,7 +106,7 @@ class ReportsTest {
         Measurement minutes = slow("parallel", 52_265.9);
         Measurement seconds = slow("sequential", 200);
         BenchmarkReport report = new BenchmarkReport(
-                REPORT.machine(), REPORT.plan(), REPORT.scene(), List.of(seconds, minutes), List.of());
+                REPORT.machine(), REPORT.plan(), REPORT.scene(), List.of(seconds, minutes), List.of(), Map.of(), true);
 
         assertThat(ReportTable.of(report).lines().toList().getLast())
                 .containsPattern(" 0\\.019 .* 0\\.0038 ")
@@ -131,14 +133,13 @@ class ReportsTest {
         return new Measurement(
                 engine,
                 one.device(),
-                one.size(),
-                one.shadowSamples(),
-                one.bounces(),
+                one.setting(),
                 one.bodies(),
                 1,
                 new Statistics(1, millis, millis, millis, millis),
                 one.deviceTimes(),
-                one.comparison());
+                one.comparison(),
+                Optional.empty());
     }
 
     private static List<CSVRecord> records(Path file) throws IOException {

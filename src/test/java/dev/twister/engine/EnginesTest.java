@@ -3,6 +3,8 @@ package dev.twister.engine;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -22,6 +24,17 @@ class EnginesTest {
         assertThatThrownBy(() -> Engines.offer("warp"))
                 .isInstanceOf(UnknownEngineException.class)
                 .hasMessageStartingWith("no engine is called 'warp'; there are sequential, parallel");
+    }
+
+    @Test
+    void aFamilysNameAloneIsItsFirstDevice() {
+        List<EngineOffer> offers = Stream.of("sequential", "tornado:0:0", "tornado:0:1")
+                .map(id -> EngineOffer.impossible(id, "a device", "draws", "nothing"))
+                .toList();
+
+        assertThat(Engines.find(offers, "tornado").map(EngineOffer::id)).contains("tornado:0:0");
+        assertThat(Engines.find(offers, "tornado:0:1").map(EngineOffer::id)).contains("tornado:0:1");
+        assertThat(Engines.find(offers, "tornado:0")).isEmpty();
     }
 
     @Test

@@ -27,7 +27,7 @@ class StudioTest {
     private final Studio studio = start(scene);
 
     private static Studio start(Scene scene) {
-        return Studio.start(new GuiOptions(scene, FILE, JvmEngines.parallel()));
+        return Studio.start(new OpenedScene(FILE, scene), JvmEngines.parallel());
     }
 
     @AfterEach

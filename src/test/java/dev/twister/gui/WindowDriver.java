@@ -69,7 +69,7 @@ final class WindowDriver implements AutoCloseable {
         stage = new Stage();
         stage.setX(0);
         stage.setY(0);
-        studio = Studio.start(new GuiOptions(scene, Path.of("test.json"), engine));
+        studio = Studio.start(new OpenedScene(Path.of("test.json"), scene), engine);
         window = new MainWindow(
                 stage,
                 studio,

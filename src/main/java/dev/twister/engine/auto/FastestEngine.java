@@ -34,9 +34,34 @@ public final class FastestEngine {
 
     private static final long LOOK_NANOS = 20_000_000;
 
-    private final EngineTrial trial;
+    /** Time for the JVM's compiler, for all engines of the JVM together; a trial that settles ends sooner. */
+    private static final Duration JVM_TRIALS = Duration.ofSeconds(30);
+
+    /** For all devices together, whose first frame waits for the kernel's compiler. */
+    private static final Duration DEVICE_TRIALS = Duration.ofSeconds(60);
+
+    private final Trial trial;
     private final ChoiceStore store;
     private final Waiting waiting;
+
+    /** Finds out how fast an engine is. */
+    @FunctionalInterface
+    interface Trial {
+        /**
+         * How long the engine takes for a small picture; empty where it fails, or has not drawn one within the limit.
+         *
+         * @param cancelled asked again and again; once it is true, the answer does not count and comes soon
+         */
+        Optional<Duration> frameTime(EngineOffer offer, Duration limit, BooleanSupplier cancelled);
+    }
+
+    /**
+     * What an engine's trial came to.
+     *
+     * @param engine its id
+     * @param frame its fastest frame; empty where it drew none in the time it had
+     */
+    public record Time(String engine, Optional<Duration> frame) {}
 
     /** Lets so much time go by, or less where nobody waits for what comes after it. */
     @FunctionalInterface
@@ -44,7 +69,7 @@ public final class FastestEngine {
         void await(Duration time, BooleanSupplier cancelled);
     }
 
-    FastestEngine(EngineTrial trial, ChoiceStore store, Waiting waiting) {
+    FastestEngine(Trial trial, ChoiceStore store, Waiting waiting) {
         this.trial = trial;
         this.store = store;
         this.waiting = waiting;
@@ -80,7 +105,8 @@ public final class FastestEngine {
     public Engine openAtOnce(List<EngineOffer> atOnce, Supplier<List<EngineOffer>> all) {
         List<EngineOffer> candidates = candidates(atOnce);
         Optional<String> known = store.read(MachineKey.beforeDevices(candidates));
-        boolean device = known.filter(id -> find(candidates, id).isEmpty()).isPresent();
+        boolean device =
+                known.filter(id -> Engines.find(candidates, id).isEmpty()).isPresent();
         if (candidates.isEmpty() || device) {
             return openAtOnce(all.get());
         }
@@ -99,7 +125,7 @@ public final class FastestEngine {
     private static Engine openWarming(Engine standIn, String id, List<EngineOffer> candidates) {
         return Optional.of(id)
                 .filter(wanted -> !wanted.equals(standIn.id()))
-                .flatMap(wanted -> find(candidates, wanted))
+                .flatMap(wanted -> Engines.find(candidates, wanted))
                 .<Engine>map(offer -> new AutoEngine(
                         standIn, new Successor(_ -> opened(offer), PATIENCE), () -> openUnmeasured(candidates)))
                 .orElse(standIn);
@@ -117,7 +143,7 @@ public final class FastestEngine {
         known.ifPresent(id -> store.write(MachineKey.beforeDevices(candidates), id));
         return known.or(() -> fastestBeside(drawing, standIn, candidates, cancelled))
                 .filter(fastest -> !fastest.equals(drawing.id()) && !cancelled.getAsBoolean())
-                .flatMap(fastest -> find(candidates, fastest))
+                .flatMap(fastest -> Engines.find(candidates, fastest))
                 .flatMap(FastestEngine::opened);
     }
 
@@ -145,10 +171,10 @@ public final class FastestEngine {
         });
     }
 
-    private static Optional<String> fastestOf(List<EngineTime> times) {
+    private static Optional<String> fastestOf(List<Time> times) {
         return times.stream()
                 .filter(time -> time.frame().isPresent())
-                .map(EngineTime::engine)
+                .map(Time::engine)
                 .findFirst();
     }
 
@@ -159,7 +185,7 @@ public final class FastestEngine {
      */
     public Engine openMeasured(List<EngineOffer> offers) {
         List<EngineOffer> candidates = candidates(offers);
-        Optional<EngineOffer> known = remembered(offers).flatMap(id -> find(candidates, id));
+        Optional<EngineOffer> known = remembered(offers).flatMap(id -> Engines.find(candidates, id));
         if (known.isPresent()) {
             try {
                 return known.get().opener().get();
@@ -181,37 +207,41 @@ public final class FastestEngine {
         return Optional.of(offer.opener().get());
     }
 
-    private static Optional<EngineOffer> find(List<EngineOffer> candidates, String id) {
-        return candidates.stream().filter(offer -> offer.id().equals(id)).findFirst();
-    }
-
     /** The id of the engine that {@link #openMeasured} takes, where it was measured before. */
     public Optional<String> remembered(List<EngineOffer> offers) {
         List<EngineOffer> candidates = candidates(offers);
         return store.read(MachineKey.of(candidates))
-                .filter(id -> candidates.stream().anyMatch(offer -> offer.id().equals(id)));
+                .filter(id -> Engines.find(candidates, id).isPresent());
     }
 
     /** Measures with the patience that a device's compiler needs, and remembers; the fastest comes first. */
-    public List<EngineTime> measurePatiently(List<EngineOffer> offers) {
+    public List<Time> measurePatiently(List<EngineOffer> offers) {
         return measureAll(candidates(offers));
     }
 
-    private List<EngineTime> measureAll(List<EngineOffer> candidates) {
-        List<EngineTime> times = measure(candidates, () -> false);
+    private List<Time> measureAll(List<EngineOffer> candidates) {
+        List<Time> times = measure(candidates, () -> false);
         remember(candidates, fastestOf(times), () -> false);
         return times;
     }
 
     /** The JVM's engines come first: they need no compiler that could still be at work beside the next trial. */
-    private List<EngineTime> measure(List<EngineOffer> candidates, BooleanSupplier cancelled) {
+    private List<Time> measure(List<EngineOffer> candidates, BooleanSupplier cancelled) {
         return candidates.stream()
                 .sorted(Comparator.comparing(offer -> Engines.isDevice(offer.id())))
-                .map(offer -> new EngineTime(
-                        offer.id(), trial.frameTime(offer, TrialLimits.PATIENT.of(offer, candidates), cancelled)))
+                .map(offer -> new Time(offer.id(), trial.frameTime(offer, limit(offer, candidates), cancelled)))
                 .sorted(Comparator.comparing(
                         time -> time.frame().orElse(null), Comparator.nullsLast(Comparator.naturalOrder())))
                 .toList();
+    }
+
+    /** This engine's share of the time for trials. */
+    private static Duration limit(EngineOffer offer, List<EngineOffer> all) {
+        boolean device = Engines.isDevice(offer.id());
+        long sharers = all.stream()
+                .filter(other -> Engines.isDevice(other.id()) == device)
+                .count();
+        return (device ? DEVICE_TRIALS : JVM_TRIALS).dividedBy(Math.max(1, sharers));
     }
 
     private static Engine openUnmeasured(List<EngineOffer> candidates) {
@@ -219,24 +249,21 @@ public final class FastestEngine {
     }
 
     /** Those that drew, the fastest first; where none was ready in time, the paper's baseline, then any. */
-    private static Engine openFirst(List<EngineOffer> candidates, List<EngineTime> times) {
-        List<String> order = Stream.of(
-                        times.stream().filter(time -> time.frame().isPresent()).map(EngineTime::engine),
+    private static Engine openFirst(List<EngineOffer> candidates, List<Time> times) {
+        List<EngineOffer> order = Stream.of(
+                        times.stream().filter(time -> time.frame().isPresent()).map(Time::engine),
                         Stream.of(JvmEngines.PARALLEL),
                         candidates.stream().map(EngineOffer::id))
                 .flatMap(ids -> ids)
                 .distinct()
+                .flatMap(id -> Engines.find(candidates, id).stream())
                 .toList();
         EngineException failure = new EngineException("no engine works here; 'twister devices' says why");
-        for (String id : order) {
-            for (EngineOffer offer : candidates) {
-                if (offer.id().equals(id)) {
-                    try {
-                        return offer.opener().get();
-                    } catch (EngineException notThis) {
-                        failure.addSuppressed(notThis);
-                    }
-                }
+        for (EngineOffer offer : order) {
+            try {
+                return offer.opener().get();
+            } catch (EngineException notThis) {
+                failure.addSuppressed(notThis);
             }
         }
         throw failure;

@@ -15,7 +15,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 
 /** Draws a small picture of the default kind until its frames get no faster, and takes the fastest. */
-final class TimedTrial implements EngineTrial {
+final class TimedTrial implements FastestEngine.Trial {
     /** Small, because the frames of a JVM that has compiled nothing yet are hundreds of times slower. */
     private static final int WIDTH = 192;
 

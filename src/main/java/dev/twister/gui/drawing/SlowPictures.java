@@ -10,8 +10,8 @@ import java.util.function.LongPredicate;
 import java.util.function.LongSupplier;
 
 /**
- * Draws pictures that take long in bands of rows, so that one can be left when it is not wanted any more: a reference
- * engine takes minutes for a picture of 3840 x 2160. Those that do not take long are drawn in one go, as bands cost
+ * Draws pictures that take long in bands of rows, so that one can be left when it is not wanted any more: one thread takes
+ * many seconds for a picture of 3840 x 2160. Those that do not take long are drawn in one go, as bands cost
  * time, and so are those of engines that are not made for bands. Used by one thread.
  */
 final class SlowPictures {
@@ -24,7 +24,7 @@ final class SlowPictures {
     /** Of a picture of which nothing is known about so many pixels are drawn first, of more than {@link #FEW_BODIES} fewer. */
     private static final int FIRST_PIXELS = 1 << 14;
 
-    /** The slowest engine looks at every body for every ray. */
+    /** The pixels of a crowd take longer, most of all before the JVM has compiled what they run. */
     private static final int FEW_BODIES = 32;
 
     private final LongSupplier clock;

@@ -60,7 +60,7 @@ record WarmUp(FrameInput whole, FrameInput small, LongSupplier clock) {
     }
 
     /**
-     * Draws the small picture once, in bands: where there are thousands of bodies, a reference engine takes minutes for it.
+     * Draws the small picture once, in bands: where there are thousands of bodies, a cold JVM takes many seconds for it.
      *
      * @param leave whether to draw no more of it; asked between bands
      * @return whether all of it was drawn

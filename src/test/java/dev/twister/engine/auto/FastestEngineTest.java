@@ -148,7 +148,7 @@ class FastestEngineTest {
     @Test
     void measuringPatientlyListsTheFastestFirst() {
         assertThat(fastest().measurePatiently(offers("sequential", "unready", "tornado:0:0", "parallel")))
-                .extracting(EngineTime::engine)
+                .extracting(FastestEngine.Time::engine)
                 .containsExactly("tornado:0:0", "parallel", "unready");
     }
 

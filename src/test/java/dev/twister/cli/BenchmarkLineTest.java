@@ -6,9 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import dev.twister.bench.Benchmark;
 import dev.twister.bench.BenchmarkPlan;
 import dev.twister.bench.BenchmarkReport;
-import dev.twister.bench.EngineFailure;
 import dev.twister.bench.MachineInfo;
-import dev.twister.bench.Measurement;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.Engines;
@@ -23,11 +21,12 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-class BenchmarkLinesTest {
+class BenchmarkLineTest {
     private static final PictureSize SIZE = new PictureSize(5, 3);
 
     @TempDir
@@ -36,13 +35,13 @@ class BenchmarkLinesTest {
     private final StringWriter out = new StringWriter();
     private final StringWriter err = new StringWriter();
     private final BenchmarkPlan plan =
-            new BenchmarkPlan(List.of("sequential", "parallel"), List.of(SIZE), 1, 0, 0, 1, 10);
+            BenchmarkPlan.bySize(List.of("sequential", "parallel"), List.of(SIZE), 1, 0, 0, 1, 10);
 
     @Test
     void anEndBeforeAnythingIsMeasuredSaysWhere() {
-        try (BenchmarkLines lines = lines()) {
-            lines.begins("parallel", SIZE, 1);
-            lines.giveUp();
+        try (BenchmarkLine line = line()) {
+            line.begins("parallel", SIZE, 1);
+            line.giveUp();
         }
 
         assertThat(err.toString()).contains("ended at parallel 5x3", "nothing was measured");
@@ -53,10 +52,10 @@ class BenchmarkLinesTest {
     @Test
     void anEndAfterThatLosesNothing() throws IOException {
         Files.writeString(folder.resolve("report.json"), "older");
-        try (BenchmarkLines lines = lines()) {
-            Benchmark.run(Engines::open, plan, "benchmark", world(), Optional.empty(), lines);
-            lines.begins("tornado:0:0", SIZE, 1);
-            lines.giveUp();
+        try (BenchmarkLine line = line()) {
+            Benchmark.run(Engines::open, plan, "benchmark", world(), Optional.empty(), line);
+            line.begins("tornado:0:0", SIZE, 1);
+            line.giveUp();
         }
 
         assertThat(err.toString()).contains("ended at tornado:0:0 5x3");
@@ -75,10 +74,10 @@ class BenchmarkLinesTest {
 
     @Test
     void anEndTellsOfTheEnginesThatHadFailedByThen() {
-        try (BenchmarkLines lines = lines()) {
-            Benchmark.run(BenchmarkLinesTest::openButParallel, plan, "benchmark", world(), Optional.empty(), lines);
-            lines.begins("tornado:0:0", SIZE, 1);
-            lines.giveUp();
+        try (BenchmarkLine line = line()) {
+            Benchmark.run(BenchmarkLineTest::openButParallel, plan, "benchmark", world(), Optional.empty(), line);
+            line.begins("tornado:0:0", SIZE, 1);
+            line.giveUp();
         }
 
         assertThat(out.toString()).contains("FAILED: parallel: out of order", "FAILED: tornado:0:0: ended at");
@@ -93,9 +92,24 @@ class BenchmarkLinesTest {
     }
 
     @Test
+    void whatIsMeasuredIsKeptAsItComesAndNotAfterTheEnd() throws IOException {
+        Path json = folder.resolve("report-unfinished.json");
+        try (BenchmarkLine line = line()) {
+            line.found(report());
+            assertThat(json).exists();
+            line.giveUp();
+            Files.delete(json);
+
+            line.found(report());
+        }
+
+        assertThat(json).doesNotExist();
+    }
+
+    @Test
     void aFinishedReportReplacesWhatAStoppedOneLeft() throws IOException {
         ReportFiles files = files();
-        BenchmarkReport report = report(List.of(), List.of());
+        BenchmarkReport report = report();
         files.writeUnfinished(report);
         assertThat(folder.resolve("report-unfinished.csv")).exists();
 
@@ -113,8 +127,7 @@ class BenchmarkLinesTest {
         ReportFiles files = new ReportFiles(Optional.of(gone.resolve("report")), Optional.empty());
         Files.delete(gone);
 
-        assertThat(files.writeUnfinished(report(List.of(), List.of())))
-                .contains("no file could be written", "there is no folder");
+        assertThat(files.writeUnfinished(report())).contains("no file could be written", "there is no folder");
     }
 
     @Test
@@ -123,30 +136,31 @@ class BenchmarkLinesTest {
         assumeTrue(Files.exists(device));
         ReportFiles files = new ReportFiles(Optional.of(device), Optional.empty());
 
-        assertThat(files.writeUnfinished(report(List.of(), List.of()))).isEqualTo("this was measured:");
+        assertThat(files.writeUnfinished(report())).isEqualTo("this was measured:");
         assertThat(Path.of("/dev/null-unfinished")).doesNotExist();
     }
 
     @Test
     void anEndInTimeSaysNothing() {
-        try (BenchmarkLines lines = lines()) {
-            Benchmark.run(Engines::open, plan, "benchmark", world(), Optional.empty(), lines);
+        try (BenchmarkLine line = line()) {
+            Benchmark.run(Engines::open, plan, "benchmark", world(), Optional.empty(), line);
         }
 
         assertThat(err.toString()).isEmpty();
         assertThat(out.toString()).isEmpty();
     }
 
-    private BenchmarkLines lines() {
-        return new BenchmarkLines(new PrintWriter(out), new PrintWriter(err), files(), this::report);
+    private BenchmarkLine line() {
+        return new BenchmarkLine(new PrintWriter(out), new PrintWriter(err), plan, 0, files());
     }
 
     private ReportFiles files() {
         return new ReportFiles(Optional.of(folder.resolve("report.json")), Optional.of(folder.resolve("report.csv")));
     }
 
-    private BenchmarkReport report(List<Measurement> measured, List<EngineFailure> failed) {
-        return new BenchmarkReport(MachineInfo.ofThisMachine(), plan, "benchmark", measured, failed);
+    private BenchmarkReport report() {
+        return new BenchmarkReport(
+                MachineInfo.ofThisMachine(), plan, "benchmark", List.of(), List.of(), Map.of(), false);
     }
 
     private static World world() {

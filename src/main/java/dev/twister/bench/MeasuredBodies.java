@@ -1,0 +1,88 @@
+package dev.twister.bench;
+
+import dev.twister.physics.Simulation;
+import dev.twister.world.FrameInput;
+import dev.twister.world.World;
+import java.util.List;
+import java.util.Optional;
+
+/** The bodies of one measurement: they stand, or each frame moves them. */
+final class MeasuredBodies implements AutoCloseable {
+    private static final double NANOS_PER_MILLI = 1e6;
+
+    private final World world;
+    private final Optional<Moving> moving;
+    private FrameInput input;
+    private long stepNanos;
+    private long rebuildNanos;
+
+    /** Steps are to be compiled too, but the bodies that are measured must stay at their start: others are moved for that. */
+    private record Moving(MotionPlan plan, Simulation simulation, Simulation rehearsal) {}
+
+    /** Of a world whose settings are those to measure with. */
+    MeasuredBodies(World world, Optional<MotionPlan> motion) {
+        this.world = world;
+        moving = motion.map(plan -> new Moving(plan, Simulation.of(plan.scene()), Simulation.of(plan.scene())));
+        input = world.snapshot();
+    }
+
+    /** How many steps there are to the start. */
+    int stepsToStart() {
+        return moving.map(bodies -> Simulation.stepsIn(bodies.plan().startSeconds()))
+                .orElse(0);
+    }
+
+    /** Moves the bodies to their start. */
+    void moveToStart(Runnable stepped) {
+        moving.ifPresent(bodies -> {
+            bodies.simulation().advance(bodies.plan().startSeconds(), stepped);
+            place(bodies);
+        });
+    }
+
+    /** What was last drawn, or is to be drawn first. */
+    FrameInput input() {
+        return input;
+    }
+
+    /** The bodies where they are, with the work of moving them. */
+    FrameInput rehearse() {
+        moving.ifPresent(bodies -> {
+            bodies.rehearsal().advance(bodies.plan().secondsPerFrame());
+            place(bodies);
+        });
+        return input;
+    }
+
+    /** The bodies a frame later. */
+    FrameInput next() {
+        moving.ifPresent(bodies -> {
+            long start = System.nanoTime();
+            bodies.simulation().advance(bodies.plan().secondsPerFrame());
+            long stepped = System.nanoTime();
+            place(bodies);
+            rebuildNanos += System.nanoTime() - stepped;
+            stepNanos += stepped - start;
+        });
+        return input;
+    }
+
+    private void place(Moving bodies) {
+        bodies.simulation().place(world);
+        input = world.snapshot();
+    }
+
+    /** What the frames cost beside drawing, where bodies move. */
+    Optional<MotionTimes> times(List<Double> drawing) {
+        double frames = drawing.size() * NANOS_PER_MILLI;
+        return moving.map(_ -> new MotionTimes(stepNanos / frames, rebuildNanos / frames, drawing));
+    }
+
+    @Override
+    public void close() {
+        moving.ifPresent(bodies -> {
+            bodies.simulation().close();
+            bodies.rehearsal().close();
+        });
+    }
+}

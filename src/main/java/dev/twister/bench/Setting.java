@@ -1,0 +1,28 @@
+package dev.twister.bench;
+
+import dev.twister.image.PictureSize;
+import dev.twister.scene.RenderSettings;
+
+/**
+ * What every engine draws once to be compared with the others.
+ *
+ * @param shadowSamples points on the light's disc
+ * @param bounces limit of reflections
+ */
+public record Setting(PictureSize size, int shadowSamples, int bounces) {
+    RenderSettings over(RenderSettings settings) {
+        return settings.withSize(size.width(), size.height())
+                .withShadows(shadowSamples)
+                .withBounces(bounces);
+    }
+
+    /** All but the size. */
+    String shading() {
+        return ReportNumbers.counted(shadowSamples, "shadow sample") + ", " + ReportNumbers.counted(bounces, "bounce");
+    }
+
+    @Override
+    public String toString() {
+        return size + ", " + shading();
+    }
+}
