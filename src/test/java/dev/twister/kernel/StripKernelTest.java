@@ -78,18 +78,16 @@ class StripKernelTest {
         for (int i = 0; i < 4 * Layout.MOST_CANDIDATES; i++) {
             Vector3 place =
                     new Vector3(6 * random.nextDouble() - 3, 4 + random.nextDouble(), 6 * random.nextDouble() - 3);
-            cloud.add(new Sphere(place, 0.05, new Rgb(1, 1, 1), 0));
+            cloud.add(Sphere.of(place, 0.05, new Rgb(1, 1, 1), 0));
         }
-        Scene scene = new Scene(
-                "",
-                "",
-                new Camera(new Vector3(0, 2, -6), 0, 20, 60),
-                new Light(new Vector3(0, 9, 0), 3, new Rgb(1, 1, 1)),
-                new Plane(20, 0, new Rgb(1, 1, 1), new Rgb(0.5, 0.5, 0.5), 0),
-                cloud,
-                Path.of("none.hdr"),
-                0.1,
-                RenderSettings.DEFAULT.withSize(48, 24).withShadows(50).withBounces(0));
+        Scene scene = Scene.under(Path.of("none.hdr"))
+                .withCamera(Camera.of(new Vector3(0, 2, -6), 0, 20, 60))
+                .withLight(Light.of(new Vector3(0, 9, 0), 3, new Rgb(1, 1, 1)))
+                .withPlane(Plane.of(20, 0, new Rgb(1, 1, 1), new Rgb(0.5, 0.5, 0.5), 0))
+                .withSpheres(cloud)
+                .withAmbient(0.1)
+                .withSettings(
+                        RenderSettings.DEFAULT.withSize(48, 24).withShadows(50).withBounces(0));
         requireSequentials(World.of(scene, RandomScenes.scene(random, 1).sky()).snapshot());
     }
 

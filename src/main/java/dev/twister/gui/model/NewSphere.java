@@ -36,7 +36,7 @@ public final class NewSphere {
                 SceneLimits.POSITION.clamp(ray.originX() + distance * ray.directionX()),
                 SceneLimits.POSITION.clamp(above ? Math.max(y, ground + RADIUS) : Math.min(y, ground - RADIUS)),
                 SceneLimits.POSITION.clamp(ray.originZ() + distance * ray.directionZ()));
-        return new Sphere(
+        return Sphere.of(
                 besideOthers(center, scene, above ? 2 * RADIUS : -2 * RADIUS),
                 RADIUS,
                 color(scene.spheres().size()),
