@@ -28,11 +28,11 @@ final class CameraOptions {
     private Optional<Double> fieldOfView = Optional.empty();
 
     Camera over(Camera camera) {
-        return new Camera(
-                position.map(CameraOptions::checked).orElse(camera.position()),
-                Ranges.check("--yaw", yaw.orElse(camera.yawDegrees()), SceneLimits.YAW),
-                Ranges.check("--pitch", pitch.orElse(camera.pitchDegrees()), SceneLimits.PITCH),
-                Ranges.check("--fov", fieldOfView.orElse(camera.fieldOfViewDegrees()), SceneLimits.FIELD_OF_VIEW));
+        return camera.withPosition(position.map(CameraOptions::checked).orElse(camera.position()))
+                .withYaw(Ranges.check("--yaw", yaw.orElse(camera.yawDegrees()), SceneLimits.YAW))
+                .withPitch(Ranges.check("--pitch", pitch.orElse(camera.pitchDegrees()), SceneLimits.PITCH))
+                .withFieldOfView(Ranges.check(
+                        "--fov", fieldOfView.orElse(camera.fieldOfViewDegrees()), SceneLimits.FIELD_OF_VIEW));
     }
 
     private static Vector3 checked(Vector3 place) {

@@ -40,7 +40,7 @@ final class LightSection {
     private static Scene withHue(Scene scene, Rgb hue) {
         Light light = scene.light();
         Rgb radiance = Radiance.of(light.color()).withHueOf(hue).color();
-        return scene.withLight(new Light(light.position(), light.radius(), radiance));
+        return scene.withLight(light.withColor(radiance));
     }
 
     private void refresh() {

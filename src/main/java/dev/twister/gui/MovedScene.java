@@ -97,6 +97,6 @@ record MovedScene(Scene standing, Optional<DrawnPicture> seen) {
     }
 
     private static Sphere at(Vector3 place, Sphere sphere) {
-        return new Sphere(place, sphere.radius(), sphere.color(), sphere.reflectivity());
+        return sphere.withPosition(place);
     }
 }

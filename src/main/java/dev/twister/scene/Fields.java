@@ -24,10 +24,6 @@ record Fields(Place object, ObjectValue value) {
         return this;
     }
 
-    Fields check(List<String> required) {
-        return check(required, List.of());
-    }
-
     Optional<Place> find(String name) {
         for (Member member : value.members()) {
             if (member.name().equals(name)) {

@@ -70,11 +70,6 @@ record Place(SourceText source, JsonPath path, LocatedValue value) {
         throw refused(allowed);
     }
 
-    Vector3 vector(Range range) {
-        List<Double> axes = items(3, 3, "an array of 3 numbers [x, y, z]", item -> item.number(range));
-        return new Vector3(axes.get(0), axes.get(1), axes.get(2));
-    }
-
     Fields fields() {
         if (value instanceof ObjectValue found) {
             return new Fields(this, found);

@@ -28,6 +28,9 @@ public record Pour(
         Palette palette,
         double reflectivity,
         int seed) {
+    /** One sphere of radius 0.1 m at the origin; to be changed by {@code with...} methods. */
+    public static final Pour DEFAULT = new Pour(1, 1, new Vector3(0, 0, 0), 1, 1, 0.1, 0.1, Palette.DUSK, 8, 1);
+
     /** The spheres in the order in which they come out, where they start: none that is out touches the next. */
     public List<Sphere> spheres() {
         return PouredSpheres.of(this);
@@ -39,5 +42,41 @@ public record Pour(
      */
     public double maxRate() {
         return PouredSpheres.places(this) * speed / (2 * maxRadius);
+    }
+
+    public Pour withCount(int newCount) {
+        return new Pour(newCount, rate, position, width, speed, minRadius, maxRadius, palette, reflectivity, seed);
+    }
+
+    public Pour withRate(double newRate) {
+        return new Pour(count, newRate, position, width, speed, minRadius, maxRadius, palette, reflectivity, seed);
+    }
+
+    public Pour withPosition(Vector3 newPosition) {
+        return new Pour(count, rate, newPosition, width, speed, minRadius, maxRadius, palette, reflectivity, seed);
+    }
+
+    public Pour withWidth(double newWidth) {
+        return new Pour(count, rate, position, newWidth, speed, minRadius, maxRadius, palette, reflectivity, seed);
+    }
+
+    public Pour withSpeed(double newSpeed) {
+        return new Pour(count, rate, position, width, newSpeed, minRadius, maxRadius, palette, reflectivity, seed);
+    }
+
+    public Pour withRadii(double newMinRadius, double newMaxRadius) {
+        return new Pour(count, rate, position, width, speed, newMinRadius, newMaxRadius, palette, reflectivity, seed);
+    }
+
+    public Pour withPalette(Palette newPalette) {
+        return new Pour(count, rate, position, width, speed, minRadius, maxRadius, newPalette, reflectivity, seed);
+    }
+
+    public Pour withReflectivity(double newReflectivity) {
+        return new Pour(count, rate, position, width, speed, minRadius, maxRadius, palette, newReflectivity, seed);
+    }
+
+    public Pour withSeed(int newSeed) {
+        return new Pour(count, rate, position, width, speed, minRadius, maxRadius, palette, reflectivity, newSeed);
     }
 }

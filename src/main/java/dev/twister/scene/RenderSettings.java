@@ -31,8 +31,15 @@ public record RenderSettings(
     public static final RenderSettings DEFAULT = new RenderSettings(1280, 720, 200, 3, 1, 0, ToneMap.CLAMP, false);
 
     public RenderSettings withSize(int newWidth, int newHeight) {
-        return new RenderSettings(
-                newWidth, newHeight, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb);
+        return withWidth(newWidth).withHeight(newHeight);
+    }
+
+    public RenderSettings withWidth(int newWidth) {
+        return new RenderSettings(newWidth, height, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb);
+    }
+
+    public RenderSettings withHeight(int newHeight) {
+        return new RenderSettings(width, newHeight, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb);
     }
 
     public RenderSettings withShadows(int newShadowSamples) {
@@ -47,8 +54,19 @@ public record RenderSettings(
         return new RenderSettings(width, height, shadowSamples, bounces, newSamplesPerPixel, exposure, toneMap, srgb);
     }
 
+    public RenderSettings withExposure(double newExposure) {
+        return new RenderSettings(width, height, shadowSamples, bounces, samplesPerPixel, newExposure, toneMap, srgb);
+    }
+
+    public RenderSettings withToneMap(ToneMap newToneMap) {
+        return new RenderSettings(width, height, shadowSamples, bounces, samplesPerPixel, exposure, newToneMap, srgb);
+    }
+
+    public RenderSettings withSrgb(boolean newSrgb) {
+        return new RenderSettings(width, height, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, newSrgb);
+    }
+
     public RenderSettings withTone(double newExposure, ToneMap newToneMap, boolean newSrgb) {
-        return new RenderSettings(
-                width, height, shadowSamples, bounces, samplesPerPixel, newExposure, newToneMap, newSrgb);
+        return withExposure(newExposure).withToneMap(newToneMap).withSrgb(newSrgb);
     }
 }

@@ -21,6 +21,9 @@ final class Rounding {
     }
 
     static Sphere of(Sphere sphere) {
-        return new Sphere(of(sphere.position()), of(sphere.radius()), of(sphere.color()), of(sphere.reflectivity()));
+        return sphere.withPosition(of(sphere.position()))
+                .withRadius(of(sphere.radius()))
+                .withColor(of(sphere.color()))
+                .withReflectivity(of(sphere.reflectivity()));
     }
 }

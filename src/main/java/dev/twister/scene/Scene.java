@@ -37,27 +37,18 @@ public record Scene(
         spheres = List.copyOf(spheres);
     }
 
-    /** A scene whose bodies move by default, if they do, and where nothing is poured. */
-    public Scene(
-            String name,
-            String description,
-            Camera camera,
-            Light light,
-            Plane plane,
-            List<Sphere> spheres,
-            Path skybox,
-            double ambient,
-            RenderSettings settings) {
-        this(
-                name,
-                description,
-                camera,
-                light,
-                plane,
-                spheres,
+    /** An empty scene: the default camera, light, plane and settings, no name and no spheres. */
+    public static Scene under(Path skybox) {
+        return new Scene(
+                "",
+                "",
+                Camera.DEFAULT,
+                Light.DEFAULT,
+                Plane.DEFAULT,
+                List.of(),
                 skybox,
-                ambient,
-                settings,
+                DEFAULT_AMBIENT,
+                RenderSettings.DEFAULT,
                 Physics.DEFAULT,
                 Optional.empty());
     }
@@ -69,6 +60,14 @@ public record Scene(
                 .orElse(spheres);
     }
 
+    public Scene withName(String newName) {
+        return new Scene(newName, description, camera, light, plane, spheres, skybox, ambient, settings, physics, pour);
+    }
+
+    public Scene withDescription(String newDescription) {
+        return new Scene(name, newDescription, camera, light, plane, spheres, skybox, ambient, settings, physics, pour);
+    }
+
     public Scene withCamera(Camera newCamera) {
         return new Scene(name, description, newCamera, light, plane, spheres, skybox, ambient, settings, physics, pour);
     }
@@ -77,12 +76,20 @@ public record Scene(
         return new Scene(name, description, camera, newLight, plane, spheres, skybox, ambient, settings, physics, pour);
     }
 
+    public Scene withPlane(Plane newPlane) {
+        return new Scene(name, description, camera, light, newPlane, spheres, skybox, ambient, settings, physics, pour);
+    }
+
     public Scene withSpheres(List<Sphere> newSpheres) {
         return new Scene(name, description, camera, light, plane, newSpheres, skybox, ambient, settings, physics, pour);
     }
 
     public Scene withSkybox(Path newSkybox) {
         return new Scene(name, description, camera, light, plane, spheres, newSkybox, ambient, settings, physics, pour);
+    }
+
+    public Scene withAmbient(double newAmbient) {
+        return new Scene(name, description, camera, light, plane, spheres, skybox, newAmbient, settings, physics, pour);
     }
 
     public Scene withSettings(RenderSettings newSettings) {

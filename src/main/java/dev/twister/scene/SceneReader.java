@@ -21,7 +21,7 @@ public final class SceneReader {
         return SceneDocument.parse(source, (place, name) -> skybox(place, file, name));
     }
 
-    private static Path skybox(Place place, Path scene, String name) {
+    private static Path skybox(Place place, Path scene, Path name) {
         Path file = beside(scene.toAbsolutePath(), name);
         Path found = Stream.of(
                         file,
@@ -36,7 +36,7 @@ public final class SceneReader {
         return found;
     }
 
-    private static Path beside(Path scene, String name) {
+    private static Path beside(Path scene, Path name) {
         return FilePaths.walked(scene.resolveSibling(name));
     }
 

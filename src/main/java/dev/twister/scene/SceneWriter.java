@@ -8,9 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Comparator;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import java.util.stream.StreamSupport;
 
 /** Writes scene files that {@link SceneReader} reads back to an equal scene. */
 public final class SceneWriter {
@@ -31,7 +29,7 @@ public final class SceneWriter {
             throw failure(name, "is a folder or a device, but must be a file");
         }
         try {
-            String text = SceneText.of(scene, relative(scene.skybox(), file));
+            String text = SceneDocument.of(scene.withSkybox(relative(scene.skybox(), file)));
             check(text, name);
             WholeFile.replace(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
         } catch (NoSuchFileException e) {
@@ -49,25 +47,20 @@ public final class SceneWriter {
                     name, "the scene takes " + bytes + " bytes; a scene file may have at most " + SourceFile.MAX_BYTES);
         }
         SourceText source = new SourceText(name + " (not written)", text.toCharArray(), text.length());
-        SceneDocument.parse(source, (_, skybox) -> Path.of(skybox));
+        SceneDocument.parse(source, (_, skybox) -> skybox);
     }
 
-    // Forward slashes, so that a scene made on one system reads on every other.
-    private static String relative(Path skybox, Path file) throws IOException {
+    private static Path relative(Path skybox, Path file) throws IOException {
         Path sky = FilePaths.walked(skybox);
         Path folder = FilePaths.real(WholeFile.behindLinks(file).resolveSibling(""));
         Path named = FilePaths.walked(file.toAbsolutePath().resolveSibling(""));
         // Links beside the scene, to a folder of skies say, are kept; those on the way to the scene lead elsewhere from
         // it. What lies beside it stays so: both may be put elsewhere together.
-        Path shown = Stream.of(relativized(named, sky), relativized(folder, sky))
+        return Stream.of(relativized(named, sky), relativized(folder, sky))
                 .filter(path ->
                         FilePaths.real(FilePaths.walked(folder.resolve(path))).equals(FilePaths.real(sky)))
                 .min(Comparator.comparingInt(Path::getNameCount))
                 .orElseGet(() -> relativized(folder, FilePaths.real(sky)));
-        String names = StreamSupport.stream(shown.spliterator(), false)
-                .map(Path::toString)
-                .collect(Collectors.joining("/"));
-        return shown.isAbsolute() ? shown.getRoot().toString().replace('\\', '/') + names : names;
     }
 
     private static Path relativized(Path folder, Path file) {

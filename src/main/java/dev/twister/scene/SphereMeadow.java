@@ -92,6 +92,6 @@ final class SphereMeadow {
 
     private static Sphere resting(double x, double z, double radius, Rgb color, double reflectivity) {
         double rounded = Rounding.of(radius);
-        return Rounding.of(new Sphere(new Vector3(x, rounded, z), rounded, color, reflectivity));
+        return Rounding.of(Sphere.of(new Vector3(x, rounded, z), rounded, color, reflectivity));
     }
 }

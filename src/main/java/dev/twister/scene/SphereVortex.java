@@ -51,7 +51,7 @@ final class SphereVortex {
     private List<Sphere> all() {
         List<Sphere> spheres = new ArrayList<>(count);
         spheres.add(
-                Rounding.of(new Sphere(new Vector3(0, MIRROR_RADIUS, 0), MIRROR_RADIUS, new Rgb(0.97, 0.97, 1), 124)));
+                Rounding.of(Sphere.of(new Vector3(0, MIRROR_RADIUS, 0), MIRROR_RADIUS, new Rgb(0.97, 0.97, 1), 124)));
         for (int i = 1; i < count; i++) {
             spheres.add(sphere(i));
         }
@@ -68,6 +68,6 @@ final class SphereVortex {
         Rgb color = palette.at(0.12 + 0.72 * wave + 0.16 * random.nextDouble() * share);
         double reflectivity = random.nextInt(12) == 0 ? 72 + 40 * random.nextDouble() : 6 + 26 * wave;
         Vector3 position = new Vector3(outward * StrictMath.cos(angle), radius + lift, outward * StrictMath.sin(angle));
-        return Rounding.of(new Sphere(position, radius, color, reflectivity));
+        return Rounding.of(Sphere.of(position, radius, color, reflectivity));
     }
 }

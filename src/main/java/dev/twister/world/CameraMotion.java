@@ -60,11 +60,8 @@ public final class CameraMotion {
     /** Turns; yaw comes out in [-180, 180), pitch in [-90, 90]. */
     public static Camera look(Camera camera, double rightDegrees, double downDegrees) {
         double yaw = camera.yawDegrees() + rightDegrees;
-        return new Camera(
-                camera.position(),
-                yaw - FULL_TURN_DEGREES * Math.floor(yaw / FULL_TURN_DEGREES + 0.5),
-                SceneLimits.PITCH.clamp(camera.pitchDegrees() + downDegrees),
-                camera.fieldOfViewDegrees());
+        return camera.withYaw(yaw - FULL_TURN_DEGREES * Math.floor(yaw / FULL_TURN_DEGREES + 0.5))
+                .withPitch(SceneLimits.PITCH.clamp(camera.pitchDegrees() + downDegrees));
     }
 
     /**
@@ -73,10 +70,7 @@ public final class CameraMotion {
      * @param notches of the mouse's wheel, turned away from the hand; may be a fraction, and negative
      */
     public static Camera zoom(Camera camera, double notches) {
-        return new Camera(
-                camera.position(),
-                camera.yawDegrees(),
-                camera.pitchDegrees(),
+        return camera.withFieldOfView(
                 SceneLimits.FIELD_OF_VIEW.clamp(camera.fieldOfViewDegrees() * Math.pow(ZOOM_OF_A_NOTCH, notches)));
     }
 
@@ -88,13 +82,9 @@ public final class CameraMotion {
     }
 
     private static Camera at(Camera camera, Vector3 position) {
-        return new Camera(
-                new Vector3(
-                        SceneLimits.POSITION.clamp(position.x()),
-                        SceneLimits.POSITION.clamp(position.y()),
-                        SceneLimits.POSITION.clamp(position.z())),
-                camera.yawDegrees(),
-                camera.pitchDegrees(),
-                camera.fieldOfViewDegrees());
+        return camera.withPosition(new Vector3(
+                SceneLimits.POSITION.clamp(position.x()),
+                SceneLimits.POSITION.clamp(position.y()),
+                SceneLimits.POSITION.clamp(position.z())));
     }
 }

@@ -28,16 +28,14 @@ public final class SampleWorld {
     /** The five spheres, with the default shadow samples and bounces, at that size. */
     public static World ofSize(int width, int height) {
         RenderSettings settings = RenderSettings.DEFAULT.withSize(width, height);
-        Scene scene = new Scene(
-                "Sample",
-                "Five spheres in a row.",
-                new Camera(new Vector3(0, -5, -15), 0, 7, 50),
-                new Light(new Vector3(0, 0, 0), 1.2, new Rgb(1, 1, 1)),
-                new Plane(48, -9.75, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32),
-                spheres(),
-                Path.of(""),
-                Scene.DEFAULT_AMBIENT,
-                settings);
+        Scene scene = Scene.under(Path.of(""))
+                .withName("Sample")
+                .withDescription("Five spheres in a row.")
+                .withCamera(Camera.of(new Vector3(0, -5, -15), 0, 7, 50))
+                .withLight(Light.of(new Vector3(0, 0, 0), 1.2, new Rgb(1, 1, 1)))
+                .withPlane(Plane.of(48, -9.75, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32))
+                .withSpheres(spheres())
+                .withSettings(settings);
         return World.of(scene, new Skybox(SKY_WIDTH, SKY_HEIGHT, gradient()));
     }
 
@@ -51,7 +49,7 @@ public final class SampleWorld {
 
     private static List<Sphere> spheres() {
         return IntStream.range(0, SPHERES)
-                .mapToObj(index -> new Sphere(
+                .mapToObj(index -> Sphere.of(
                         new Vector3((index - SPHERES / 2) * SPACING, -8, 0),
                         1.75,
                         new Rgb(index % 2, 0.5, 1 - index % 2),

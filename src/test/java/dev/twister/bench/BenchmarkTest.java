@@ -11,7 +11,6 @@ import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.image.PictureSize;
 import dev.twister.physics.Simulation;
-import dev.twister.scene.Palette;
 import dev.twister.scene.Pour;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
@@ -30,8 +29,14 @@ class BenchmarkTest {
     private static final PictureSize LARGE = new PictureSize(9, 4);
     private static final int GREY = 0xff808080;
     private static final double START = 0.5;
-    private static final Scene POURED =
-            TestWorld.scene().withPour(new Pour(40, 20, new Vector3(0, 30, 0), 3.5, 3, 0.07, 0.13, Palette.DUSK, 8, 1));
+    private static final Scene POURED = TestWorld.scene()
+            .withPour(Pour.DEFAULT
+                    .withCount(40)
+                    .withRate(20)
+                    .withPosition(new Vector3(0, 30, 0))
+                    .withWidth(3.5)
+                    .withSpeed(3)
+                    .withRadii(0.07, 0.13));
 
     @Test
     void measuresEveryEngineAtEverySize() {

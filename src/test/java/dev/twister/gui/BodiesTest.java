@@ -285,7 +285,7 @@ class BodiesTest {
         Point2D middle = seenAt(MIDDLE);
         driver.run(() -> {
             driver.studio.edit("delete sphere", scene -> BodyEdits.deleted(scene, Layout.FIRST_SPHERE));
-            Sphere elsewhere = new Sphere(new Vector3(0, 20, 0), 1, new Rgb(1, 1, 1), 0);
+            Sphere elsewhere = Sphere.of(new Vector3(0, 20, 0), 1, new Rgb(1, 1, 1), 0);
             driver.studio.edit("insert sphere", scene -> BodyEdits.inserted(scene, elsewhere));
             fire(MouseEvent.MOUSE_CLICKED, middle, view());
             assertThat(selected()).isEqualTo(MIDDLE - 1);

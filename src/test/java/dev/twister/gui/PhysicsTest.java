@@ -52,7 +52,7 @@ class PhysicsTest {
     }
 
     private static Sphere high(Sphere sphere) {
-        return new Sphere(new Vector3(0, HEIGHT, 3), sphere.radius(), sphere.color(), sphere.reflectivity());
+        return sphere.withPosition(new Vector3(0, HEIGHT, 3));
     }
 
     private static double height(DrawnPicture picture) {
@@ -148,7 +148,7 @@ class PhysicsTest {
     @Test
     void undoingTheMoveOfOneSphereLeavesTheOthersWhereTheyHaveMovedTo() {
         Sphere one = scene().spheres().getFirst();
-        Sphere aside = new Sphere(new Vector3(4, HEIGHT, 3), one.radius(), one.color(), one.reflectivity());
+        Sphere aside = one.withPosition(new Vector3(4, HEIGHT, 3));
         driver.run(() -> driver.studio.edit("two", scene -> scene.withSpheres(List.of(one, aside))));
         driver.run(driver.studio::endGesture);
         awaitSteps(20);

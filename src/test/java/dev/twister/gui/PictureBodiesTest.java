@@ -55,6 +55,6 @@ class PictureBodiesTest {
     }
 
     private static Sphere sphere(double x) {
-        return new Sphere(new Vector3(x, 0, 0), 0.5, new Rgb(1, 1, 1), 0);
+        return Sphere.of(new Vector3(x, 0, 0), 0.5, new Rgb(1, 1, 1), 0);
     }
 }

@@ -60,8 +60,8 @@ class SettingsTest {
             driver.type(KeyCode.F3);
             assertThat(driver.find(".frame-times", Node.class).isVisible()).isTrue();
             driver.type(KeyCode.HOME);
-            driver.run(() -> driver.studio.moveCamera(
-                    camera -> new Camera(camera.position(), 90, 0, camera.fieldOfViewDegrees())));
+            driver.run(
+                    () -> driver.studio.moveCamera(camera -> camera.withYaw(90).withPitch(0)));
             driver.type(KeyCode.DIGIT4);
             assertThat(WindowDriver.call(driver.studio::scene).camera()).isEqualTo(view);
         }

@@ -66,7 +66,8 @@ class StudioTest {
     @Test
     void theCameraOfTheFirstSceneAndOfOneThatIsOpenedIsLiftedOverThePlane() {
         Camera usual = scene.camera();
-        Scene buried = scene.withCamera(new Camera(new Vector3(0, -5, -8), 0, 0, usual.fieldOfViewDegrees()));
+        Scene buried = scene.withCamera(
+                usual.withPosition(new Vector3(0, -5, -8)).withYaw(0).withPitch(0));
         double lowest = scene.plane().height() + CameraMotion.CLEARANCE_METRES;
         try (Studio first = start(buried)) {
             assertThat(first.scene().camera().position()).isEqualTo(new Vector3(0, lowest, -8));

@@ -1,6 +1,5 @@
 package dev.twister.oracle;
 
-import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
 import dev.twister.scene.Plane;
 import dev.twister.scene.Rgb;
@@ -16,50 +15,39 @@ final class FloatScene {
     private FloatScene() {}
 
     static Scene of(Scene scene) {
-        Camera camera = scene.camera();
-        Light light = scene.light();
-        Plane plane = scene.plane();
-        return new Scene(
-                scene.name(),
-                scene.description(),
-                new Camera(
-                        rounded(camera.position()),
-                        camera.yawDegrees(),
-                        camera.pitchDegrees(),
-                        camera.fieldOfViewDegrees()),
-                new Light(rounded(light.position()), (float) light.radius(), rounded(light.color())),
-                new Plane(
-                        (float) plane.size(),
-                        (float) plane.height(),
-                        rounded(plane.evenColor()),
-                        rounded(plane.oddColor()),
-                        (float) plane.reflectivity()),
-                scene.spheres().stream().map(FloatScene::rounded).toList(),
-                scene.skybox(),
-                (float) scene.ambient(),
-                scene.settings());
+        return scene.withCamera(
+                        scene.camera().withPosition(rounded(scene.camera().position())))
+                .withLight(rounded(scene.light()))
+                .withPlane(rounded(scene.plane()))
+                .withSpheres(scene.spheres().stream().map(FloatScene::rounded).toList())
+                .withAmbient((float) scene.ambient());
     }
 
     /** The same with all spheres larger by a factor. */
     static Scene grown(Scene scene, double factor) {
-        return new Scene(
-                scene.name(),
-                scene.description(),
-                scene.camera(),
-                scene.light(),
-                scene.plane(),
-                scene.spheres().stream()
-                        .map(sphere -> new Sphere(
-                                sphere.position(), factor * sphere.radius(), sphere.color(), sphere.reflectivity()))
-                        .toList(),
-                scene.skybox(),
-                scene.ambient(),
-                scene.settings());
+        return scene.withSpheres(scene.spheres().stream()
+                .map(sphere -> sphere.withRadius(factor * sphere.radius()))
+                .toList());
+    }
+
+    private static Light rounded(Light light) {
+        return light.withPosition(rounded(light.position()))
+                .withRadius((float) light.radius())
+                .withColor(rounded(light.color()));
+    }
+
+    private static Plane rounded(Plane plane) {
+        return plane.withSize((float) plane.size())
+                .withHeight((float) plane.height())
+                .withColors(rounded(plane.evenColor()), rounded(plane.oddColor()))
+                .withReflectivity((float) plane.reflectivity());
     }
 
     private static Sphere rounded(Sphere sphere) {
-        return new Sphere(rounded(sphere.position()), (float) sphere.radius(), rounded(sphere.color()), (float)
-                sphere.reflectivity());
+        return sphere.withPosition(rounded(sphere.position()))
+                .withRadius((float) sphere.radius())
+                .withColor(rounded(sphere.color()))
+                .withReflectivity((float) sphere.reflectivity());
     }
 
     private static Vector3 rounded(Vector3 vector) {

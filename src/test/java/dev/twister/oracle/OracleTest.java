@@ -23,8 +23,8 @@ import org.junit.jupiter.api.Test;
 class OracleTest {
     private static final double MATTE = 0;
     private static final Skybox SKY = new Skybox(1, 1, new float[] {0.25f, 0.5f, 0.75f});
-    private static final Camera AHEAD = new Camera(new Vector3(0.5, 5, -5), 0, 0, 60);
-    private static final Camera DOWN = new Camera(new Vector3(0.5, 5, 0.5), 0, 90, 60);
+    private static final Camera AHEAD = Camera.of(new Vector3(0.5, 5, -5), 0, 0, 60);
+    private static final Camera DOWN = Camera.of(new Vector3(0.5, 5, 0.5), 0, 90, 60);
 
     @Test
     void missIsTheSky() {
@@ -60,7 +60,7 @@ class OracleTest {
 
     @Test
     void lightIsItsOwnColour() {
-        Camera below = new Camera(new Vector3(0, 5, 0), 0, -90, 60);
+        Camera below = Camera.of(new Vector3(0, 5, 0), 0, -90, 60);
         assertThat(middle(below, 0, MATTE)).isEqualTo(new Rgb(1, 1, 1));
     }
 
@@ -81,19 +81,16 @@ class OracleTest {
     }
 
     private static Scene scene(Camera camera, int bounces, double groundReflectivity, Sphere... spheres) {
-        return new Scene(
-                "",
-                "",
-                camera,
-                new Light(new Vector3(0, 10, 0), 0.5, new Rgb(1, 1, 1)),
-                new Plane(20, 0, new Rgb(0.8, 0.8, 0.8), new Rgb(0.3, 0.3, 0.3), groundReflectivity),
-                List.of(spheres),
-                Path.of("none.hdr"),
-                0.1,
-                RenderSettings.DEFAULT.withSize(2, 2).withBounces(bounces));
+        return Scene.under(Path.of("none.hdr"))
+                .withCamera(camera)
+                .withLight(Light.of(new Vector3(0, 10, 0), 0.5, new Rgb(1, 1, 1)))
+                .withPlane(Plane.of(20, 0, new Rgb(0.8, 0.8, 0.8), new Rgb(0.3, 0.3, 0.3), groundReflectivity))
+                .withSpheres(List.of(spheres))
+                .withAmbient(0.1)
+                .withSettings(RenderSettings.DEFAULT.withSize(2, 2).withBounces(bounces));
     }
 
     private static Sphere sphere(double x, double y, double z, double radius, double reflectivity) {
-        return new Sphere(new Vector3(x, y, z), radius, new Rgb(0.5, 0.5, 0.5), reflectivity);
+        return Sphere.of(new Vector3(x, y, z), radius, new Rgb(0.5, 0.5, 0.5), reflectivity);
     }
 }

@@ -46,21 +46,18 @@ public final class RandomScenes {
         List<Sphere> spheres = RandomSpheres.spheres(random, plane);
         Light light = light(random, plane, spheres);
         return new LitScene(
-                new Scene(
-                        "",
-                        "",
-                        camera(random, plane, spheres),
-                        light,
-                        plane,
-                        spheres,
-                        Path.of("none.hdr"),
-                        extremeOr(random, 0, 1, random.nextDouble()),
-                        settings(random, bounces, spheres.size())),
+                Scene.under(Path.of("none.hdr"))
+                        .withCamera(camera(random, plane, spheres))
+                        .withLight(light)
+                        .withPlane(plane)
+                        .withSpheres(spheres)
+                        .withAmbient(extremeOr(random, 0, 1, random.nextDouble()))
+                        .withSettings(settings(random, bounces, spheres.size())),
                 RandomSkies.sky(random));
     }
 
     private static Plane plane(Random random) {
-        return new Plane(
+        return Plane.of(
                 extremeOr(random, 0.5, 60, between(random, 1, 60)),
                 between(random, -3, 1),
                 albedo(random),
@@ -79,7 +76,7 @@ public final class RandomScenes {
         };
         double strength = extremeOr(random, 0, 1, between(random, 0, 6));
         Rgb tint = albedo(random);
-        return new Light(
+        return Light.of(
                 position, radius, new Rgb(strength * tint.red(), strength * tint.green(), strength * tint.blue()));
     }
 
@@ -91,7 +88,7 @@ public final class RandomScenes {
             default -> about;
         };
         double towardsMiddle = Math.toDegrees(Math.atan2(-position.x(), -position.z()));
-        return new Camera(
+        return Camera.of(
                 position,
                 random.nextInt(3) == 0 ? between(random, -400, 400) : towardsMiddle + between(random, -30, 30),
                 extremeOr(random, -90, 90, between(random, -20, 60)),
@@ -109,15 +106,15 @@ public final class RandomScenes {
             case 2 -> Math.max(1, pixels / 3);
             default -> Math.max(1, (int) (Math.sqrt(pixels) * between(random, 0.5, 2)));
         };
-        return new RenderSettings(
-                width,
-                random.nextInt(20) == 0 ? 1 : Math.max(1, pixels / width),
-                shadowSamples,
-                bounces,
-                samplesPerPixel,
-                random.nextBoolean() ? 0 : between(random, -4, 4),
-                TONE_MAPS.get(random.nextInt(TONE_MAPS.size())),
-                random.nextBoolean());
+        return RenderSettings.DEFAULT
+                .withSize(width, random.nextInt(20) == 0 ? 1 : Math.max(1, pixels / width))
+                .withShadows(shadowSamples)
+                .withBounces(bounces)
+                .withSamplesPerPixel(samplesPerPixel)
+                .withTone(
+                        random.nextBoolean() ? 0 : between(random, -4, 4),
+                        TONE_MAPS.get(random.nextInt(TONE_MAPS.size())),
+                        random.nextBoolean());
     }
 
     /** Inside the sphere, and not at its very centre. */

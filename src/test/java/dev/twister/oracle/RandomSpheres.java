@@ -24,7 +24,7 @@ final class RandomSpheres {
         List<Sphere> spheres = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             double radius = between(random, 0.05, largest);
-            spheres.add(new Sphere(
+            spheres.add(Sphere.of(
                     position(random, plane, spheres, radius),
                     radius,
                     RandomScenes.albedo(random),
@@ -32,7 +32,7 @@ final class RandomSpheres {
         }
         if (random.nextInt(10) == 0) {
             double radius = between(random, 20, 300);
-            spheres.add(new Sphere(
+            spheres.add(Sphere.of(
                     new Vector3(between(random, -5, 5), plane.height() - radius + between(random, -1, 1), 0),
                     radius,
                     RandomScenes.albedo(random),

@@ -56,18 +56,6 @@ public final class ShippedScenes {
     }
 
     private static LitScene with(LitScene shipped, RenderSettings settings) {
-        Scene scene = shipped.scene();
-        return new LitScene(
-                new Scene(
-                        scene.name(),
-                        scene.description(),
-                        scene.camera(),
-                        scene.light(),
-                        scene.plane(),
-                        scene.spheres(),
-                        scene.skybox(),
-                        scene.ambient(),
-                        settings),
-                shipped.sky());
+        return new LitScene(shipped.scene().withSettings(settings), shipped.sky());
     }
 }

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.scene.Light;
-import dev.twister.scene.Palette;
 import dev.twister.scene.Physics;
 import dev.twister.scene.Pour;
 import dev.twister.scene.Rgb;
@@ -21,8 +20,13 @@ import org.junit.jupiter.api.Test;
 /** Scenes that are edited while their bodies move. */
 class EditedMotionTest {
     private static final double SMALLEST_RADIUS = 0.07;
-    private static final Pour POUR =
-            new Pour(400, 400, new Vector3(0, 3, 0), 1.6, 3, SMALLEST_RADIUS, 0.13, Palette.DUSK, 8, 1);
+    private static final Pour POUR = Pour.DEFAULT
+            .withCount(400)
+            .withRate(400)
+            .withPosition(new Vector3(0, 3, 0))
+            .withWidth(1.6)
+            .withSpeed(3)
+            .withRadii(SMALLEST_RADIUS, 0.13);
     private static final Scene FALLING = Motion.scene(
             Physics.DEFAULT, Motion.sphere(-3, 8, 0, 0.5), Motion.sphere(0, 9, 0, 0.5), Motion.sphere(3, 10, 0, 0.5));
     private static final double SECONDS = 0.5;
@@ -41,7 +45,7 @@ class EditedMotionTest {
 
     private static List<Sphere> recolored(List<Sphere> spheres) {
         return spheres.stream()
-                .map(sphere -> new Sphere(sphere.position(), sphere.radius(), new Rgb(0.1, 0.5, 0.9), 128))
+                .map(sphere -> sphere.withColor(new Rgb(0.1, 0.5, 0.9)).withReflectivity(128))
                 .toList();
     }
 
@@ -52,7 +56,7 @@ class EditedMotionTest {
         float[] edited = positions(
                 poured,
                 scene -> scene.withSpheres(recolored(scene.spheres()))
-                        .withLight(new Light(new Vector3(1, 2, 3), 0.5, new Rgb(1, 0, 0))));
+                        .withLight(Light.of(new Vector3(1, 2, 3), 0.5, new Rgb(1, 0, 0))));
         assertThat(edited).startsWith(1, 2, 3);
         System.arraycopy(unedited, 0, edited, 0, 3);
         assertThat(edited).containsExactly(unedited);

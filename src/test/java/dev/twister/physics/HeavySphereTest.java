@@ -2,7 +2,6 @@ package dev.twister.physics;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.scene.Palette;
 import dev.twister.scene.Physics;
 import dev.twister.scene.Pour;
 import dev.twister.scene.Scene;
@@ -21,7 +20,14 @@ class HeavySphereTest {
     @Test
     void aHeavySphereShootsNoSmallOneAway() {
         List<Sphere> heavy = List.of(Motion.sphere(-1.2, 2, 0.6, 2), Motion.sphere(2.2, 1.6, -1.4, 1.6));
-        Pour pour = new Pour(POURED, 2000, new Vector3(0, 5, 0), 3, 3, 0.1, 0.16, Palette.DUSK, 8, 2);
+        Pour pour = Pour.DEFAULT
+                .withCount(POURED)
+                .withRate(2000)
+                .withPosition(new Vector3(0, 5, 0))
+                .withWidth(3)
+                .withSpeed(3)
+                .withRadii(0.1, 0.16)
+                .withSeed(2);
         Physics physics = Physics.DEFAULT.withElasticity(0.3).withFriction(0.2);
         Scene scene = Motion.scene(physics, 8, heavy).withPour(pour);
         try (Simulation simulation = Simulation.of(scene)) {

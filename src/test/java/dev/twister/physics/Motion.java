@@ -7,7 +7,6 @@ import dev.twister.scene.Light;
 import dev.twister.scene.Physics;
 import dev.twister.scene.Plane;
 import dev.twister.scene.Pour;
-import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
@@ -16,7 +15,6 @@ import dev.twister.scene.Vector3;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 
 /** Scenes to move, and what a test asks of them; bodies are numbered from 1 as the scene has them. */
 final class Motion {
@@ -31,18 +29,13 @@ final class Motion {
 
     static Scene scene(Physics physics, double planeSize, List<Sphere> spheres) {
         Rgb white = new Rgb(1, 1, 1);
-        return new Scene(
-                "",
-                "",
-                new Camera(new Vector3(0, 5, -15), 0, 7, 50),
-                new Light(new Vector3(0, 50, 0), 1, white),
-                new Plane(planeSize, 0, white, white, 32),
-                spheres,
-                Path.of("none.hdr"),
-                0.2,
-                RenderSettings.DEFAULT,
-                physics,
-                Optional.empty());
+        return Scene.under(Path.of("none.hdr"))
+                .withCamera(Camera.of(new Vector3(0, 5, -15), 0, 7, 50))
+                .withLight(Light.of(new Vector3(0, 50, 0), 1, white))
+                .withPlane(Plane.of(planeSize, 0, white, white, 32))
+                .withSpheres(spheres)
+                .withAmbient(0.2)
+                .withPhysics(physics);
     }
 
     static Scene scene(Physics physics, Sphere... spheres) {
@@ -50,7 +43,7 @@ final class Motion {
     }
 
     static Sphere sphere(double x, double y, double z, double radius) {
-        return new Sphere(new Vector3(x, y, z), radius, new Rgb(1, 1, 1), 8);
+        return Sphere.of(new Vector3(x, y, z), radius, new Rgb(1, 1, 1), 8);
     }
 
     static void setVelocity(Simulation simulation, int body, double x, double y, double z) {
@@ -139,17 +132,7 @@ final class Motion {
     static Scene pourOfAThousand(int seed) {
         Scene scene = SceneReader.read(Path.of("scenes", "pour-1000.json"));
         Pour pour = scene.pour().orElseThrow();
-        return scene.withPour(new Pour(
-                pour.count(),
-                pour.rate(),
-                pour.position(),
-                pour.width(),
-                pour.speed(),
-                pour.minRadius(),
-                pour.maxRadius(),
-                pour.palette(),
-                pour.reflectivity(),
-                seed));
+        return scene.withPour(pour.withSeed(seed));
     }
 
     private static double sum(double[] energies, int from) {

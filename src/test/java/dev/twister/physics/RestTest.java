@@ -3,7 +3,6 @@ package dev.twister.physics;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import dev.twister.scene.Palette;
 import dev.twister.scene.Physics;
 import dev.twister.scene.Pour;
 import dev.twister.scene.Scene;
@@ -55,7 +54,13 @@ class RestTest {
 
     @Test
     void aPileOfAThousandComesToRestAndStaysThere() {
-        Pour pour = new Pour(1000, 250, new Vector3(0, 3, 0), 1.6, 3, 0.07, 0.13, Palette.DUSK, 8, 1);
+        Pour pour = Pour.DEFAULT
+                .withCount(1000)
+                .withRate(250)
+                .withPosition(new Vector3(0, 3, 0))
+                .withWidth(1.6)
+                .withSpeed(3)
+                .withRadii(0.07, 0.13);
         Scene scene = Motion.scene(Physics.DEFAULT, 8, List.of()).withPour(pour);
         try (Simulation simulation = Simulation.of(scene, 1)) {
             Motion.run(simulation, 12);

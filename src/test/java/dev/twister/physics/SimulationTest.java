@@ -2,7 +2,6 @@ package dev.twister.physics;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.twister.scene.Palette;
 import dev.twister.scene.Physics;
 import dev.twister.scene.Pour;
 import dev.twister.scene.Scene;
@@ -18,7 +17,13 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 
 class SimulationTest {
-    private static final Pour POUR = new Pour(3000, 1500, new Vector3(0, 3, 0), 3.5, 3, 0.07, 0.13, Palette.DUSK, 8, 1);
+    private static final Pour POUR = Pour.DEFAULT
+            .withCount(3000)
+            .withRate(1500)
+            .withPosition(new Vector3(0, 3, 0))
+            .withWidth(3.5)
+            .withSpeed(3)
+            .withRadii(0.07, 0.13);
 
     @Test
     void theSameBitsOnEveryRunAndForEveryNumberOfThreads() {

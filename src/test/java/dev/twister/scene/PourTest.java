@@ -58,6 +58,14 @@ class PourTest {
     }
 
     private static Pour pour(int count, int seed, double width) {
-        return new Pour(count, 1, new Vector3(3, 4, 5), width, 2, 0.05, 0.1, Palette.DUSK, 20, seed);
+        return Pour.DEFAULT
+                .withCount(count)
+                .withRate(1)
+                .withPosition(new Vector3(3, 4, 5))
+                .withWidth(width)
+                .withSpeed(2)
+                .withRadii(0.05, 0.1)
+                .withReflectivity(20)
+                .withSeed(seed);
     }
 }

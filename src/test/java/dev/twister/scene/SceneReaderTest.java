@@ -12,7 +12,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import org.assertj.core.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -30,21 +29,39 @@ class SceneReaderTest {
         Scene scene = SceneReader.read(SampleScene.put(folder, SampleScene.TEXT));
 
         assertThat(scene)
-                .isEqualTo(new Scene(
-                        "Sample",
-                        "Every field is here.",
-                        new Camera(new Vector3(0, -5, -15), 0, 7, 50),
-                        new Light(new Vector3(0, 0, 0), 1.2, new Rgb(1, 1, 1)),
-                        new Plane(48, -9.75, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32),
-                        List.of(
-                                new Sphere(new Vector3(-4, -8, 0), 1.75, new Rgb(1, 0, 0), 24),
-                                new Sphere(new Vector3(0, -8, 0), 1.5, new Rgb(0, 1, 0), 36)),
-                        folder.resolve("sky.hdr"),
-                        0.25,
-                        new RenderSettings(640, 360, 16, 2, 4, -0.5, ToneMap.ACES, true),
-                        new Physics(new Vector3(0, -1.62, 0), 0.75, 0.125, 0.05, false, true),
-                        Optional.of(
-                                new Pour(30, 5.5, new Vector3(1, 2, 3), 1.25, 2.5, 0.2, 0.3, Palette.LAGOON, 12, 9))));
+                .isEqualTo(Scene.under(folder.resolve("sky.hdr"))
+                        .withName("Sample")
+                        .withDescription("Every field is here.")
+                        .withCamera(Camera.of(new Vector3(0, -5, -15), 0, 7, 50))
+                        .withLight(Light.of(new Vector3(0, 0, 0), 1.2, new Rgb(1, 1, 1)))
+                        .withPlane(Plane.of(48, -9.75, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32))
+                        .withSpheres(List.of(
+                                Sphere.of(new Vector3(-4, -8, 0), 1.75, new Rgb(1, 0, 0), 24),
+                                Sphere.of(new Vector3(0, -8, 0), 1.5, new Rgb(0, 1, 0), 36)))
+                        .withAmbient(0.25)
+                        .withSettings(RenderSettings.DEFAULT
+                                .withSize(640, 360)
+                                .withShadows(16)
+                                .withBounces(2)
+                                .withSamplesPerPixel(4)
+                                .withTone(-0.5, ToneMap.ACES, true))
+                        .withPhysics(Physics.DEFAULT
+                                .withGravity(new Vector3(0, -1.62, 0))
+                                .withElasticity(0.75)
+                                .withFriction(0.125)
+                                .withDamping(0.05)
+                                .withWalls(false)
+                                .withSolidLight(true))
+                        .withPour(Pour.DEFAULT
+                                .withCount(30)
+                                .withRate(5.5)
+                                .withPosition(new Vector3(1, 2, 3))
+                                .withWidth(1.25)
+                                .withSpeed(2.5)
+                                .withRadii(0.2, 0.3)
+                                .withPalette(Palette.LAGOON)
+                                .withReflectivity(12)
+                                .withSeed(9)));
     }
 
     @Test
@@ -138,8 +155,8 @@ class SceneReaderTest {
                         + "...\", but must be a string of 0 to 200 characters, none of them a control character");
         assertThat(message(SampleScene.put(
                         folder, SampleScene.with("\"yaw\"", "\"\\u001b[31m" + "x".repeat(300) + "\": 2, \"yaw\""))))
-                .endsWith("$.camera has an unknown field \"\\u001b[31m" + "x".repeat(35)
-                        + "...\"; allowed here: position, yaw, pitch, fieldOfView");
+                .endsWith("$.camera has an unknown field \"\\u001b[31m" + "x".repeat(35) + "...\"; allowed here: "
+                        + String.join(", ", SceneFormat.CAMERA.names(true)));
     }
 
     @Test

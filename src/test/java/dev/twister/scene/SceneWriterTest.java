@@ -146,15 +146,12 @@ class SceneWriterTest {
     }
 
     private static Scene scene(double reflectivity, Path sky) {
-        return new Scene(
-                "A \"name\"",
-                "",
-                new Camera(new Vector3(0, -5, -15.5), -0.0, 7, 50),
-                new Light(new Vector3(0, 0, 0), 0.00001, new Rgb(1, 1, 1)),
-                new Plane(48, -9.75, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32),
-                List.of(new Sphere(new Vector3(-8, -8, 0), 1.75, new Rgb(1, 0.123456789, 1), reflectivity)),
-                sky,
-                0.2,
-                RenderSettings.DEFAULT);
+        return Scene.under(sky)
+                .withName("A \"name\"")
+                .withCamera(Camera.of(new Vector3(0, -5, -15.5), -0.0, 7, 50))
+                .withLight(Light.of(new Vector3(0, 0, 0), 0.00001, new Rgb(1, 1, 1)))
+                .withPlane(Plane.of(48, -9.75, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32))
+                .withSpheres(List.of(Sphere.of(new Vector3(-8, -8, 0), 1.75, new Rgb(1, 0.123456789, 1), reflectivity)))
+                .withAmbient(0.2);
     }
 }

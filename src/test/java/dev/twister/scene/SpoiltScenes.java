@@ -1,6 +1,8 @@
 package dev.twister.scene;
 
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** The sample scene, spoilt in one place at a time, and what the reader has to say of each. */
 final class SpoiltScenes {
@@ -117,37 +119,39 @@ final class SpoiltScenes {
                     true,
                     "  \"version\": 1,\n",
                     "",
-                    "1:1: $.version is missing; required here: version, camera, light, plane, spheres, skybox"),
+                    "1:1: $.version is missing; required here: version, camera, light, plane, skybox, spheres"),
             new Spoilt(
                     "unknown field",
                     true,
                     "\"radius\": 1.5, \"color\"",
                     "\"radius\": 1.5, \"colour\"",
-                    "16:45: $.spheres[1] has an unknown field \"colour\" (did you mean \"color\"?); allowed here: position, radius, color, reflectivity"),
+                    "16:45: $.spheres[1] has an unknown field \"colour\" (did you mean \"color\"?); allowed here: "
+                            + names(SceneFormat.SPHERE)),
             new Spoilt(
                     "unknown field, nothing near",
                     true,
                     "\"yaw\": 0",
                     "\"yaw\": 0, \"zoom\": 2",
-                    "6:50: $.camera has an unknown field \"zoom\"; allowed here: position, yaw, pitch, fieldOfView"),
+                    "6:50: $.camera has an unknown field \"zoom\"; allowed here: " + names(SceneFormat.CAMERA)),
             new Spoilt(
                     "unknown part",
                     true,
                     "\"shading\"",
                     "\"shader\"",
-                    "10:3: $ has an unknown field \"shader\"; allowed here: version, camera, light, plane, spheres, skybox, $schema, name, description, shading, rendering, physics, pour"),
+                    "10:3: $ has an unknown field \"shader\"; allowed here: " + names(SceneFormat.SCENE)),
             new Spoilt(
                     "missing field",
                     true,
                     "\"radius\": 1.5, ",
                     "",
-                    "16:5: $.spheres[1].radius is missing; required here: position, radius, color, reflectivity"),
+                    "16:5: $.spheres[1].radius is missing; required here: "
+                            + String.join(", ", SceneFormat.SPHERE.names(true))),
             new Spoilt(
                     "missing part",
                     true,
                     "  \"skybox\": \"sky.hdr\",\n",
                     "",
-                    "1:1: $.skybox is missing; required here: version, camera, light, plane, spheres, skybox"),
+                    "1:1: $.skybox is missing; required here: version, camera, light, plane, skybox, spheres"),
             new Spoilt(
                     "text for a number",
                     true,
@@ -396,4 +400,9 @@ final class SpoiltScenes {
                     "19:1: not valid JSON: Unexpected end-of-input: expected close marker for Object"));
 
     private SpoiltScenes() {}
+
+    private static String names(ValueType.Structure<?> structure) {
+        return Stream.concat(structure.names(true).stream(), structure.names(false).stream())
+                .collect(Collectors.joining(", "));
+    }
 }

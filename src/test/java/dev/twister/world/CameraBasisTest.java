@@ -63,7 +63,7 @@ class CameraBasisTest {
     }
 
     private static float[] basis(double yaw, double pitch, double fieldOfView) {
-        return CameraBasis.of(new Camera(new Vector3(1, 2, 3), yaw, pitch, fieldOfView));
+        return CameraBasis.of(Camera.of(new Vector3(1, 2, 3), yaw, pitch, fieldOfView));
     }
 
     private static void assertDirection(float[] basis, int at, float x, float y, float z) {

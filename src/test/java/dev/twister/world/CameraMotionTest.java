@@ -15,8 +15,8 @@ import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
 class CameraMotionTest {
-    private static final Plane PLANE = new Plane(48, -10, new Rgb(1, 1, 1), new Rgb(0, 0, 0), 0);
-    private static final Camera CAMERA = new Camera(new Vector3(1, 2, 3), 0, 20, 60);
+    private static final Plane PLANE = Plane.of(48, -10, new Rgb(1, 1, 1), new Rgb(0, 0, 0), 0);
+    private static final Camera CAMERA = Camera.of(new Vector3(1, 2, 3), 0, 20, 60);
     private static final Walk FORWARD = new Walk(0, 0, 1, false);
 
     @Test
@@ -105,7 +105,7 @@ class CameraMotionTest {
         assertThat(turned.yawDegrees()).isCloseTo(-10, within(TINY));
         assertThat(turned.pitchDegrees()).isEqualTo(90);
         assertThat(CameraMotion.look(CAMERA, 180, -1000))
-                .isEqualTo(new Camera(CAMERA.position(), -180, -90, CAMERA.fieldOfViewDegrees()));
+                .isEqualTo(CAMERA.withYaw(-180).withPitch(-90));
     }
 
     @Test

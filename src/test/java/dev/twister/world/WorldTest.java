@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import dev.twister.scene.Camera;
-import dev.twister.scene.Palette;
 import dev.twister.scene.Pour;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
@@ -81,7 +80,13 @@ class WorldTest {
 
     @Test
     void whatIsPouredIsNotThereAtTheStart() {
-        Pour pour = new Pour(5, 1, new Vector3(1, 2, 3), 1, 1, 0.1, 0.1, Palette.DUSK, 8, 1);
+        Pour pour = Pour.DEFAULT
+                .withCount(5)
+                .withRate(1)
+                .withPosition(new Vector3(1, 2, 3))
+                .withWidth(1)
+                .withSpeed(1)
+                .withRadii(0.1, 0.1);
         FrameInput input = World.of(Worlds.scene().withPour(pour), Worlds.SKY).snapshot();
         assertThat(input.bodyCount()).isEqualTo(4);
         assertThat(input.bodies().places()).hasSize(36).endsWith(0.1f);
@@ -89,7 +94,13 @@ class WorldTest {
 
     @Test
     void fewSpheresAreFewOnlyWhereNoMoreWillCome() {
-        Pour pour = new Pour(100, 1, new Vector3(1, 2, 3), 1, 1, 0.1, 0.1, Palette.DUSK, 8, 1);
+        Pour pour = Pour.DEFAULT
+                .withCount(100)
+                .withRate(1)
+                .withPosition(new Vector3(1, 2, 3))
+                .withWidth(1)
+                .withSpeed(1)
+                .withRadii(0.1, 0.1);
 
         assertThat(world.snapshot().hasFewSpheres()).isTrue();
         assertThat(World.of(Worlds.scene().withPour(pour), Worlds.SKY)
@@ -113,7 +124,7 @@ class WorldTest {
     @Test
     void arraysThatStillHoldAreTheSameOnes() {
         FrameInput before = world.snapshot();
-        world.setCamera(new Camera(new Vector3(-1, -2, -3), 1, 2, 30));
+        world.setCamera(Camera.of(new Vector3(-1, -2, -3), 1, 2, 30));
         world.setSettings(world.settings().withBounces(1).withSize(8, 9));
         FrameInput after = world.snapshot();
         assertThat(after.bodies().places()).isSameAs(before.bodies().places());
@@ -130,7 +141,7 @@ class WorldTest {
         float[] camera = before.view().camera().clone();
         int[] dimensions = before.view().dimensions().clone();
         float[] properties = before.view().properties().clone();
-        world.setCamera(new Camera(new Vector3(-1, -2, -3), 1, 2, 30));
+        world.setCamera(Camera.of(new Vector3(-1, -2, -3), 1, 2, 30));
         world.setSettings(world.settings().withBounces(1).withSize(8, 9));
         world.snapshot();
         assertThat(before.view().camera()).isEqualTo(camera);

@@ -19,18 +19,15 @@ final class Worlds {
     private Worlds() {}
 
     static Scene scene() {
-        return new Scene(
-                "",
-                "",
-                new Camera(new Vector3(1, 2, 3), 0, 0, 90),
-                new Light(new Vector3(4, 5, 6), 7, new Rgb(8, 9, 10)),
-                new Plane(11, 12, new Rgb(0.13, 0.14, 0.15), new Rgb(0.16, 0.17, 0.18), 19),
-                List.of(
-                        new Sphere(new Vector3(20, 21, 22), 23, new Rgb(0.24, 0.25, 0.26), 27),
-                        new Sphere(new Vector3(28, 29, 30), 31, new Rgb(0.32, 0.33, 0.34), 35)),
-                Path.of("none.hdr"),
-                0.36,
-                RenderSettings.DEFAULT
+        return Scene.under(Path.of("none.hdr"))
+                .withCamera(Camera.of(new Vector3(1, 2, 3), 0, 0, 90))
+                .withLight(Light.of(new Vector3(4, 5, 6), 7, new Rgb(8, 9, 10)))
+                .withPlane(Plane.of(11, 12, new Rgb(0.13, 0.14, 0.15), new Rgb(0.16, 0.17, 0.18), 19))
+                .withSpheres(List.of(
+                        Sphere.of(new Vector3(20, 21, 22), 23, new Rgb(0.24, 0.25, 0.26), 27),
+                        Sphere.of(new Vector3(28, 29, 30), 31, new Rgb(0.32, 0.33, 0.34), 35)))
+                .withAmbient(0.36)
+                .withSettings(RenderSettings.DEFAULT
                         .withSize(40, 30)
                         .withShadows(5)
                         .withBounces(6)

@@ -46,6 +46,6 @@ class DeviceInWindowTest {
     }
 
     private static Light withColor(Light light, Rgb color) {
-        return new Light(light.position(), light.radius(), color);
+        return light.withColor(color);
     }
 }

@@ -1,7 +1,6 @@
 package dev.twister.gui.model;
 
 import dev.twister.gui.model.NumberSetting.Scale;
-import dev.twister.scene.Light;
 import dev.twister.scene.Range;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
@@ -70,16 +69,13 @@ public final class BodyEdits {
     /** The scene with a movable body elsewhere. */
     public static Scene moved(Scene scene, int body, Vector3 position) {
         if (body == BodyNumber.LIGHT) {
-            return scene.withLight(
-                    new Light(position, scene.light().radius(), scene.light().color()));
+            return scene.withLight(scene.light().withPosition(position));
         }
-        return edited(
-                scene, body, sphere -> new Sphere(position, sphere.radius(), sphere.color(), sphere.reflectivity()));
+        return edited(scene, body, sphere -> sphere.withPosition(position));
     }
 
     public static Scene colored(Scene scene, int body, Rgb albedo) {
-        return edited(
-                scene, body, sphere -> new Sphere(sphere.position(), sphere.radius(), albedo, sphere.reflectivity()));
+        return edited(scene, body, sphere -> sphere.withColor(albedo));
     }
 
     /** The scene with one sphere more, which is the last. */
@@ -117,10 +113,7 @@ public final class BodyEdits {
                 2,
                 "m",
                 scene -> sphere(scene, body).radius(),
-                (scene, radius) -> edited(
-                        scene,
-                        body,
-                        sphere -> new Sphere(sphere.position(), radius, sphere.color(), sphere.reflectivity())));
+                (scene, radius) -> edited(scene, body, sphere -> sphere.withRadius(radius)));
     }
 
     public static NumberSetting reflectivityOf(int body) {
@@ -133,10 +126,7 @@ public final class BodyEdits {
                 0,
                 "",
                 scene -> sphere(scene, body).reflectivity(),
-                (scene, reflectivity) -> edited(
-                        scene,
-                        body,
-                        sphere -> new Sphere(sphere.position(), sphere.radius(), sphere.color(), reflectivity)));
+                (scene, reflectivity) -> edited(scene, body, sphere -> sphere.withReflectivity(reflectivity)));
     }
 
     private static NumberSetting place(

@@ -27,7 +27,7 @@ final class CarriedSpheres {
             Sphere sphere = to.get(index);
             if (number != SameSpheres.NONE && from.get(number).position().equals(sphere.position())) {
                 Vector3 now = present.get(number).position();
-                carried.set(index, new Sphere(now, sphere.radius(), sphere.color(), sphere.reflectivity()));
+                carried.set(index, sphere.withPosition(now));
             }
         }
         return carried;

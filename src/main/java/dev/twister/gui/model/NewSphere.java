@@ -35,7 +35,7 @@ public final class NewSphere {
                 SceneLimits.POSITION.clamp(ray.along(distance, 0)),
                 SceneLimits.POSITION.clamp(above ? Math.max(y, ground + RADIUS) : Math.min(y, ground - RADIUS)),
                 SceneLimits.POSITION.clamp(ray.along(distance, 2)));
-        return new Sphere(
+        return Sphere.of(
                 besideOthers(center, scene, above ? 2 * RADIUS : -2 * RADIUS),
                 RADIUS,
                 color(scene.spheres().size()),

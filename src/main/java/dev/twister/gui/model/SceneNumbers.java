@@ -1,7 +1,6 @@
 package dev.twister.gui.model;
 
 import dev.twister.gui.model.NumberSetting.Scale;
-import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
 import dev.twister.scene.Range;
 import dev.twister.scene.Scene;
@@ -73,11 +72,7 @@ public final class SceneNumbers {
             1,
             "°",
             scene -> scene.camera().fieldOfViewDegrees(),
-            (scene, degrees) -> scene.withCamera(new Camera(
-                    scene.camera().position(),
-                    scene.camera().yawDegrees(),
-                    scene.camera().pitchDegrees(),
-                    degrees)));
+            (scene, degrees) -> scene.withCamera(scene.camera().withFieldOfView(degrees)));
 
     public static final NumberSetting LIGHT_X = lightPlace(
             "Light x",
@@ -103,7 +98,7 @@ public final class SceneNumbers {
             2,
             "m",
             scene -> scene.light().radius(),
-            (scene, radius) -> light(scene, light -> new Light(light.position(), radius, light.color())));
+            (scene, radius) -> light(scene, light -> light.withRadius(radius)));
 
     public static final NumberSetting LIGHT_STRENGTH = new NumberSetting(
             "Light strength",
@@ -116,9 +111,7 @@ public final class SceneNumbers {
             scene -> Radiance.of(scene.light().color()).strength(),
             (scene, strength) -> light(
                     scene,
-                    light -> new Light(
-                            light.position(),
-                            light.radius(),
+                    light -> light.withColor(
                             new Radiance(Radiance.of(light.color()).hue(), strength).color())));
 
     public static final NumberSetting GRAVITY = new NumberSetting(
@@ -149,9 +142,7 @@ public final class SceneNumbers {
                 label,
                 hint,
                 scene -> reader.applyAsDouble(scene.light().position()),
-                (scene, number) -> light(
-                        scene,
-                        light -> new Light(writer.apply(light.position(), number), light.radius(), light.color())));
+                (scene, number) -> light(scene, light -> light.withPosition(writer.apply(light.position(), number))));
     }
 
     private static Scene light(Scene scene, UnaryOperator<Light> edit) {

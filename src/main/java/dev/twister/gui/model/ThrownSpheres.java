@@ -81,7 +81,7 @@ public final class ThrownSpheres {
     }
 
     private static Sphere at(Vector3 place, Sphere sphere) {
-        return new Sphere(place, sphere.radius(), sphere.color(), sphere.reflectivity());
+        return sphere.withPosition(place);
     }
 
     /** Half the width of where they are thrown: on a plane that is too small for all they would pile up to the sky. */

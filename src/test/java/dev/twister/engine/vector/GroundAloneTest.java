@@ -9,12 +9,10 @@ import dev.twister.scene.Plane;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
-import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
 import dev.twister.world.World;
 import java.nio.file.Path;
-import java.util.List;
 import org.junit.jupiter.api.Test;
 
 final class GroundAloneTest {
@@ -80,16 +78,15 @@ final class GroundAloneTest {
 
     private void look(double reflectivity, double pitch, double size, double height) {
         World world = World.of(
-                new Scene(
-                        "",
-                        "",
-                        new Camera(new Vector3(0, height, 0), 0, pitch, 90),
-                        new Light(new Vector3(0, 30, 0), 1, GREY),
-                        new Plane(size, 0, GREY, GREY, reflectivity),
-                        List.of(),
-                        Path.of("none.hdr"),
-                        0.05,
-                        new RenderSettings(SIDE, SIDE, 4, 0, 1, 0, ToneMap.CLAMP, false)),
+                Scene.under(Path.of("none.hdr"))
+                        .withCamera(Camera.of(new Vector3(0, height, 0), 0, pitch, 90))
+                        .withLight(Light.of(new Vector3(0, 30, 0), 1, GREY))
+                        .withPlane(Plane.of(size, 0, GREY, GREY, reflectivity))
+                        .withAmbient(0.05)
+                        .withSettings(RenderSettings.DEFAULT
+                                .withSize(SIDE, SIDE)
+                                .withShadows(4)
+                                .withBounces(0)),
                 new Skybox(1, 1, new float[] {0.5f, 0.5f, 0.5f}));
         drawing.take(world.snapshot(), Frame.ofPixels(SIDE, SIDE), false);
     }

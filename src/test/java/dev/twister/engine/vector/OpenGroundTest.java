@@ -12,7 +12,6 @@ import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
-import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
@@ -60,16 +59,17 @@ final class OpenGroundTest {
 
     /** Ground in the light, in shadow, and mirroring a sphere. */
     private static Scene scene(double lightHeight, double lightAway, double power, int bounces, int samples) {
-        return new Scene(
-                "",
-                "",
-                new Camera(new Vector3(0, 3, -10), 10, 15, 50),
-                new Light(new Vector3(1, lightHeight, lightAway), 0.2, new Rgb(1, 0.9, 0.8)),
-                new Plane(200, 0, new Rgb(0.5, 0.4, 0.3), new Rgb(0.2, 0.25, 0.3), power),
-                List.of(new Sphere(new Vector3(-1, 1, 0), 1, new Rgb(0.3, 0.6, 0.9), 20)),
-                Path.of("none.hdr"),
-                0.05,
-                new RenderSettings(483, 270, 4, bounces, samples, 0, ToneMap.CLAMP, false));
+        return Scene.under(Path.of("none.hdr"))
+                .withCamera(Camera.of(new Vector3(0, 3, -10), 10, 15, 50))
+                .withLight(Light.of(new Vector3(1, lightHeight, lightAway), 0.2, new Rgb(1, 0.9, 0.8)))
+                .withPlane(Plane.of(200, 0, new Rgb(0.5, 0.4, 0.3), new Rgb(0.2, 0.25, 0.3), power))
+                .withSpheres(List.of(Sphere.of(new Vector3(-1, 1, 0), 1, new Rgb(0.3, 0.6, 0.9), 20)))
+                .withAmbient(0.05)
+                .withSettings(RenderSettings.DEFAULT
+                        .withSize(483, 270)
+                        .withShadows(4)
+                        .withBounces(bounces)
+                        .withSamplesPerPixel(samples));
     }
 
     private static float[] radiance(Engine engine, FrameInput input) {

@@ -181,16 +181,14 @@ final class VectorEngineTest {
     /** Seen from straight above: the spots of the light's samples under a sphere far off its axis, each alone. */
     private static Scene underAWideLight(double radius) {
         Rgb white = new Rgb(1, 1, 1);
-        return new Scene(
-                "",
-                "",
-                new Camera(new Vector3(5, 40 * radius, 3), 0, 90, 60),
-                new Light(new Vector3(0, 30, 0), 10, white),
-                new Plane(60, 0, white, white, 0),
-                List.of(new Sphere(new Vector3(9.280179716, 15.594533048, -3.854969045), radius, white, 0)),
-                Path.of("none.hdr"),
-                0.05,
-                new RenderSettings(96, 96, 4, 0, 1, 0, ToneMap.CLAMP, false));
+        return Scene.under(Path.of("none.hdr"))
+                .withCamera(Camera.of(new Vector3(5, 40 * radius, 3), 0, 90, 60))
+                .withLight(Light.of(new Vector3(0, 30, 0), 10, white))
+                .withPlane(Plane.of(60, 0, white, white, 0))
+                .withSpheres(List.of(Sphere.of(new Vector3(9.280179716, 15.594533048, -3.854969045), radius, white, 0)))
+                .withAmbient(0.05)
+                .withSettings(
+                        RenderSettings.DEFAULT.withSize(96, 96).withShadows(4).withBounces(0));
     }
 
     @ParameterizedTest
@@ -257,11 +255,10 @@ final class VectorEngineTest {
     }
 
     private static FrameInput narrowView(World world, Random random) {
-        world.setCamera(new Camera(
-                world.camera().position(),
-                360 * random.nextDouble(),
-                60 * random.nextDouble() - 30,
-                2 + 16 * random.nextDouble()));
+        world.setCamera(world.camera()
+                .withYaw(360 * random.nextDouble())
+                .withPitch(60 * random.nextDouble() - 30)
+                .withFieldOfView(2 + 16 * random.nextDouble()));
         world.setSettings(world.settings()
                 .withSize(80 + random.nextInt(30), 60 + random.nextInt(30))
                 .withShadows(4)

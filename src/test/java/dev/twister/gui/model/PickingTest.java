@@ -59,7 +59,7 @@ class PickingTest {
             @ForAll @DoubleRange(min = 0, max = Scenes.HEIGHT) double y,
             @ForAll @DoubleRange(min = -180, max = 180) double yaw,
             @ForAll @DoubleRange(min = -80, max = 80) double pitch) {
-        Camera camera = new Camera(new Vector3(3, 4, -2), yaw, pitch, 70);
+        Camera camera = Camera.of(new Vector3(3, 4, -2), yaw, pitch, 70);
         FrameInput view = Scenes.input(scene.withCamera(camera));
         Vector3 forward = forward(camera);
         Vector3 center = new Vector3(3 + 6 * forward.x(), 4 + 6 * forward.y(), -2 + 6 * forward.z());
@@ -75,7 +75,7 @@ class PickingTest {
     }
 
     private Light farAway() {
-        return new Light(new Vector3(0, 1e5, 0), 0.5, scene.light().color());
+        return scene.light().withPosition(new Vector3(0, 1e5, 0)).withRadius(0.5);
     }
 
     private static Vector3 forward(Camera camera) {
@@ -126,21 +126,21 @@ class PickingTest {
 
     @Test
     void aNewSphereStandsOnThePlane() {
-        Scene down = scene.withSpheres(List.of()).withCamera(new Camera(new Vector3(0, 2, -10), 0, 20, 60));
+        Scene down = scene.withSpheres(List.of()).withCamera(Camera.of(new Vector3(0, 2, -10), 0, 20, 60));
         Sphere inserted = NewSphere.inFrontOf(Scenes.input(down), down);
         assertThat(inserted.position().y()).isEqualTo(inserted.radius());
     }
 
     @Test
     void aNewSphereIsNotAroundTheCamera() {
-        Scene near = scene.withCamera(new Camera(new Vector3(0, 2, -1.6), 0, 0, 60));
+        Scene near = scene.withCamera(Camera.of(new Vector3(0, 2, -1.6), 0, 0, 60));
         Sphere inserted = NewSphere.inFrontOf(Scenes.input(near), near);
         assertThat(inserted.position().z() + 1.6).isGreaterThan(inserted.radius());
     }
 
     @Test
     void aNewSphereInTheSkyIsAtHand() {
-        Scene up = scene.withCamera(new Camera(new Vector3(0, 2, -10), 180, -30, 60));
+        Scene up = scene.withCamera(Camera.of(new Vector3(0, 2, -10), 180, -30, 60));
         Sphere inserted = NewSphere.inFrontOf(Scenes.input(up), up);
         assertThat(Math.hypot(inserted.position().y() - 2, inserted.position().z() + 10))
                 .isCloseTo(15, within(1e-4));

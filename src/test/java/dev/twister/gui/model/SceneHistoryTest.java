@@ -90,7 +90,7 @@ class SceneHistoryTest {
 
     @Test
     void theViewerStays() {
-        Camera elsewhere = new Camera(new Vector3(7, 7, 7), 30, 10, 90);
+        Camera elsewhere = Camera.of(new Vector3(7, 7, 7), 30, 10, 90);
         history.edit("shadows", shadows(start, 10));
         history.carryOn(history.present().withCamera(elsewhere));
         history.undo();
@@ -103,7 +103,7 @@ class SceneHistoryTest {
         List<Sphere> spheres = new ArrayList<>(scene.spheres());
         Sphere old = spheres.get(index);
         Vector3 place = new Vector3(x, old.position().y(), old.position().z());
-        spheres.set(index, new Sphere(place, old.radius(), old.color(), old.reflectivity()));
+        spheres.set(index, old.withPosition(place));
         return scene.withSpheres(spheres);
     }
 
@@ -158,7 +158,7 @@ class SceneHistoryTest {
         assertThat(history.hasChanged()).isTrue();
         history.redo();
         assertThat(history.hasChanged()).isFalse();
-        history.carryOn(history.present().withCamera(new Camera(new Vector3(1, 1, 1), 0, 0, 60)));
+        history.carryOn(history.present().withCamera(Camera.of(new Vector3(1, 1, 1), 0, 0, 60)));
         assertThat(history.hasChanged()).isFalse();
         history.edit("shadows", shadows(history.present(), 11));
         assertThat(history.hasChanged()).isTrue();

@@ -24,18 +24,18 @@ final class Scenes {
 
     /** A large sphere in the middle, a small one to the right, the light above to the left, the plane below. */
     static Scene scene() {
-        return new Scene(
-                "",
-                "",
-                new Camera(new Vector3(0, 2, -10), 0, 0, 60),
-                new Light(new Vector3(-4, 6, 0), 0.5, new Rgb(2, 1, 1)),
-                new Plane(40, 0, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32),
-                List.of(
-                        new Sphere(new Vector3(0, 2, 0), 1.5, new Rgb(0.9, 0.2, 0.1), 60),
-                        new Sphere(new Vector3(4, 2, 2), 0.5, new Rgb(0.1, 0.9, 0.2), 0)),
-                Path.of("none.hdr"),
-                0.2,
-                RenderSettings.DEFAULT.withSize(WIDTH, HEIGHT).withShadows(8).withBounces(2));
+        return Scene.under(Path.of("none.hdr"))
+                .withCamera(Camera.of(new Vector3(0, 2, -10), 0, 0, 60))
+                .withLight(Light.of(new Vector3(-4, 6, 0), 0.5, new Rgb(2, 1, 1)))
+                .withPlane(Plane.of(40, 0, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32))
+                .withSpheres(List.of(
+                        Sphere.of(new Vector3(0, 2, 0), 1.5, new Rgb(0.9, 0.2, 0.1), 60),
+                        Sphere.of(new Vector3(4, 2, 2), 0.5, new Rgb(0.1, 0.9, 0.2), 0)))
+                .withAmbient(0.2)
+                .withSettings(RenderSettings.DEFAULT
+                        .withSize(WIDTH, HEIGHT)
+                        .withShadows(8)
+                        .withBounces(2));
     }
 
     static FrameInput input(Scene scene) {

@@ -35,7 +35,7 @@ class SettingsStoreTest {
                 .withEngine("vector")
                 .withRecentScene("/a/b \u00e9.json")
                 .withRecentScene("/c.json")
-                .withView(3, new Camera(new Vector3(1.5, -2, 3e3), 400, -30, 55));
+                .withView(3, Camera.of(new Vector3(1.5, -2, 3e3), 400, -30, 55));
         store().write(settings);
         assertThat(store().read()).isEqualTo(new SettingsStore.Found(settings, Optional.empty()));
     }
@@ -122,7 +122,7 @@ class SettingsStoreTest {
                 .boxed()
                 .reduce(
                         WindowSettings.DEFAULT,
-                        (kept, key) -> kept.withView(key, new Camera(new Vector3(key, 0, 0), 0, 0, 50)),
+                        (kept, key) -> kept.withView(key, Camera.of(new Vector3(key, 0, 0), 0, 0, 50)),
                         (one, other) -> other);
         assertThat(settings.views()).hasSize(10);
         assertThat(settings.views().get(7).position().x()).isEqualTo(7);

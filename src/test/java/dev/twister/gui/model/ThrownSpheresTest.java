@@ -19,7 +19,7 @@ class ThrownSpheresTest {
     private static Scene many(int count) {
         return Scenes.scene()
                 .withSpheres(IntStream.range(0, count)
-                        .mapToObj(index -> new Sphere(
+                        .mapToObj(index -> Sphere.of(
                                 new Vector3(0, 0, 0), 0.1 + 0.01 * (index % 50), new Rgb(0.5, 0.5, 0.5), index % 100))
                         .toList());
     }
@@ -48,14 +48,14 @@ class ThrownSpheresTest {
         Scene mixed = withOneOf(1, withOneOf(0.001, many(100)));
         for (double radius : new double[] {0.01, 0.5, 5}) {
             Light light = mixed.light();
-            assertAllAreClear(ThrownSpheres.of(mixed.withLight(new Light(light.position(), radius, light.color())), 7));
+            assertAllAreClear(ThrownSpheres.of(mixed.withLight(light.withRadius(radius)), 7));
         }
     }
 
     @Test
     void noneIsWhereNoSceneCanHaveIt() {
         Scene huge = many(0).withSpheres(
-                        Collections.nCopies(20, new Sphere(new Vector3(0, 0, 0), 290_000, new Rgb(0.5, 0.5, 0.5), 0)));
+                        Collections.nCopies(20, Sphere.of(new Vector3(0, 0, 0), 290_000, new Rgb(0.5, 0.5, 0.5), 0)));
         for (long seed = 0; seed < 20; seed++) {
             assertThat(ThrownSpheres.of(huge, seed).spheres()).allSatisfy(sphere -> {
                 assertThat(SceneLimits.POSITION.contains(sphere.position().x())).isTrue();
@@ -67,7 +67,7 @@ class ThrownSpheresTest {
 
     private static Scene withOneOf(double radius, Scene scene) {
         List<Sphere> spheres = new ArrayList<>(scene.spheres());
-        spheres.add(new Sphere(new Vector3(0, 0, 0), radius, new Rgb(0.5, 0.5, 0.5), 0));
+        spheres.add(Sphere.of(new Vector3(0, 0, 0), radius, new Rgb(0.5, 0.5, 0.5), 0));
         return scene.withSpheres(spheres);
     }
 
@@ -97,7 +97,7 @@ class ThrownSpheresTest {
         for (int i = 0; i < 20; i++) {
             Sphere was = before.spheres().get(i);
             Sphere is = thrown.spheres().get(i);
-            assertThat(is).isEqualTo(new Sphere(is.position(), was.radius(), was.color(), was.reflectivity()));
+            assertThat(is).isEqualTo(was.withPosition(is.position()));
         }
         assertThat(thrown.withSpheres(before.spheres())).isEqualTo(before);
     }
@@ -113,7 +113,7 @@ class ThrownSpheresTest {
 
         assertThat(ThrownSpheres.fit(thrown, many(21))).isFalse();
         Light light = before.light();
-        Light larger = new Light(light.position(), 2 * light.radius(), light.color());
+        Light larger = light.withRadius(2 * light.radius());
         assertThat(ThrownSpheres.fit(thrown, before.withLight(larger))).isFalse();
         assertThat(ThrownSpheres.fit(
                         thrown, BodyEdits.radiusOf(Layout.FIRST_SPHERE).write(before, 2)))

@@ -29,12 +29,16 @@ final class SceneSamples {
         List<Sphere> bodies = new ArrayList<>();
         for (int i = 0; i < spheres; i++) {
             double reflectivity = i % 4 == 0 ? 128 * (i / 4 % 2) : 128 * random.nextDouble();
-            bodies.add(new Sphere(place(random, 8), 0.2 + 2.5 * random.nextDouble(), color(random), reflectivity));
+            bodies.add(Sphere.of(place(random, 8), 0.2 + 2.5 * random.nextDouble(), color(random), reflectivity));
         }
-        Light light = new Light(place(random, 10), 0.1 + 2 * random.nextDouble(), new Rgb(1, 0.9, 0.8));
-        Plane plane = new Plane(48, -6, color(random), color(random), 128 * random.nextDouble());
-        Scene scene =
-                new Scene("", "", camera(random), light, plane, bodies, Path.of("none"), 0.2, RenderSettings.DEFAULT);
+        Light light = Light.of(place(random, 10), 0.1 + 2 * random.nextDouble(), new Rgb(1, 0.9, 0.8));
+        Plane plane = Plane.of(48, -6, color(random), color(random), 128 * random.nextDouble());
+        Scene scene = Scene.under(Path.of("none"))
+                .withCamera(camera(random))
+                .withLight(light)
+                .withPlane(plane)
+                .withSpheres(bodies)
+                .withAmbient(0.2);
         return World.of(scene, sky);
     }
 
@@ -42,7 +46,7 @@ final class SceneSamples {
     static Camera camera(Random random) {
         double pitch = random.nextInt(6) == 0 ? 90 * (random.nextInt(3) - 1) : 60 * random.nextDouble() - 20;
         double fieldOfView = random.nextInt(8) == 0 ? 1 + 178 * random.nextInt(2) : 20 + 100 * random.nextDouble();
-        return new Camera(place(random, 12), 360 * random.nextDouble(), pitch, fieldOfView);
+        return Camera.of(place(random, 12), 360 * random.nextDouble(), pitch, fieldOfView);
     }
 
     static RenderSettings settings(Random random, int width, int height) {

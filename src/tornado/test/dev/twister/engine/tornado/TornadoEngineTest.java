@@ -57,7 +57,7 @@ class TornadoEngineTest {
         try (TornadoEngine engine = Devices.openFirst()) {
             Pictures.requireSequentials(engine, input(40, 30));
             DevicePlan plan = engine.plan().orElseThrow();
-            world.setCamera(new Camera(new Vector3(2, 1, -14), 10, 5, 70));
+            world.setCamera(Camera.of(new Vector3(2, 1, -14), 10, 5, 70));
             Pictures.requireSequentials(engine, world.snapshot());
             RenderSettings settings = world.settings();
             world.setSettings(settings.withShadows(RenderSettings.MAX_SHADOW_SAMPLES));

@@ -1,0 +1,39 @@
+package dev.twister.scene;
+
+import static com.tngtech.archunit.base.DescribedPredicate.describe;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaConstructor;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Adding a field to a record must not change its users: they call {@code of}, {@code DEFAULT} and {@code with...}. */
+class ConstructorsTest {
+    private static final JavaClasses TWISTER = new ClassFileImporter().importPackages("dev.twister");
+
+    @ParameterizedTest
+    @ValueSource(
+            classes = {
+                Scene.class,
+                Camera.class,
+                Light.class,
+                Plane.class,
+                Sphere.class,
+                RenderSettings.class,
+                Physics.class,
+                Pour.class
+            })
+    void onlyTheRecordItselfCallsItsConstructor(Class<?> type) {
+        noClasses()
+                .that()
+                .doNotBelongToAnyOf(type)
+                .should()
+                .accessTargetWhere(describe(
+                        "is the constructor of " + type.getSimpleName(),
+                        access -> access.getTargetOwner().isEquivalentTo(type)
+                                && access.getName().equals(JavaConstructor.CONSTRUCTOR_NAME)))
+                .check(TWISTER);
+    }
+}

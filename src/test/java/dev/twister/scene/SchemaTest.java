@@ -1,0 +1,115 @@
+package dev.twister.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+import tools.jackson.databind.json.JsonMapper;
+
+/** The schema that editors read has the fields, the ranges and the defaults that the reader goes by. */
+class SchemaTest {
+    private static final JsonMapper JSON = JsonMapper.shared();
+    private static final String DEFINITION = "#/$defs/";
+    private static final String NO_CONTROL_CHARACTERS = "^[^\\u0000-\\u001f\\u007f-\\u009f]*$";
+
+    @Test
+    @SuppressWarnings("unchecked") // a JSON object
+    void schemaSaysWhatTheReaderTakes() throws Exception {
+        Map<String, Object> schema =
+                JSON.readValue(Files.readString(Path.of("scenes", "scene.schema.json")), Map.class);
+        Map<String, Object> definitions = (Map<String, Object>) schema.remove("$defs");
+        schema.keySet().removeAll(List.of("$schema", "title"));
+
+        assertThat(resolved(schema, definitions)).isEqualTo(schemaOf(SceneFormat.SCENE));
+    }
+
+    /** The schema without descriptions and references, its numbers as doubles. */
+    private static Object resolved(Object node, Map<String, Object> definitions) {
+        return switch (node) {
+            case Map<?, ?> map
+            when map.get("$ref") instanceof String reference ->
+                resolved(definitions.get(reference.substring(DEFINITION.length())), definitions);
+            case Map<?, ?> map -> {
+                Map<String, Object> fields = new TreeMap<>();
+                map.forEach((name, value) -> {
+                    if (!("description".equals(name) && value instanceof String)) {
+                        fields.put((String) name, resolved(value, definitions));
+                    }
+                });
+                yield fields;
+            }
+            case List<?> list ->
+                list.stream().map(item -> resolved(item, definitions)).toList();
+            case Number number -> number.doubleValue();
+            default -> node;
+        };
+    }
+
+    private static Map<String, Object> schemaOf(ValueType<?> type) {
+        return switch (type) {
+            case ValueType.Decimal(Range range) -> numbers("number", range);
+            case ValueType.WholeNumber(Range range) -> numbers("integer", range);
+            case ValueType.Flag() -> schema(Map.of("type", "boolean"));
+            case ValueType.Text(int min, int max) ->
+                withLeast(
+                        "minLength",
+                        min,
+                        schema(Map.of("type", "string", "maxLength", (double) max, "pattern", NO_CONTROL_CHARACTERS)));
+            case ValueType.FilePath(ValueType.Text text) -> schemaOf(text);
+            case ValueType.Version(int number) -> schema(Map.of("const", (double) number));
+            case ValueType.Choice<?> choice -> schema(Map.of("enum", choice.names()));
+            case ValueType.Array<?> array ->
+                withLeast(
+                        "minItems",
+                        array.minItems(),
+                        schema(Map.of("type", "array", "items", schemaOf(array.item()), "maxItems", (double)
+                                array.maxItems())));
+            case ValueType.Lines<?>(ValueType.Array<?> array) -> schemaOf(array);
+            case ValueType.Converted<?, ?> converted -> schemaOf(converted.stored());
+            case ValueType.Structure<?> structure -> objects(structure);
+        };
+    }
+
+    private static <R> Map<String, Object> objects(ValueType.Structure<R> structure) {
+        Map<String, Object> properties = new TreeMap<>();
+        for (Field<R, ?> field : structure.fields()) {
+            properties.put(field.name(), property(field, structure.defaults()));
+        }
+        Map<String, Object> object =
+                schema(Map.of("type", "object", "properties", properties, "additionalProperties", false));
+        if (!structure.names(true).isEmpty()) {
+            object.put("required", structure.names(true));
+        }
+        return object;
+    }
+
+    private static <R, T> Map<String, Object> property(Field<R, T> field, R defaults) {
+        Map<String, Object> property = schemaOf(field.type());
+        boolean hasDefault =
+                !field.isRequired() && !"object".equals(property.get("type")) && !"string".equals(property.get("type"));
+        if (hasDefault) {
+            String text = field.type().write(field.get().apply(defaults));
+            property.put("default", resolved(JSON.readValue(text, Object.class), Map.of()));
+        }
+        return property;
+    }
+
+    private static Map<String, Object> numbers(String type, Range range) {
+        return schema(Map.of("type", type, "minimum", range.min(), "maximum", range.max()));
+    }
+
+    private static Map<String, Object> withLeast(String name, int least, Map<String, Object> schema) {
+        if (least > 0) {
+            schema.put(name, (double) least);
+        }
+        return schema;
+    }
+
+    private static Map<String, Object> schema(Map<String, Object> fields) {
+        return new TreeMap<>(fields);
+    }
+}
