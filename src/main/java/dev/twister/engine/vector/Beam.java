@@ -72,10 +72,10 @@ final class Beam {
     }
 
     private void rays(Slab slab, Tile tile, int first, int end, int origin, int direction) {
-        LaneSteps.boundTogether(tile, first, end, origin);
+        tile.beam.bound(tile.values, tile.together.places, first, end, origin, Tile.TOGETHER);
         float originLow = low;
         float originHigh = high;
-        LaneSteps.boundTogether(tile, first, end, direction);
+        tile.beam.bound(tile.values, tile.together.places, first, end, direction, Tile.TOGETHER);
         slab.set(originLow, originHigh, low - SPREAD, high + SPREAD);
     }
 
@@ -103,11 +103,11 @@ final class Beam {
      */
     void holdLines(Tile tile, Drawing drawing, int number, float radius) {
         BodyColumns bodies = drawing.bodies;
-        LaneSteps.boundOpen(tile, number, Tile.POINT_X);
+        tile.beam.bound(tile.values, tile.shadows.places, number, number + 1, Tile.POINT_X, Tile.SHADOW_OPEN);
         linesOfAll(x, bodies.x[Layout.LIGHT], radius);
-        LaneSteps.boundOpen(tile, number, Tile.POINT_Y);
+        tile.beam.bound(tile.values, tile.shadows.places, number, number + 1, Tile.POINT_Y, Tile.SHADOW_OPEN);
         linesOfAll(y, bodies.y[Layout.LIGHT], radius);
-        LaneSteps.boundOpen(tile, number, Tile.POINT_Z);
+        tile.beam.bound(tile.values, tile.shadows.places, number, number + 1, Tile.POINT_Z, Tile.SHADOW_OPEN);
         linesOfAll(z, bodies.z[Layout.LIGHT], radius);
         end = 1f + DISC_SPREAD;
         finish();

@@ -75,15 +75,15 @@ final class Highlight {
     /** Raises the cosines to the reflectivities' powers and multiplies them by their weights where anything shines. */
     static void raise(Tile tile) {
         if (tile.onePower.count > 0) {
-            Stages.raiseToOnePower(tile);
+            raiseAll(tile);
         }
         if (tile.wholePowers.count > 0) {
-            Stages.raiseToWholePowers(tile);
+            raiseEach(tile, tile.wholePowers, Tile.SPECULAR_WEIGHT);
         }
         if (tile.fractionPowers.count > 0) {
-            Stages.findFractions(tile);
-            Stages.raiseToFractionPowers(tile);
-            Stages.weighFractions(tile);
+            findFractions(tile);
+            raiseEach(tile, tile.fractionPowers, Tile.FRACTION_POWER);
+            weigh(tile.values, tile.fractionPowers);
         }
     }
 

@@ -160,11 +160,11 @@ final class Hull {
 
     /** Starts in a ball about the origins of the live rays, or the points of the lanes whose {@code lanes} column is above 0. */
     void startAround(Tile tile, PacketList packets, int column, int lanes) {
-        float halfX = Stages.spreadOfHull(this, tile, packets, column, lanes);
+        float halfX = spread(tile, packets, column, lanes);
         baseX = middle;
-        float halfY = Stages.spreadOfHull(this, tile, packets, column + Tile.SIZE, lanes);
+        float halfY = spread(tile, packets, column + Tile.SIZE, lanes);
         baseY = middle;
-        float halfZ = Stages.spreadOfHull(this, tile, packets, column + 2 * Tile.SIZE, lanes);
+        float halfZ = spread(tile, packets, column + 2 * Tile.SIZE, lanes);
         baseZ = middle;
         radius = (float) Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
     }

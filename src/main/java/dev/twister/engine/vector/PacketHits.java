@@ -28,9 +28,9 @@ final class PacketHits {
         tile.together.clear();
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
-            int goesOn = (int) LaneSteps.startPacket(tile, at);
-            LaneSteps.meetLight(tile, drawing, at);
-            int together = (int) LaneSteps.gather(tile, at, goesOn);
+            int goesOn = (int) start(tile.values, at);
+            meet(tile.values, at, drawing.light.values, SphereColumns.FIRST, 1);
+            int together = (int) gather(tile.values, at, goesOn);
             if (together != 0) {
                 tile.together.add(at);
             }
@@ -71,7 +71,7 @@ final class PacketHits {
                 long near = beam.meeting(hierarchy.spheres, first);
                 tested |= near != 0L;
                 if (near != 0L) {
-                    LaneSteps.meetSpheres(tile, drawing, at, first, near);
+                    meet(tile.values, at, drawing.hierarchy.spheres.values, first, near);
                 }
                 first += hierarchy.spheres.step;
             }
@@ -84,7 +84,7 @@ final class PacketHits {
 
     /** Metres along the rays beyond which nothing matters to any of them. */
     private static float farthest(Tile tile, int at) {
-        return Float.intBitsToFloat((int) LaneSteps.farthest(tile, at));
+        return Float.intBitsToFloat((int) farthest(tile.values, at));
     }
 
     /** So many of the rays on their own, from that one of them on. */

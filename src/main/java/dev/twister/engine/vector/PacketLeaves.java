@@ -29,7 +29,7 @@ final class PacketLeaves {
      */
     boolean find(WideHierarchy hierarchy, PacketBeams beams, int count) {
         if (Lanes.PACK && hierarchy.rootChildren < count) {
-            end = LaneSteps.listRootChildren(hierarchy, beams, count, links);
+            end = RootChildren.list(hierarchy, beams, count, links);
         } else {
             for (int beam = 0; beam < count; beam++) {
                 links[beam] = beam << WideHierarchy.BEAM_SHIFT;

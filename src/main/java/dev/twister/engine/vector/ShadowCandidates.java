@@ -52,7 +52,7 @@ final class ShadowCandidates {
     static boolean findAmong(SphereColumns near, int count, Tile tile, int at, Drawing drawing) {
         ShadowScratch scratch = tile.shadow;
         scratch.startPacket();
-        LaneSteps.findBetweens(tile, at, count);
+        betweens(tile.values, at, tile.near, count, tile.shadow.betweens);
         int bodies = SphereColumns.FIRST + SphereColumns.BODY * near.stride;
         for (int sphere = 0; sphere < count; sphere++) {
             long between = scratch.betweens[sphere];
@@ -60,13 +60,13 @@ final class ShadowCandidates {
                 judge(tile, drawing, at, (int) near.values[bodies + sphere], between);
             }
         }
-        return LaneSteps.finishPacket(tile, at) != 0;
+        return finish(tile.values, at, tile.shadow) != 0;
     }
 
     private static void judge(Tile tile, Drawing drawing, int at, int body, long between) {
-        long shaded = between & LaneSteps.isOutside(tile, drawing, at, body);
+        long shaded = between & isOutside(tile.values, at, drawing.bodies, body);
         if (shaded != 0) {
-            tile.shadow.add(body, shaded, LaneSteps.hidesDisc(tile, drawing, at, body));
+            tile.shadow.add(body, shaded, hidesDisc(tile.values, at, drawing.bodies, body));
         }
     }
 

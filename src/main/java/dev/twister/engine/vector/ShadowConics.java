@@ -65,9 +65,9 @@ final class ShadowConics {
         if (ShadowRange.areApart(scratch)) {
             for (int c = 0; c < scratch.candidates.count; c++) {
                 if (scratch.sorted) {
-                    Stages.countConic(scratch, c);
+                    countOne(scratch, c);
                 } else {
-                    Stages.countConicOfFew(scratch, c);
+                    countFew(scratch, c);
                 }
             }
         } else if (scratch.candidates.count == 2) {
@@ -173,9 +173,9 @@ final class ShadowConics {
         scratch.reserveConics(samples);
         Arrays.fill(scratch.conics, Lanes.BORDER, Lanes.BORDER + samples * Lanes.COUNT, ABOVE);
         for (int c = 0; c < scratch.candidates.count; c++) {
-            Stages.lowerConics(scratch, from, c);
+            lower(scratch, from, c);
         }
-        Stages.countLowestConics(scratch, samples);
+        countLowest(scratch, samples);
     }
 
     /** Lowers what is there at each sample of a candidate's range to its conic, the first sample there being that one. */

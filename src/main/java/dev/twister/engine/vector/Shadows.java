@@ -65,13 +65,13 @@ final class Shadows {
         tile.lonely.clear();
         for (int k = 0; k < tile.shadows.count; k++) {
             int at = tile.shadows.places[k];
-            int open = (int) LaneSteps.open(tile, at);
-            int ground = (int) LaneSteps.openOnGround(tile, at);
+            int open = (int) ShadowCandidates.open(tile.values, at);
+            int ground = (int) ShadowCandidates.openOnGround(tile.values, at);
             if (ground != 0 && ground != open) {
-                LaneSteps.narrow(tile, at, ground);
+                ShadowCandidates.narrow(tile.values, at, ground);
                 sampleInCrowd(tile, drawing, k, ground, radius);
                 open &= ~ground;
-                LaneSteps.narrow(tile, at, open);
+                ShadowCandidates.narrow(tile.values, at, open);
             }
             sampleInCrowd(tile, drawing, k, open, radius);
         }
@@ -124,16 +124,16 @@ final class Shadows {
 
     /** Counts samples for a packet with lanes neither in the light nor in the dark. */
     private static void sample(Tile tile, Drawing drawing, int at) {
-        Stages.findShadowAxes(tile, drawing, at);
-        Stages.placeCandidates(tile, drawing, at);
-        Stages.limitCandidates(tile, drawing, at);
-        Stages.judgeCandidates(tile, drawing, at);
-        Stages.prepareConics(tile);
-        Stages.chooseRange(tile, drawing);
-        Stages.findRangePlaces(tile, at);
-        Stages.findRanges(tile, drawing);
-        Stages.countBlocked(tile, drawing, at);
-        Stages.finishShadows(tile, drawing, at);
+        ShadowFrame.findAxes(tile, at, drawing, tile.shadow);
+        ShadowFrame.placeAll(tile, at, drawing.bodies, tile.shadow);
+        ShadowFrame.limitAll(tile, at, drawing.bodies, tile.shadow);
+        ShadowFrame.judgeAll(tile, at, drawing.bodies, tile.shadow);
+        ShadowConics.prepare(tile.shadow);
+        ShadowRange.choose(drawing, tile.shadow);
+        ShadowRange.findPlaces(tile.values, at, tile.shadow);
+        ShadowRange.find(drawing, tile.shadow);
+        count(tile, drawing, at);
+        finish(tile, drawing, at);
     }
 
     /** Writes how many samples are blocked. */

@@ -12,11 +12,11 @@ final class SphereSurface {
     /** Copies each lane's sphere into the lane. The centre goes to the normal's columns. */
     static void fetch(Tile tile, Drawing drawing) {
         if (drawing.bodies.fitLanes()) {
-            Stages.pickSpheres(tile, drawing);
+            pick(tile, drawing.bodies);
         } else if (drawing.crowded) {
-            Stages.copySpheresOfMany(tile, drawing);
+            copyOfMany(tile, drawing.bodies);
         } else {
-            Stages.copySpheres(tile, drawing);
+            copy(tile, drawing.bodies);
         }
     }
 

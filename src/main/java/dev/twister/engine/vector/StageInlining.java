@@ -21,11 +21,11 @@ import javax.management.ObjectName;
 final class StageInlining {
     private static final String PACKAGE = "dev/twister/engine/vector/";
 
-    /** The helpers that take or return vectors. */
+    /** What takes or returns vectors: always inlined, also where {@link #NEVER} names it too. */
     static final List<String> ALWAYS = List.of(PACKAGE + "Lanes.*");
 
-    /** The stages, each of which has an inlining budget of its own. */
-    static final List<String> NEVER = List.of(PACKAGE + "Stages.*", PACKAGE + "LaneSteps.*");
+    /** All methods of the engine, each of which has an inlining budget of its own. */
+    static final List<String> NEVER = List.of(PACKAGE + "*.*");
 
     private static final Logger LOGGER = System.getLogger(StageInlining.class.getName());
 

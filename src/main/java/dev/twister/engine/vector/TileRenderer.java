@@ -51,8 +51,8 @@ final class TileRenderer {
         tile.top = number / drawing.tilesAcross() * Tile.SIDE;
         TileOutput.approachNext(tile, drawing.frame);
         if (!drawing.crowded) {
-            Stages.boundRays(tile, drawing);
-            Stages.cullRays(tile, drawing);
+            ViewRays.bound(tile, drawing);
+            tile.rays.cull(drawing.bodies, Layout.LIGHT, tile.candidates);
         }
         if (chart.isCoarse() && rehearsals < REHEARSALS) {
             rehearsals++;
@@ -73,7 +73,7 @@ final class TileRenderer {
         clear.sample = 0;
         placeChartedSky(clear, drawing, false);
         if (SkyWindow.FIT) {
-            Stages.addSkyInWindow(window, clear);
+            window.add(clear);
         }
     }
 
@@ -112,7 +112,7 @@ final class TileRenderer {
     private boolean isLit(Drawing drawing) {
         boolean lit = OpenGround.suits(drawing);
         if (lit) {
-            Stages.listBetweenGroundAndLight(tile, drawing);
+            Shadows.listBetween(tile.ground, tile, drawing);
             lit = tile.shadow.tileCandidates.count == 0;
         }
         return lit;
@@ -125,7 +125,7 @@ final class TileRenderer {
     private boolean mirrorsSkyAlone(Drawing drawing) {
         tile.mirrored.hold(tile.rays);
         tile.mirrored.mirror(drawing.planeHeight);
-        Stages.cullMirrored(tile, drawing);
+        tile.mirrored.cull(drawing.bodies, Layout.LIGHT, tile.candidates);
         return tile.candidates.count == 0 && chart.covers(tile, drawing);
     }
 
@@ -145,13 +145,13 @@ final class TileRenderer {
     }
 
     private static void shadeOpenGround(Tile here, Drawing drawing) {
-        Stages.meetOpenGround(here, drawing);
-        Stages.findCosinesOfOpenGround(here, drawing);
+        OpenGround.meet(here, drawing);
+        OpenGround.findCosines(here, drawing);
         if (OpenGround.power(drawing) % 2 > 0) {
-            Stages.rootCosinesOfOpenGround(here);
+            OpenGround.root(here);
         }
-        Stages.raiseHighlightOfOpenGround(here, drawing);
-        Stages.shadeOpenGround(here, drawing);
+        OpenGround.raise(here, drawing);
+        OpenGround.shade(here, drawing);
     }
 
     /** Draws a tile of lit ground that mirrors bodies. */
@@ -161,8 +161,8 @@ final class TileRenderer {
         for (int sample = 0; sample < drawing.pixelSamples; sample++) {
             startSample(drawing, sample);
             shadeOpenGround(tile, drawing);
-            Stages.startRays(tile, drawing);
-            Stages.leaveOpenGround(tile, drawing);
+            ViewRays.start(tile, drawing);
+            OpenGround.leave(tile, drawing);
             follow(drawing, 1);
         }
         finish(tile, drawing);
@@ -174,8 +174,8 @@ final class TileRenderer {
             // Following the last sample's rays has changed both.
             listInside(drawing);
             if (!drawing.crowded) {
-                Stages.boundRays(tile, drawing);
-                Stages.cullRays(tile, drawing);
+                ViewRays.bound(tile, drawing);
+                tile.rays.cull(drawing.bodies, Layout.LIGHT, tile.candidates);
             }
         }
     }
@@ -190,8 +190,8 @@ final class TileRenderer {
                 shadeGroundAlone(drawing);
                 follow(drawing, 1);
             } else {
-                Stages.startRays(tile, drawing);
-                Stages.placeRays(tile, drawing);
+                ViewRays.start(tile, drawing);
+                ViewRays.place(tile, drawing.input.camera());
                 follow(drawing, 0);
             }
         }
@@ -200,11 +200,11 @@ final class TileRenderer {
 
     private static void finish(Tile tile, Drawing drawing) {
         if (drawing.frame.isLinear()) {
-            Stages.writeRadiance(tile, drawing);
+            TileOutput.writeLinear(tile, drawing.frame, 1f / drawing.pixelSamples);
         } else {
-            Stages.mapTones(tile, drawing);
-            Stages.packPixels(tile, drawing);
-            Stages.writePixels(tile, drawing);
+            ToneStage.map(tile, drawing.input.rayTracingProperties(), drawing.pixelSamples);
+            ToneStage.pack(tile, drawing.input.rayTracingProperties(), drawing.pixelSamples);
+            TileOutput.write(tile, drawing.frame);
         }
     }
 
@@ -228,16 +228,16 @@ final class TileRenderer {
             tile.last = bounce == drawing.bounceLimit;
             boolean offPlane = bounce == 1 && tile.spheres.count == 0;
             if (drawing.crowded) {
-                Stages.findNearestOfMany(tile, drawing);
+                PacketHits.find(tile, drawing);
                 if (!offPlane) {
-                    Stages.findGround(tile, drawing);
+                    GroundHit.find(tile, drawing.planeHeight, drawing.planeHalfSide);
                 }
-                Stages.sortHits(tile);
+                HitSorting.sort(tile);
             } else {
                 meetFew(drawing, bounce, offPlane);
             }
             if (tile.lights.count > 0) {
-                Stages.addLight(tile, drawing);
+                LightHit.add(tile, drawing.bodies);
             }
             if (tile.skies.count > 0) {
                 if ((bounce == 0 || offPlane) && tile.skies.count >= LEAST_CHARTED && chart.covers(tile, drawing)) {
@@ -248,13 +248,13 @@ final class TileRenderer {
                 }
             }
             if (tile.grounds.count > 0) {
-                Stages.findGroundPoints(tile, drawing);
-                Stages.colorGround(tile, drawing);
+                GroundSurface.findPoints(tile, drawing);
+                GroundSurface.findColors(tile, drawing);
             }
             if (tile.spheres.count > 0) {
-                Stages.fetchSpheres(tile, drawing);
-                Stages.findSphereOffsets(tile);
-                Stages.findSpherePoints(tile);
+                SphereSurface.fetch(tile, drawing);
+                SphereSurface.findOffsets(tile);
+                SphereSurface.findPoints(tile);
             }
             if (tile.surfaces.count > 0) {
                 shadeSurfaces(drawing);
@@ -266,54 +266,54 @@ final class TileRenderer {
 
     /** Adds what the surfaces send towards the eye, and starts the rays that go on. */
     private void shadeSurfaces(Drawing drawing) {
-        Stages.findLightDirections(tile, drawing);
-        Stages.sortLightDirections(tile, drawing);
-        Stages.findShadows(tile, drawing);
-        Stages.findHighlightCosines(tile);
-        Stages.sortHighlights(tile);
-        Stages.raiseHighlights(tile);
-        Stages.shade(tile, drawing);
-        Stages.reflect(tile);
-        Stages.leave(tile);
+        LightDirection.find(tile, drawing.bodies);
+        LightDirection.sort(tile, drawing.ambient);
+        Shadows.find(tile, drawing);
+        Highlight.findCosines(tile);
+        Highlight.sort(tile);
+        Highlight.raise(tile);
+        Bounce.shade(tile, drawing.bodies, drawing.ambient);
+        Bounce.reflect(tile);
+        Bounce.leave(tile);
     }
 
     /** The same from the view rays on, which all meet the ground. */
     private void shadeGroundAlone(Drawing drawing) {
-        Stages.startRays(tile, drawing);
-        Stages.meetGroundAlone(tile, drawing);
-        Stages.colorGround(tile, drawing);
-        Stages.findLightOfGroundAlone(tile, drawing);
-        Stages.findShadowsOnGround(tile, drawing);
-        Stages.findHighlightOfGroundAlone(tile, drawing);
-        Stages.raiseHighlights(tile);
-        Stages.shade(tile, drawing);
-        Stages.leaveGroundAlone(tile);
+        ViewRays.start(tile, drawing);
+        GroundAlone.meet(tile, drawing);
+        GroundSurface.findColors(tile, drawing);
+        GroundAlone.findLight(tile, drawing);
+        Shadows.findOnGround(tile, drawing);
+        GroundAlone.findHighlight(tile, drawing);
+        Highlight.raise(tile);
+        Bounce.shade(tile, drawing.bodies, drawing.ambient);
+        GroundAlone.leave(tile);
     }
 
     /** From the view rays of a chart's nodes to where in the panorama they look. */
     static void findNodes(Tile nodes, Drawing drawing) {
-        Stages.startRays(nodes, drawing);
+        ViewRays.start(nodes, drawing);
         findSky(nodes, drawing);
     }
 
     private static void findSky(Tile tile, Drawing drawing) {
-        Stages.findSkyRatios(tile);
-        Stages.findAnglesAround(tile);
-        Stages.findElevations(tile);
-        Stages.findSkyColumns(tile, drawing);
-        Stages.findSkyRows(tile, drawing);
+        SkyDirection.findRatios(tile);
+        SkyDirection.findArcTangents(tile, Tile.SKY_TO_RIGHT);
+        SkyDirection.findArcTangents(tile, Tile.SKY_TO_BOTTOM);
+        SkyDirection.findColumns(tile, drawing.sky);
+        SkyDirection.findRows(tile, drawing.sky);
     }
 
     private void placeChartedSky(Tile here, Drawing drawing, boolean mirrored) {
-        Stages.spreadChart(chart, here, drawing);
-        Stages.placeChart(chart, here, drawing, mirrored);
+        chart.spread(here, drawing);
+        chart.place(here, drawing, mirrored);
     }
 
     /** Adds the sky that a covered tile's view rays look at, or their mirror images. */
     private void addChartedSky(Tile here, Drawing drawing, boolean mirrored) {
         placeChartedSky(here, drawing, mirrored);
         if (SkyWindow.FIT && chart.open(window, here, drawing, mirrored)) {
-            Stages.addSkyInWindow(window, here);
+            window.add(here);
         } else {
             addSky(here, drawing);
         }
@@ -322,22 +322,22 @@ final class TileRenderer {
     /** Adds the sky at the columns and rows that the tile's packets look at. */
     private static void addSky(Tile tile, Drawing drawing) {
         if (SkyRows.FIT && drawing.sky.halved) {
-            Stages.sortSkyInRows(tile);
+            SkyRows.sort(tile);
             if (tile.skyPatches.count > 0) {
-                Stages.addSkyInRows(tile, drawing);
+                SkyRows.add(tile, drawing.sky);
             }
         } else {
-            Stages.sortSkyInPatches(tile);
+            SkyPatches.sort(tile);
             if (tile.skyPatches.count > 0) {
-                Stages.addSkyInPatches(tile, drawing);
+                SkyPatches.add(tile, drawing.sky);
             }
         }
         if (tile.scatteredSkies.count > 0) {
-            Stages.listScattered(tile);
-            Stages.findScatteredTexels(tile, drawing);
-            Stages.fetchScattered(tile, drawing);
-            Stages.unpackScattered(tile, drawing);
-            Stages.addScattered(tile);
+            SkyRadiance.listPixels(tile);
+            SkyRadiance.findTexels(tile, drawing.sky);
+            SkyRadiance.fetch(tile, drawing.sky);
+            SkyRadiance.unpack(tile, drawing.sky);
+            SkyRadiance.add(tile);
         }
     }
 
@@ -345,21 +345,21 @@ final class TileRenderer {
     private void meetFew(Drawing drawing, int bounce, boolean offPlane) {
         if (offPlane) {
             tile.rays.mirror(drawing.planeHeight);
-            Stages.cullRays(tile, drawing);
+            tile.rays.cull(drawing.bodies, Layout.LIGHT, tile.candidates);
         } else if (bounce > 0) {
-            Stages.holdOrigins(tile);
-            Stages.holdDirections(tile);
-            Stages.cullRays(tile, drawing);
+            tile.rays.startAround(tile, tile.live, Tile.ORIGIN_X, Tile.THROUGHPUT);
+            tile.rays.holdRays(tile, tile.live);
+            tile.rays.cull(drawing.bodies, Layout.LIGHT, tile.candidates);
         }
         boolean upwards = offPlane || tile.rays.rises(drawing.planeHeight);
         if (upwards && tile.candidates.count == 0) {
-            Stages.sortSkies(tile);
+            HitSorting.sortSkies(tile);
         } else {
-            Stages.findNearestOfFew(tile, drawing);
+            NearestSphere.find(tile, drawing.bodies, tile.candidates);
             if (!upwards) {
-                Stages.findGround(tile, drawing);
+                GroundHit.find(tile, drawing.planeHeight, drawing.planeHalfSide);
             }
-            Stages.sortHits(tile);
+            HitSorting.sort(tile);
         }
     }
 }

@@ -5,10 +5,11 @@
  *
  * <p>A tile is drawn in stages. Each stage is one short loop over the tile's packets, reads and writes {@code float[]}
  * columns of the {@link dev.twister.engine.vector.Tile}, and holds vectors in local variables only. That is on purpose:
- * past some 60 vector operations, or 325 bytecodes, a method is no longer inlined whole, and vectors become objects. So stages are
- * called by way of {@link dev.twister.engine.vector.Stages}, which the compiler is told not to inline. For the same reason no
- * method but those of {@code Lanes}, which the launcher has the JVM always inline, takes or returns a vector: once in some
- * dozens of JVMs a helper is not inlined, for good.
+ * past some 60 vector operations, or 325 bytecodes, a method is no longer inlined whole, and vectors become objects. So the compiler
+ * is told to inline no stage ({@link dev.twister.engine.vector.StageInlining}). For the same reason no
+ * method but those of {@code Lanes}, which are always inlined, takes or returns a vector: once in some dozens of JVMs a helper
+ * is not inlined, for good. A stage is not run for an empty list of packets, as the compiler makes objects in a loop that hardly
+ * any call comes to.
  *
  * <p>What a whole tile has in common is found once: which bodies its rays may meet ({@link dev.twister.engine.vector.Hull}), where
  * in the sky its view rays look ({@link dev.twister.engine.vector.SkyChart}) and at which texels
