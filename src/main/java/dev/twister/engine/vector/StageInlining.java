@@ -21,11 +21,16 @@ import javax.management.ObjectName;
 final class StageInlining {
     private static final String PACKAGE = "dev/twister/engine/vector/";
 
-    /** What takes or returns vectors: always inlined, also where {@link #NEVER} names it too. */
-    static final List<String> ALWAYS = List.of(PACKAGE + "Lanes.*");
+    /** What takes or returns vectors, and lists: always inlined. */
+    static final List<String> ALWAYS = List.of(PACKAGE + "lanes/*.*");
 
-    /** All methods of the engine, each of which has an inlining budget of its own. */
-    static final List<String> NEVER = List.of(PACKAGE + "*.*");
+    /** All methods of these, each of which has an inlining budget of its own. */
+    static final List<String> NEVER = List.of(
+            PACKAGE + "step/*.*",
+            PACKAGE + "shadow/*.*",
+            PACKAGE + "crowd/*.*",
+            PACKAGE + "shortcut/*.*",
+            PACKAGE + "TileRenderer.*");
 
     private static final Logger LOGGER = System.getLogger(StageInlining.class.getName());
 
