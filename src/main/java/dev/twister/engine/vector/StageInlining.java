@@ -21,11 +21,16 @@ import javax.management.ObjectName;
 final class StageInlining {
     private static final String PACKAGE = "dev/twister/engine/vector/";
 
-    /** The helpers that take or return vectors. */
-    static final List<String> ALWAYS = List.of(PACKAGE + "Lanes.*");
+    /** What takes or returns vectors, and lists: always inlined. */
+    static final List<String> ALWAYS = List.of(PACKAGE + "lanes/*.*");
 
-    /** The stages, each of which has an inlining budget of its own. */
-    static final List<String> NEVER = List.of(PACKAGE + "Stages.*", PACKAGE + "LaneSteps.*");
+    /** All methods of these, each of which has an inlining budget of its own. */
+    static final List<String> NEVER = List.of(
+            PACKAGE + "step/*.*",
+            PACKAGE + "shadow/*.*",
+            PACKAGE + "crowd/*.*",
+            PACKAGE + "shortcut/*.*",
+            PACKAGE + "TileRenderer.*");
 
     private static final Logger LOGGER = System.getLogger(StageInlining.class.getName());
 

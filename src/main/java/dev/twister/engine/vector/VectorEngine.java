@@ -3,6 +3,9 @@ package dev.twister.engine.vector;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.FrameFit;
+import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.frame.Shortcuts;
+import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.threads.Crew;
@@ -22,7 +25,7 @@ final class VectorEngine implements Engine {
     private final int threads;
     private final Ways ways;
     private final TileRenderer[] renderers;
-    private final Drawing drawing = new Drawing();
+    private final Drawing drawing;
     private final Turns turns;
     private final IntConsumer[] tileTasks;
     private final Crew crew;
@@ -36,7 +39,8 @@ final class VectorEngine implements Engine {
      *
      * @param ways which are closed with the engine
      */
-    VectorEngine(int threads, Ways ways) {
+    VectorEngine(int threads, Ways ways, Shortcuts shortcuts) {
+        drawing = new Drawing(shortcuts);
         this.threads = threads;
         this.ways = ways;
         renderers = new TileRenderer[threads];

@@ -4,6 +4,7 @@ import com.google.auto.service.AutoService;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.EngineProvider;
+import dev.twister.engine.vector.frame.Shortcuts;
 import java.util.List;
 
 /** Offers the engine of SIMD lanes where the JVM was started with the Vector API. */
@@ -35,11 +36,16 @@ public final class VectorEngines implements EngineProvider {
 
     /** The engine on so many threads. */
     static Engine open(int threads) {
-        return new VectorEngine(threads, new Ways(VectorEngine.CROWD, SmallRehearsal::of));
+        return new VectorEngine(threads, new Ways(VectorEngine.CROWD, SmallRehearsal::of), Shortcuts.all());
     }
 
     /** The same, which walks the hierarchy from that many bodies on, rehearsed or not. */
     static Engine open(int threads, int crowd) {
-        return new VectorEngine(threads, new Ways(crowd, _ -> new Unrehearsed()));
+        return open(threads, crowd, Shortcuts.all());
+    }
+
+    /** The same with some shortcuts. */
+    static Engine open(int threads, int crowd, Shortcuts shortcuts) {
+        return new VectorEngine(threads, new Ways(crowd, _ -> new Unrehearsed()), shortcuts);
     }
 }

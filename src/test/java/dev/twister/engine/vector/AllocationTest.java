@@ -7,6 +7,8 @@ import com.sun.management.OperatingSystemMXBean;
 import com.sun.management.ThreadMXBean;
 import dev.twister.ChildJvm;
 import dev.twister.engine.Engine;
+import dev.twister.engine.vector.lanes.FusedMultiplyAdd;
+import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.image.Frame;
 import dev.twister.oracle.Crowds;
 import dev.twister.scene.Scene;

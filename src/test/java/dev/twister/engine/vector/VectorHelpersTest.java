@@ -14,6 +14,7 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noMethods;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.ArchRule;
+import dev.twister.engine.vector.lanes.Lanes;
 import jdk.incubator.vector.ShortVector;
 import org.junit.jupiter.api.Test;
 
@@ -55,6 +56,6 @@ final class VectorHelpersTest {
     private static void check(ArchRule rule) {
         rule.check(new ClassFileImporter()
                 .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
-                .importPackagesOf(Lanes.class));
+                .importPackagesOf(VectorEngine.class));
     }
 }

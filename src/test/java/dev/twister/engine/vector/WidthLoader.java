@@ -1,6 +1,8 @@
 package dev.twister.engine.vector;
 
 import dev.twister.engine.Engine;
+import dev.twister.engine.vector.lanes.FusedMultiplyAdd;
+import dev.twister.engine.vector.lanes.Lanes;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;

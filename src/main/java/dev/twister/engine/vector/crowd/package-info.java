@@ -1,0 +1,5 @@
+/**
+ * Walks through the hierarchy where there are many spheres: which of them rays meet, or lines to the light. Each method is
+ * compiled by itself ({@code StageInlining}).
+ */
+package dev.twister.engine.vector.crowd;

@@ -1,0 +1,139 @@
+package dev.twister.engine.vector.frame;
+
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.kernel.Layout;
+import dev.twister.world.FrameInput;
+
+/**
+ * The bodies: as columns, so that lanes can hold bodies, and in rows, so that what shading asks of one lies in one cache line.
+ * Kept while the input's arrays are the same.
+ */
+public final class BodyColumns {
+    /** No distance undercuts it: what has this radius is never met. */
+    private static final float NOTHING_THERE = -1e30f;
+
+    /** What {@link #surfaces} tell of a body: its centre, its radius, red, green, blue and its reflectivity. */
+    public static final int SURFACE_NUMBERS = 8;
+
+    /** By how many numbers a sphere's y, z and radius lie behind its x. */
+    public static final int Y = 1;
+
+    public static final int Z = 2;
+    public static final int RADIUS = 3;
+
+    private static final int RED = 4;
+    private static final int GREEN = 5;
+    private static final int BLUE = 6;
+    private static final int REFLECTIVITY = 7;
+
+    public float[] x = {};
+    public float[] y = {};
+    public float[] z = {};
+
+    /** The light's and the spheres'; far below zero for the plane and for the blanks that fill the last packet. */
+    public float[] radius = {};
+
+    /**
+     * All that shading asks, {@value #SURFACE_NUMBERS} numbers a body, at its {@link #surfacePlaces}: the spheres in the order of
+     * the hierarchy's leaves, as those that are near each other are met together.
+     */
+    public float[] surfaces = {};
+
+    /** The same in columns of {@link Lanes#COUNT}, from {@link Lanes#BORDER} on, where so many hold all bodies. */
+    public final float[] surfaceColumns = new float[Lanes.BORDER + SURFACE_NUMBERS * Lanes.COUNT];
+
+    /** Of each body, where its numbers begin in {@link #surfaces}. */
+    public int[] surfacePlaces = {};
+
+    /** Light, plane and spheres, without the blanks. */
+    public int count;
+
+    private FrameInput source;
+
+    @SuppressWarnings("ReferenceEquality") // an input's arrays never change
+    void take(FrameInput input) {
+        boolean same = source != null
+                && source.bodyCount() == input.bodyCount()
+                && source.bodies().places() == input.bodies().places()
+                && source.bodies().looks() == input.bodies().looks()
+                && source.bodies().hierarchy() == input.bodies().hierarchy();
+        if (!same) {
+            copy(input);
+        }
+        source = input;
+    }
+
+    private void copy(FrameInput input) {
+        count = input.bodyCount();
+        int padded = (count + Lanes.COUNT - 1) / Lanes.COUNT * Lanes.COUNT;
+        if (x.length != padded) {
+            x = new float[padded];
+            y = new float[padded];
+            z = new float[padded];
+            radius = new float[padded];
+            surfaces = new float[SURFACE_NUMBERS * padded];
+            surfacePlaces = new int[padded];
+        }
+        float[] places = input.bodies().places();
+        float[] hierarchy = input.bodies().hierarchy();
+        for (int body = 0; body < count; body++) {
+            int place = Layout.PLACE_STRIDE * body;
+            x[body] = places[place];
+            y[body] = places[place + 1];
+            z[body] = places[place + 2];
+            radius[body] = places[place + Layout.PLACE_SIZE];
+        }
+        for (int place = 0; place < count; place++) {
+            int sphere = place - Layout.FIRST_SPHERE;
+            int body = sphere < 0 ? place : (int) hierarchy[sphere * Layout.SPHERE_STRIDE + Layout.SPHERE_BODY];
+            copySurface(input, body, SURFACE_NUMBERS * place);
+        }
+        if (fitLanes()) {
+            for (int body = 0; body < count; body++) {
+                for (int number = 0; number < SURFACE_NUMBERS; number++) {
+                    surfaceColumns[Lanes.BORDER + number * Lanes.COUNT + body] = surfaces[surfacePlaces[body] + number];
+                }
+            }
+        }
+        radius[Layout.PLANE] = NOTHING_THERE;
+        for (int blank = count; blank < padded; blank++) {
+            radius[blank] = NOTHING_THERE;
+        }
+    }
+
+    private void copySurface(FrameInput input, int body, int at) {
+        surfacePlaces[body] = at;
+        surfaces[at] = x[body];
+        surfaces[at + Y] = y[body];
+        surfaces[at + Z] = z[body];
+        surfaces[at + RADIUS] = radius[body];
+        System.arraycopy(
+                input.bodies().looks(), Layout.LOOK_STRIDE * body, surfaces, at + RED, Layout.LOOK_REFLECTIVITY + 1);
+    }
+
+    /** Whether one vector holds a number of all bodies. */
+    public boolean fitLanes() {
+        return count <= Lanes.COUNT;
+    }
+
+    /** A sphere's, from where the rest of it is, too. */
+    public float sphereRadius(int body) {
+        return surfaces[surfacePlaces[body] + RADIUS];
+    }
+
+    public float red(int body) {
+        return surfaces[surfacePlaces[body] + RED];
+    }
+
+    public float green(int body) {
+        return surfaces[surfacePlaces[body] + GREEN];
+    }
+
+    public float blue(int body) {
+        return surfaces[surfacePlaces[body] + BLUE];
+    }
+
+    public float reflectivity(int body) {
+        return surfaces[surfacePlaces[body] + REFLECTIVITY];
+    }
+}

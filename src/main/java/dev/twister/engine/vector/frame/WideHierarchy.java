@@ -1,0 +1,279 @@
+package dev.twister.engine.vector.frame;
+
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.SphereColumns;
+import dev.twister.kernel.Layout;
+import dev.twister.world.FrameInput;
+import java.util.Arrays;
+
+/**
+ * The input's hierarchy with as many children a node as there are lanes, so that one test serves them all; kept while the
+ * input's is the same. A child is a node, or a leaf of spheres, which begin a block of their own. All leaves are equally far
+ * below the root: a walk that goes down level by level has only leaves left once it comes to one.
+ */
+public final class WideHierarchy {
+    /** Columns of a node: its children's low sides x, y, z and high sides x, y, z. */
+    public static final int BOX_STRIDE = 6 * Lanes.COUNT;
+
+    /** Where the root's boxes and links begin. */
+    public static final int FIRST = Lanes.BORDER;
+
+    /** Above it, a link has room for the number of a beam. */
+    public static final int BEAM_SHIFT = 28;
+
+    public static final int ROOT = 0;
+
+    /** Set in a leaf's link. */
+    private static final int LEAF = 1 << (BEAM_SHIFT - 1);
+
+    private static final int NODE = LEAF - 1;
+
+    /** In a leaf's link, by how much its blocks are more than one, above the first block's number. */
+    private static final int BLOCKS_SHIFT = BEAM_SHIFT - 4;
+
+    public static final int MORE_BLOCKS = 7;
+    private static final int BLOCK = (1 << BLOCKS_SHIFT) - 1;
+
+    /** What is left of a sphere's number, counted along the blocks, with the number of a beam above. */
+    public static final int SPHERE = (1 << BEAM_SHIFT) - 1;
+
+    /** The low sides of a box that nothing meets; its high ones are their negatives. */
+    public static final float INSIDE_OUT = 1e36f;
+
+    /** {@link #BOX_STRIDE} numbers a node, from {@link #FIRST} on. */
+    public float[] boxes = {};
+
+    /**
+     * Of each child, {@link Lanes#COUNT} a node, from {@link #FIRST} on: the node's number, or what says where the leaf's
+     * blocks are.
+     */
+    public int[] links = {};
+
+    /** In blocks, leaf by leaf; a leaf's last block is filled up with spheres that nothing meets. */
+    public final SphereColumns spheres = new SphereColumns();
+
+    /** How many children the root has. */
+    public int rootChildren;
+
+    /** Where spheres that nothing meets are, without a radius: farther than any hit, and than any light. */
+    private static final float NOWHERE = 1e35f;
+
+    /** What becomes of a subtree of the source: part of a leaf or node, or one that is so high, a leaf being 1. */
+    private static final byte PART = 0;
+
+    private static final int LEVEL = 32;
+
+    /** Of each node of the source. */
+    private byte[] kinds = {};
+
+    private int nodes;
+    private int blocks;
+    private float[] source = {};
+    private int sourceBodies;
+
+    @SuppressWarnings("ReferenceEquality") // an input's arrays never change
+    public void take(FrameInput input) {
+        if (source != input.bodies().hierarchy() || sourceBodies != input.bodyCount()) {
+            source = input.bodies().hierarchy();
+            sourceBodies = input.bodyCount();
+            nodes = 0;
+            blocks = 0;
+            int root = Layout.root(sourceBodies);
+            int places = (source.length - root) / Layout.NODE_STRIDE;
+            if (kinds.length < places) {
+                kinds = new byte[places];
+            } else {
+                Arrays.fill(kinds, PART);
+            }
+            kinds[0] = kind(group(root));
+            widen(root, Math.max(kinds[0], 2));
+            rootChildren = countRootChildren();
+        }
+    }
+
+    /**
+     * Says which subtrees of the source become leaves or nodes: bottom up, so that those at the bottom, of which there are
+     * most, are the fullest.
+     *
+     * @return how high the subtree is, times {@link #LEVEL}, plus how many spheres (height 0) or children its topmost
+     *     part has so far
+     */
+    private int group(int from) {
+        int count = (int) source[from + Layout.NODE_SPHERES];
+        int grouped = Math.min(count, Lanes.COUNT);
+        if (count < 0) {
+            int left = (int) source[from + Layout.NODE_LINK];
+            int right = left + Layout.NODE_STRIDE;
+            int first = group(left);
+            int second = group(right);
+            int level = Math.max(first, second) / LEVEL;
+            boolean firstEnds = first / LEVEL < level;
+            boolean secondEnds = second / LEVEL < level;
+            int sum = (firstEnds ? 1 : first % LEVEL) + (secondEnds ? 1 : second % LEVEL);
+            boolean full = sum > Lanes.COUNT;
+            if (firstEnds || full) {
+                kinds[place(left)] = kind(first);
+            }
+            if (secondEnds || full) {
+                kinds[place(right)] = kind(second);
+            }
+            grouped = full ? (level + 1) * LEVEL + 2 : level * LEVEL + sum;
+        }
+        return grouped;
+    }
+
+    private int countRootChildren() {
+        int count = 0;
+        while (count < Lanes.COUNT && boxes[FIRST + count] <= boxes[FIRST + 3 * Lanes.COUNT + count]) {
+            count++;
+        }
+        return count;
+    }
+
+    private static byte kind(int grouped) {
+        return (byte) (1 + grouped / LEVEL);
+    }
+
+    private int place(int from) {
+        return (from - Layout.root(sourceBodies)) / Layout.NODE_STRIDE;
+    }
+
+    /**
+     * Makes a node of the leaves and nodes next below one of the source's nodes, or, where that is not as high, a node of it
+     * alone; returns its number.
+     */
+    private int widen(int top, int height) {
+        int node = nodes;
+        nodes++;
+        reserve(nodes);
+        int first = FIRST + node * Lanes.COUNT;
+        links[first] = top;
+        int end = kinds[place(top)] == height ? list(top, first) : first + 1;
+        for (int at = first; at < first + Lanes.COUNT; at++) {
+            writeBox(FIRST + node * BOX_STRIDE + at - first, at < end ? links[at] : -1);
+        }
+        for (int at = first; at < first + Lanes.COUNT; at++) {
+            int link = at < end ? link(links[at], height - 1) : 0;
+            links[at] = link;
+        }
+        return node;
+    }
+
+    /** Lists those below a node of the source; returns the place behind the last. */
+    private int list(int from, int at) {
+        int next = at;
+        int left = (int) source[from + Layout.NODE_LINK];
+        for (int child = left; child <= left + Layout.NODE_STRIDE; child += Layout.NODE_STRIDE) {
+            if (kinds[place(child)] == PART) {
+                next = list(child, next);
+            } else {
+                links[next] = child;
+                next++;
+            }
+        }
+        return next;
+    }
+
+    private int firstSphere(int from) {
+        int node = from;
+        while (source[node + Layout.NODE_SPHERES] < 0) {
+            node = (int) source[node + Layout.NODE_LINK];
+        }
+        return (int) source[node + Layout.NODE_LINK] / Layout.SPHERE_STRIDE;
+    }
+
+    /** The place behind it. */
+    private int lastSphere(int from) {
+        int node = from;
+        while (source[node + Layout.NODE_SPHERES] < 0) {
+            node = (int) source[node + Layout.NODE_LINK] + Layout.NODE_STRIDE;
+        }
+        return (int) source[node + Layout.NODE_LINK] / Layout.SPHERE_STRIDE + (int) source[node + Layout.NODE_SPHERES];
+    }
+
+    private void writeBox(int at, int from) {
+        for (int axis = 0; axis < 3; axis++) {
+            float low = INSIDE_OUT;
+            float high = -INSIDE_OUT;
+            if (from >= 0) {
+                float center = source[from + Layout.NODE_CENTER + axis];
+                float half = source[from + Layout.NODE_HALF + axis];
+                low = center - half;
+                high = center + half;
+            }
+            boxes[at + axis * Lanes.COUNT] = low;
+            boxes[at + (3 + axis) * Lanes.COUNT] = high;
+        }
+    }
+
+    private int link(int from, int height) {
+        int link;
+        if (height > 1) {
+            link = widen(from, height);
+        } else {
+            int first = firstSphere(from);
+            int block = blocks;
+            copySpheres(first, lastSphere(from) - first);
+            link = LEAF | (blocks - block - 1) << BLOCKS_SHIFT | block;
+        }
+        return link;
+    }
+
+    /** Whether a node's children are leaves. */
+    public boolean isAboveLeaves(int node) {
+        return isLeaf(links[FIRST + node * Lanes.COUNT]);
+    }
+
+    public static boolean isLeaf(int link) {
+        return (link & LEAF) != 0;
+    }
+
+    /** The number of the node that a link leads to. */
+    public static int node(int link) {
+        return link & NODE;
+    }
+
+    /** The place of a leaf's first block. */
+    public static int firstBlock(int link) {
+        return SphereColumns.FIRST + (link & BLOCK) * SphereColumns.COLUMNS * Lanes.COUNT;
+    }
+
+    /** The number of a leaf's first block. */
+    public static int block(int link) {
+        return link & BLOCK;
+    }
+
+    public static int blocks(int link) {
+        return 1 + (link >>> BLOCKS_SHIFT & MORE_BLOCKS);
+    }
+
+    /** Copies spheres that follow each other in the source to the next blocks. */
+    private void copySpheres(int first, int count) {
+        int end = blocks + Math.max(1, (count + Lanes.COUNT - 1) / Lanes.COUNT);
+        spheres.reserveBlocks(end);
+        float[] to = spheres.values;
+        for (int block = blocks; block < end; block++) {
+            int at = SphereColumns.FIRST + block * spheres.step;
+            Arrays.fill(to, at, at + SphereColumns.RADIUS * Lanes.COUNT, NOWHERE);
+            Arrays.fill(to, at + SphereColumns.RADIUS * Lanes.COUNT, at + spheres.step, 0f);
+        }
+        for (int k = 0; k < count; k++) {
+            int from = (first + k) * Layout.SPHERE_STRIDE;
+            int place = SphereColumns.FIRST + (blocks + k / Lanes.COUNT) * spheres.step + k % Lanes.COUNT;
+            to[place] = source[from];
+            to[place + SphereColumns.Y * Lanes.COUNT] = source[from + 1];
+            to[place + SphereColumns.Z * Lanes.COUNT] = source[from + 2];
+            to[place + SphereColumns.RADIUS * Lanes.COUNT] = source[from + Layout.SPHERE_RADIUS];
+            to[place + SphereColumns.BODY * Lanes.COUNT] = source[from + Layout.SPHERE_BODY];
+        }
+        blocks = end;
+    }
+
+    private void reserve(int count) {
+        if (links.length < FIRST + count * Lanes.COUNT) {
+            int room = Math.max(64, 2 * count);
+            boxes = Arrays.copyOf(boxes, FIRST + room * BOX_STRIDE);
+            links = Arrays.copyOf(links, FIRST + room * Lanes.COUNT);
+        }
+    }
+}

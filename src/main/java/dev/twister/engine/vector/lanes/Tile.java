@@ -1,0 +1,210 @@
+package dev.twister.engine.vector.lanes;
+
+import dev.twister.engine.vector.frame.PaddedSky;
+import dev.twister.kernel.Layout;
+
+/**
+ * One thread's workbench for 16 x 16 pixels: columns of {@value #SIZE} floats, one value a pixel, in one array so that
+ * one bounds check covers neighbouring columns.
+ *
+ * <p>Pixels lie in blocks of 4 x 4, row by row within a block and block by block within the tile, so that a packet of 16
+ * lanes is 4 x 4 pixels, one of 8 is 4 x 2, and one of 4 is 4 x 1: rays close together take the same way.
+ */
+public final class Tile {
+    /** Pixels along each side. */
+    public static final int SIDE = 16;
+
+    public static final int SIZE = SIDE * SIDE;
+
+    /** Pixels along a block's side. */
+    public static final int BLOCK_SIDE = 4;
+
+    public static final int BLOCK = BLOCK_SIDE * BLOCK_SIDE;
+
+    /** The ray: a unit vector, and where it starts. */
+    public static final int DIRECTION_X = Lanes.BORDER;
+
+    public static final int DIRECTION_Y = DIRECTION_X + SIZE;
+    public static final int DIRECTION_Z = DIRECTION_X + 2 * SIZE;
+    public static final int ORIGIN_X = DIRECTION_X + 3 * SIZE;
+    public static final int ORIGIN_Y = DIRECTION_X + 4 * SIZE;
+    public static final int ORIGIN_Z = DIRECTION_X + 5 * SIZE;
+
+    /** Metres along the ray to what it meets. */
+    public static final int DISTANCE = DIRECTION_X + 6 * SIZE;
+
+    /** The body met, as a float (exact far beyond any scene): {@link Layout}'s numbers, or {@link #ENDED}. */
+    public static final int HIT = DIRECTION_X + 7 * SIZE;
+
+    /** What part of the light found from here on reaches the pixel; 0 once the path has ended. */
+    public static final int THROUGHPUT = DIRECTION_X + 8 * SIZE;
+
+    public static final int RED = DIRECTION_X + 9 * SIZE;
+    public static final int GREEN = DIRECTION_X + 10 * SIZE;
+    public static final int BLUE = DIRECTION_X + 11 * SIZE;
+
+    /** The point met. */
+    public static final int POINT_X = DIRECTION_X + 12 * SIZE;
+
+    public static final int POINT_Y = DIRECTION_X + 13 * SIZE;
+    public static final int POINT_Z = DIRECTION_X + 14 * SIZE;
+
+    /** The surface met, from the normal to the reflectivity; at first a body's {@code BodyColumns.surfaces}, in their order. */
+    public static final int SURFACE = DIRECTION_X + 15 * SIZE;
+
+    public static final int NORMAL_X = SURFACE;
+    public static final int NORMAL_Y = DIRECTION_X + 16 * SIZE;
+    public static final int NORMAL_Z = DIRECTION_X + 17 * SIZE;
+    public static final int RADIUS = DIRECTION_X + 18 * SIZE;
+    public static final int ALBEDO_RED = DIRECTION_X + 19 * SIZE;
+    public static final int ALBEDO_GREEN = DIRECTION_X + 20 * SIZE;
+    public static final int ALBEDO_BLUE = DIRECTION_X + 21 * SIZE;
+    public static final int REFLECTIVITY = DIRECTION_X + 22 * SIZE;
+
+    /** The light, seen from the surface: a unit vector, metres. */
+    public static final int TO_LIGHT_X = DIRECTION_X + 23 * SIZE;
+
+    public static final int TO_LIGHT_Y = DIRECTION_X + 24 * SIZE;
+    public static final int TO_LIGHT_Z = DIRECTION_X + 25 * SIZE;
+    public static final int LIGHT_DISTANCE = DIRECTION_X + 26 * SIZE;
+    public static final int NORMAL_DOT_LIGHT = DIRECTION_X + 27 * SIZE;
+
+    /** The point met, seen from its sphere's centre; needed only until the light's direction is. */
+    public static final int FROM_CENTER_X = TO_LIGHT_X;
+
+    public static final int FROM_CENTER_Y = TO_LIGHT_Y;
+    public static final int FROM_CENTER_Z = TO_LIGHT_Z;
+
+    /** S, the visible part of the light. */
+    public static final int VISIBLE = DIRECTION_X + 28 * SIZE;
+
+    /** 1 where S is not yet known, else 0. */
+    public static final int SHADOW_OPEN = DIRECTION_X + 29 * SIZE;
+
+    public static final int SPECULAR = DIRECTION_X + 30 * SIZE;
+
+    /** The sky's angles in radians, then columns and rows in texels, then fractions of a texel. */
+    public static final int SKY_TO_RIGHT = DIRECTION_X + 31 * SIZE;
+
+    public static final int SKY_TO_BOTTOM = DIRECTION_X + 32 * SIZE;
+
+    /** The body that the ray leaves. */
+    public static final int LEAVING = DIRECTION_X + 33 * SIZE;
+
+    /** Tangent and secant of the half angle of the light's disc, as seen from the surface. */
+    public static final int DISC_TANGENT = DIRECTION_X + 34 * SIZE;
+
+    public static final int DISC_SECANT = DIRECTION_X + 35 * SIZE;
+
+    /** A cosine to a reflectivity's fraction. */
+    public static final int FRACTION_POWER = DIRECTION_X + 36 * SIZE;
+
+    /** What a cosine's power is multiplied by. */
+    public static final int SPECULAR_WEIGHT = DIRECTION_X + 37 * SIZE;
+
+    /** 1 where a packet's rays are walked with as one, else 0. */
+    public static final int TOGETHER = DIRECTION_X + 38 * SIZE;
+
+    /** Each pixel's place in the tile, from its left and top. */
+    public static final int PLACE_X = DIRECTION_X + 39 * SIZE;
+
+    public static final int PLACE_Y = DIRECTION_X + 40 * SIZE;
+
+    private static final int COLUMNS = 41;
+
+    /** Columns of {@link #corners}. */
+    public static final int UPPER_LEFT = Lanes.BORDER;
+
+    public static final int UPPER_RIGHT = UPPER_LEFT + SIZE;
+    public static final int LOWER_LEFT = UPPER_LEFT + 2 * SIZE;
+    public static final int LOWER_RIGHT = UPPER_LEFT + 3 * SIZE;
+    public static final int CORNERS = 4;
+
+    /** The hit of a lane whose path ended before. */
+    public static final float ENDED = -2f;
+
+    /** The columns above, from {@link Lanes#BORDER} on. */
+    public final float[] values = new float[DIRECTION_X + COLUMNS * SIZE];
+
+    /** From the padded sky's start to the upper left texel, in texels. */
+    public final int[] texels = new int[SIZE];
+
+    /** Every pixel's number. */
+    public final int[] pixels = new int[SIZE];
+
+    /** The pixels that go a way of their own: to the sky, to what they meet of a crowd, or to the light. */
+    public final PixelList lonely = new PixelList();
+
+    /** Of the spheres that are copied next, where they begin in {@code BodyColumns.surfaces}. */
+    public final int[] surfacePlaces = new int[SIZE];
+
+    /** The sum of what was read for nothing but to have it in the caches; kept, as the compiler would leave it out. */
+    public float readAhead;
+
+    /** The four texels about each pixel's direction, as {@link PaddedSky#shared} has them, in columns. */
+    public final int[] corners = new int[Lanes.BORDER + CORNERS * SIZE];
+
+    /** The same as numbers: all red ones, all green ones, all blue ones. */
+    public final float[] cornerNumbers = new float[Lanes.BORDER + PaddedSky.NUMBERS_A_TEXEL * CORNERS * SIZE];
+
+    /** The finished pixels, from {@link Lanes#BORDER} on. */
+    public final int[] argb = new int[Lanes.BORDER + SIZE];
+
+    /** Packets, by the place of their first pixel: those whose paths go on, and those that met the sky, and so on. */
+    public final PacketList live = new PacketList();
+
+    public final PacketList skies = new PacketList();
+    public final PatchList skyPatches = new PatchList();
+    public final PacketList scatteredSkies = new PacketList();
+    public final PacketList lights = new PacketList();
+    public final PacketList grounds = new PacketList();
+    public final PacketList spheres = new PacketList();
+    public final PacketList surfaces = new PacketList();
+    public final PacketList shadows = new PacketList();
+
+    /** Those with rays {@link #TOGETHER}. */
+    public final PacketList together = new PacketList();
+
+    /** Those where anything shines: all that does to one whole power, to whole powers, and to any. */
+    public final PacketList onePower = new PacketList();
+
+    public final PacketList wholePowers = new PacketList();
+    public final PacketList fractionPowers = new PacketList();
+
+    /** Of a packet in {@link #onePower}, by the packet's number. */
+    public final float[] powers = new float[SIZE / Lanes.COUNT];
+
+    /** The bodies that the live rays may meet. */
+    public final BodyList candidates = new BodyList();
+
+    /** The first pixel's place in the frame. */
+    public int left;
+
+    public int top;
+
+    /** Which of the pixels' samples is drawn. */
+    public int sample;
+
+    /** Whether no ray goes on from here. */
+    public boolean last;
+
+    public Tile() {
+        for (int pixel = 0; pixel < SIZE; pixel++) {
+            values[PLACE_X + pixel] = column(pixel);
+            values[PLACE_Y + pixel] = row(pixel);
+            pixels[pixel] = pixel;
+        }
+    }
+
+    /** In [0, {@link #SIDE}), of a pixel in the tile's order. */
+    public static int column(int pixel) {
+        int block = pixel / BLOCK;
+        return block % (SIDE / BLOCK_SIDE) * BLOCK_SIDE + pixel % BLOCK_SIDE;
+    }
+
+    /** In [0, {@link #SIDE}), of a pixel in the tile's order. */
+    public static int row(int pixel) {
+        int block = pixel / BLOCK;
+        return block / (SIDE / BLOCK_SIDE) * BLOCK_SIDE + pixel % BLOCK / BLOCK_SIDE;
+    }
+}

@@ -1,0 +1,97 @@
+package dev.twister.engine.vector.shadow;
+
+import dev.twister.engine.vector.crowd.Beam;
+import dev.twister.engine.vector.crowd.Descent;
+import dev.twister.engine.vector.crowd.PacketLeaves;
+import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.frame.Shortcut;
+import dev.twister.engine.vector.frame.WideHierarchy;
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.SphereColumns;
+import dev.twister.engine.vector.lanes.Tile;
+
+/**
+ * The visible part of the light where the points of a packet have little in common, point by point: lanes hold boxes and
+ * spheres on the way to the candidates, and samples at its end.
+ */
+public final class LoneShadows {
+    private LoneShadows() {}
+
+    /** Writes the visible parts at the packet's open points, out of the spheres that are near any of them. */
+    static void findAmong(SphereColumns near, int count, Tile tile, int at, Drawing drawing, ShadowBench bench) {
+        float[] t = tile.values;
+        LoneCandidates candidates = bench.lone;
+        for (int pixel = at; pixel < at + Lanes.COUNT; pixel++) {
+            if (t[pixel + Tile.SHADOW_OPEN] > 0f) {
+                candidates.start(t, pixel, drawing.discRadius);
+                boolean dark = candidates.add(near, SphereColumns.FIRST, count);
+                t[pixel + Tile.VISIBLE] = dark ? 0f : visible(candidates, drawing);
+            }
+        }
+    }
+
+    /** The same at the points of {@link Tile#lonely}, by way of the whole hierarchy. */
+    static void find(Tile tile, Drawing drawing, ShadowBench bench) {
+        for (int first = 0; first < tile.lonely.count; first += Lanes.COUNT) {
+            find(tile, drawing, bench, first, Math.min(Lanes.COUNT, tile.lonely.count - first));
+        }
+    }
+
+    private static void find(Tile tile, Drawing drawing, ShadowBench bench, int first, int count) {
+        float[] t = tile.values;
+        int[] pixels = tile.lonely.pixels;
+        LoneCandidates candidates = bench.lone;
+        PacketLeaves leaves = bench.walks.packetLeaves;
+        bench.walks.packetBeams.holdLines(t, pixels, first);
+        boolean found = leaves.find(drawing.hierarchy, bench.walks.packetBeams, count);
+        long shaded = Lanes.first(count);
+        if (found) {
+            bench.leafCandidates.find(drawing.hierarchy, bench.walks.packetBeams, leaves);
+            shaded = bench.leafCandidates.shaded;
+            for (int beam = 0; beam < count; beam++) {
+                t[pixels[first + beam] + Tile.VISIBLE] = 1f;
+            }
+        }
+        for (long rest = shaded; rest != 0L; rest &= rest - 1) {
+            int beam = Long.numberOfTrailingZeros(rest);
+            int pixel = pixels[first + beam];
+            candidates.start(t, pixel, drawing.discRadius);
+            boolean dark = found
+                    ? addLeaves(bench, beam, drawing.hierarchy, candidates)
+                    : descend(bench, tile, pixel, drawing.hierarchy, candidates);
+            t[pixel + Tile.VISIBLE] = dark ? 0f : visible(candidates, drawing);
+        }
+    }
+
+    private static float visible(LoneCandidates candidates, Drawing drawing) {
+        return candidates.visible(
+                drawing.discX, drawing.discY, drawing.shadowSamples, drawing.shortcuts.take(Shortcut.CONICS));
+    }
+
+    /** Lists the candidates out of the leaves found; returns whether one of them hides the whole disc. */
+    private static boolean addLeaves(ShadowBench bench, int beam, WideHierarchy hierarchy, LoneCandidates candidates) {
+        LeafCandidates leaves = bench.leafCandidates;
+        boolean dark = false;
+        for (int k = 0; k < leaves.count && !dark; k++) {
+            int link = leaves.links[k];
+            dark = link >>> WideHierarchy.BEAM_SHIFT == beam && candidates.add(hierarchy, link);
+        }
+        return dark;
+    }
+
+    /** The same out of the whole hierarchy, from the nearest leaf on. */
+    private static boolean descend(
+            ShadowBench bench, Tile tile, int pixel, WideHierarchy hierarchy, LoneCandidates candidates) {
+        Beam beam = bench.walks.beam;
+        Descent descent = bench.walks.descent;
+        beam.holdLines(tile.values, pixel);
+        descent.start(hierarchy, beam);
+        boolean dark = false;
+        int leaf = descent.nextLeaf(hierarchy, beam);
+        while (leaf >= 0) {
+            dark = candidates.add(hierarchy, leaf);
+            leaf = dark ? -1 : descent.nextLeaf(hierarchy, beam);
+        }
+        return dark;
+    }
+}

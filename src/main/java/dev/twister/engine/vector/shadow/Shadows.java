@@ -1,0 +1,155 @@
+package dev.twister.engine.vector.shadow;
+
+import dev.twister.engine.vector.crowd.Leaves;
+import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.frame.WideHierarchy;
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.ShadowColumns;
+import dev.twister.engine.vector.lanes.SphereColumns;
+import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.engine.vector.shortcut.Hull;
+import dev.twister.engine.vector.shortcut.ShadowConics;
+import dev.twister.engine.vector.shortcut.ShadowRange;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorOperators;
+
+/** The visible part of the light at the points of a tile. */
+public final class Shadows {
+    /** Fewer points than these are better off one by one from the start. */
+    private static final int FEWEST_TOGETHER = 1 + Lanes.COUNT / 4;
+
+    /** Where more are near, each point looks for its own. */
+    static final int MOST_NEAR = 256;
+
+    /** Where its lines meet more leaves, they are not even looked into. */
+    private static final int MOST_LEAVES = 36;
+
+    private Shadows() {}
+
+    public static void find(Tile tile, Drawing drawing, ShadowBench bench) {
+        if (tile.shadows.count > 0) {
+            if (drawing.crowded) {
+                ShadowCandidates.findDiscs(tile, drawing);
+                sampleInCrowd(tile, drawing, bench);
+            } else {
+                Hull hull = bench.hull;
+                hull.startAround(tile, tile.shadows, Tile.POINT_X, Tile.SHADOW_OPEN);
+                sampleAmongFew(tile, drawing, bench, hull);
+            }
+        }
+    }
+
+    /** The same for a tile of {@code GroundAlone}. */
+    public static void findOnGround(Tile tile, Drawing drawing, ShadowBench bench, Hull ground) {
+        if (tile.shadows.count > 0) {
+            sampleAmongFew(tile, drawing, bench, ground);
+        }
+    }
+
+    private static void sampleAmongFew(Tile tile, Drawing drawing, ShadowBench bench, Hull hull) {
+        hull.listTowardsLight(drawing, bench.columns.tileCandidates);
+        if (bench.columns.tileCandidates.count > 0) {
+            ShadowCandidates.findDiscs(tile, drawing);
+            sample(tile, drawing, bench);
+        }
+    }
+
+    /** Points on the ground and on spheres are looked at apart: between them there are many spheres that shade neither. */
+    private static void sampleInCrowd(Tile tile, Drawing drawing, ShadowBench bench) {
+        float radius = drawing.discRadius * drawing.rim;
+        tile.lonely.clear();
+        for (int k = 0; k < tile.shadows.count; k++) {
+            int at = tile.shadows.places[k];
+            int open = (int) ShadowCandidates.open(tile.values, at);
+            int ground = (int) ShadowCandidates.openOnGround(tile.values, at);
+            if (ground != 0 && ground != open) {
+                ShadowCandidates.narrow(tile.values, at, ground);
+                sampleInCrowd(tile, drawing, bench, k, ground, radius);
+                open &= ~ground;
+                ShadowCandidates.narrow(tile.values, at, open);
+            }
+            sampleInCrowd(tile, drawing, bench, k, open, radius);
+        }
+        LoneShadows.find(tile, drawing, bench);
+    }
+
+    private static void sampleInCrowd(
+            Tile tile, Drawing drawing, ShadowBench bench, int number, int open, float radius) {
+        int at = tile.shadows.places[number];
+        SphereColumns near = bench.near;
+        int count = MOST_NEAR + 1;
+        if (Integer.bitCount(open) >= FEWEST_TOGETHER) {
+            bench.walks.beam.holdLines(tile, drawing, number, radius);
+            count = findNear(drawing.hierarchy, bench);
+        }
+        if (count > MOST_NEAR) {
+            tile.lonely.add(at, open);
+        } else if (count > ShadowColumns.MOST_TOGETHER) {
+            LoneShadows.findAmong(near, count, tile, at, drawing, bench);
+        } else if (count > 0 && ShadowCandidates.findAmong(near, count, tile, at, drawing, bench)) {
+            sample(tile, drawing, bench, at);
+        }
+    }
+
+    /** Lists the spheres that the beam may meet; returns how many, more than {@link #MOST_NEAR} standing for any number. */
+    private static int findNear(WideHierarchy hierarchy, ShadowBench bench) {
+        Leaves leaves = bench.walks.leaves;
+        SphereColumns spheres = hierarchy.spheres;
+        int count = leaves.find(hierarchy, bench.walks.beam, MOST_LEAVES) ? 0 : MOST_NEAR + 1;
+        for (int k = leaves.first; k < leaves.end && count <= MOST_NEAR; k++) {
+            int leaf = leaves.links[k];
+            int first = WideHierarchy.firstBlock(leaf);
+            for (int left = WideHierarchy.blocks(leaf); left > 0 && count <= MOST_NEAR; left--) {
+                long met = bench.walks.beam.meeting(spheres, first);
+                bench.near.copy(SphereColumns.FIRST + count, spheres, first, met);
+                count += Long.bitCount(met);
+                first += spheres.step;
+            }
+        }
+        return count;
+    }
+
+    private static void sample(Tile tile, Drawing drawing, ShadowBench bench) {
+        for (int k = 0; k < tile.shadows.count; k++) {
+            int at = tile.shadows.places[k];
+            if (ShadowCandidates.find(tile, at, drawing.bodies, bench.columns)) {
+                sample(tile, drawing, bench, at);
+            }
+        }
+    }
+
+    /** Counts samples for a packet with lanes neither in the light nor in the dark. */
+    private static void sample(Tile tile, Drawing drawing, ShadowBench bench, int at) {
+        ShadowFrame.findAxes(tile, at, drawing, bench.columns);
+        ShadowFrame.placeAll(tile, at, drawing.bodies, bench.columns);
+        ShadowFrame.limitAll(tile, at, drawing.bodies, bench.columns);
+        ShadowFrame.judgeAll(tile, at, drawing, bench.columns);
+        ShadowConics.prepare(bench.columns);
+        ShadowRange.choose(drawing, bench.columns);
+        ShadowRange.findPlaces(tile.values, at, bench.columns);
+        ShadowRange.find(drawing, bench.columns);
+        count(tile, drawing, bench, at);
+        finish(tile, drawing, bench, at);
+    }
+
+    /** Writes how many samples are blocked. */
+    public static void count(Tile tile, Drawing drawing, ShadowBench bench, int at) {
+        ShadowColumns scratch = bench.columns;
+        if (!scratch.conical) {
+            float[] disc = drawing.input.view().shadowDisc();
+            ShadowRays.countAny(scratch, tile.values, at + Tile.LIGHT_DISTANCE, disc, drawing.shadowSamples);
+        } else {
+            ShadowConics.count(scratch);
+        }
+    }
+
+    /** Writes the visible parts of the open lanes. */
+    static void finish(Tile tile, Drawing drawing, ShadowBench bench, int at) {
+        float[] t = tile.values;
+        FloatVector blocked = Lanes.load(bench.columns.frame, ShadowColumns.BLOCKED);
+        FloatVector visible = Lanes.all(1f).sub(blocked.div(drawing.shadowSamples));
+        Lanes.load(t, at + Tile.VISIBLE)
+                .blend(visible, Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f))
+                .intoArray(t, at + Tile.VISIBLE);
+    }
+}

@@ -1,0 +1,128 @@
+package dev.twister.engine.vector.shortcut;
+
+import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.frame.Shortcut;
+import dev.twister.engine.vector.lanes.BodyList;
+import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.kernel.Layout;
+
+/** Which shortcuts apply to a tile, and to the rays of a bounce. */
+public final class Choices {
+    /** How a tile is drawn. */
+    public enum Way {
+        /** Nothing but sky. */
+        SKY,
+        /** Ground in the light that mirrors the sky alone, or nothing. */
+        OPEN_GROUND,
+        /** Ground in the light that mirrors bodies. */
+        LIT_GROUND,
+        /** Nothing but ground. */
+        GROUND,
+        /** Ray by ray. */
+        ANY
+    }
+
+    private final TileSky sky;
+
+    /** What may come between a tile's ground and the light. */
+    private final BodyList occluders;
+
+    /** The region that holds the live rays. */
+    private final Hull rays = new Hull();
+
+    /** The region between what the tile's view rays meet of the plane and the light, in a tile of ground. */
+    private final Hull ground = new Hull();
+
+    /** The region that holds the mirror images of the view rays of such a tile. */
+    private final Hull mirrored = new Hull();
+
+    /**
+     * With the sky of the same thread.
+     *
+     * @param occluders a list that is free between tiles
+     */
+    public Choices(TileSky sky, BodyList occluders) {
+        this.sky = sky;
+        this.occluders = occluders;
+    }
+
+    /** Between the ground of a tile of ground and the light. */
+    public Hull ground() {
+        return ground;
+    }
+
+    /** How a tile is drawn; lists what its view rays may meet. */
+    public Way choose(Tile tile, Drawing drawing) {
+        Way way = Way.ANY;
+        if (!drawing.crowded) {
+            cullViewRays(tile, drawing);
+            if (drawing.shortcuts.take(Shortcut.CULLING) && tile.candidates.count == 0) {
+                way = chooseWithoutBodies(tile, drawing);
+            }
+        }
+        return way;
+    }
+
+    /** Lists what the tile's view rays may meet. */
+    public void cullViewRays(Tile tile, Drawing drawing) {
+        rays.holdViewRays(tile, drawing);
+        cull(rays, tile, drawing);
+    }
+
+    private Way chooseWithoutBodies(Tile tile, Drawing drawing) {
+        GroundAlone.View view =
+                rays.rises(drawing.planeHeight) ? GroundAlone.View.NOTHING : GroundAlone.view(tile, drawing, ground);
+        return switch (view) {
+            case NOTHING ->
+                drawing.shortcuts.take(Shortcut.SKY_TILES) && sky.isCharted(tile, drawing) ? Way.SKY : Way.ANY;
+            case GROUND -> drawing.shortcuts.take(Shortcut.GROUND_TILES) ? chooseOnGround(tile, drawing) : Way.ANY;
+            case PART -> Way.ANY;
+        };
+    }
+
+    private Way chooseOnGround(Tile tile, Drawing drawing) {
+        if (!isLit(drawing)) {
+            return Way.GROUND;
+        }
+        return OpenGround.mirrors(drawing) && !mirrorsSkyAlone(tile, drawing) ? Way.LIT_GROUND : Way.OPEN_GROUND;
+    }
+
+    /** Whether nothing is between a tile's ground and the light. */
+    private boolean isLit(Drawing drawing) {
+        boolean lit = drawing.shortcuts.take(Shortcut.OPEN_GROUND) && OpenGround.suits(drawing);
+        if (lit) {
+            ground.listTowardsLight(drawing, occluders);
+            lit = occluders.count == 0;
+        }
+        return lit;
+    }
+
+    private boolean mirrorsSkyAlone(Tile tile, Drawing drawing) {
+        mirrored.hold(rays);
+        mirrored.mirror(drawing.planeHeight);
+        cull(mirrored, tile, drawing);
+        return tile.candidates.count == 0 && sky.isCharted(tile, drawing);
+    }
+
+    /**
+     * Lists what the live rays may meet; tells whether they all rise above the ground.
+     *
+     * @param bounce how many surfaces they have left
+     * @param offPlane whether they are the mirror images of all of the tile's view rays
+     */
+    public boolean cull(Tile tile, Drawing drawing, int bounce, boolean offPlane) {
+        if (offPlane) {
+            rays.mirror(drawing.planeHeight);
+            cull(rays, tile, drawing);
+        } else if (bounce > 0) {
+            rays.startAround(tile, tile.live, Tile.ORIGIN_X, Tile.THROUGHPUT);
+            rays.holdRays(tile, tile.live);
+            cull(rays, tile, drawing);
+        }
+        return drawing.shortcuts.take(Shortcut.CULLING) && (offPlane || rays.rises(drawing.planeHeight));
+    }
+
+    private static void cull(Hull hull, Tile tile, Drawing drawing) {
+        hull.cull(drawing, Layout.LIGHT, tile.candidates);
+    }
+}

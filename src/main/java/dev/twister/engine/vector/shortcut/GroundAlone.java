@@ -1,0 +1,173 @@
+package dev.twister.engine.vector.shortcut;
+
+import dev.twister.engine.vector.frame.BodyColumns;
+import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.engine.vector.step.CameraLanes;
+import dev.twister.kernel.Layout;
+import dev.twister.kernel.Light;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+
+/**
+ * Tiles all of whose view rays meet the plane, and nothing before it: what other stages ask of every lane is known there. The
+ * normal points up, all lanes have met the same, and mirrored rays only turn upwards or downwards.
+ */
+public final class GroundAlone {
+    /** Of tiles that see neither a sphere nor the light. */
+    enum View {
+        /** All view rays look past the plane. */
+        NOTHING,
+        /** All of them meet it, and what its highlight asks of the stages here is so. */
+        GROUND,
+        /** It may be that some do. */
+        PART
+    }
+
+    /** So much of the plane's half side within its edges it is met for sure. */
+    private static final float WITHIN = 0.9999f;
+
+    private GroundAlone() {}
+
+    /**
+     * What a tile sees whose view rays meet no sphere and not the light: the part of the level in view is a quadrilateral, which
+     * lies in the plane's square if its corners do. If so, {@code ground} starts around it.
+     */
+    static View view(Tile tile, Drawing drawing, Hull ground) {
+        float[] camera = drawing.input.view().camera();
+        float down = drawing.planeHeight - camera[Layout.CAMERA_POSITION + 1];
+        boolean meets = true;
+        float leastX = Float.MAX_VALUE;
+        float leastZ = Float.MAX_VALUE;
+        float mostX = -Float.MAX_VALUE;
+        float mostZ = -Float.MAX_VALUE;
+        for (int corner = 0; corner < 4 && meets; corner++) {
+            float along = down / CameraLanes.corner(tile, drawing, corner, 1);
+            float x = camera[Layout.CAMERA_POSITION] + along * CameraLanes.corner(tile, drawing, corner, 0);
+            float z = camera[Layout.CAMERA_POSITION + 2] + along * CameraLanes.corner(tile, drawing, corner, 2);
+            leastX = Math.min(leastX, x);
+            leastZ = Math.min(leastZ, z);
+            mostX = Math.max(mostX, x);
+            mostZ = Math.max(mostZ, z);
+            // Beyond what is a number somewhere a ray is level, or nearly so.
+            meets = along > 0f && along < Float.MAX_VALUE;
+        }
+        View view = View.PART;
+        float within = WITHIN * drawing.planeHalfSide;
+        float outside = drawing.planeHalfSide / WITHIN;
+        if (meets && (leastX > outside || mostX < -outside || leastZ > outside || mostZ < -outside)) {
+            view = View.NOTHING;
+        } else if (meets
+                && leastX > -within
+                && mostX < within
+                && leastZ > -within
+                && mostZ < within
+                && isWhole(drawing.bodies.reflectivity(Layout.PLANE))) {
+            view = View.GROUND;
+            ground.startIn(leastX, mostX, drawing.planeHeight, leastZ, mostZ);
+        }
+        return view;
+    }
+
+    private static boolean isWhole(float power) {
+        return power == (int) power;
+    }
+
+    /** Lists all live packets as ground, and writes what they met, where, and a whole throughput. */
+    public static void meet(Tile tile, Drawing drawing) {
+        tile.skies.clear();
+        tile.lights.clear();
+        tile.spheres.clear();
+        tile.grounds.clear();
+        tile.surfaces.clear();
+        float[] camera = drawing.input.view().camera();
+        float fromX = camera[Layout.CAMERA_POSITION];
+        float fromZ = camera[Layout.CAMERA_POSITION + 2];
+        float height = drawing.planeHeight;
+        float down = height - camera[Layout.CAMERA_POSITION + 1];
+        float[] t = tile.values;
+        for (int k = 0; k < tile.live.count; k++) {
+            int at = tile.live.places[k];
+            tile.grounds.add(at);
+            tile.surfaces.add(at);
+            FloatVector along = Lanes.all(down).div(Lanes.load(t, at + Tile.DIRECTION_Y));
+            Lanes.fma(along, Lanes.load(t, at + Tile.DIRECTION_X), Lanes.all(fromX))
+                    .intoArray(t, at + Tile.POINT_X);
+            Lanes.all(height).intoArray(t, at + Tile.POINT_Y);
+            Lanes.fma(along, Lanes.load(t, at + Tile.DIRECTION_Z), Lanes.all(fromZ))
+                    .intoArray(t, at + Tile.POINT_Z);
+            Lanes.all(Layout.PLANE).intoArray(t, at + Tile.HIT);
+            Lanes.all(1f).intoArray(t, at + Tile.THROUGHPUT);
+        }
+    }
+
+    /** What {@code LightDirection} does. */
+    public static void findLight(Tile tile, Drawing drawing) {
+        tile.shadows.clear();
+        BodyColumns bodies = drawing.bodies;
+        float lightX = bodies.x[Layout.LIGHT];
+        float lightZ = bodies.z[Layout.LIGHT];
+        float above = bodies.y[Layout.LIGHT] - drawing.planeHeight;
+        float least = bodies.reflectivity(Layout.PLANE) > 0f ? 0f : drawing.ambient;
+        float[] t = tile.values;
+        for (int k = 0; k < tile.grounds.count; k++) {
+            int at = tile.grounds.places[k];
+            FloatVector x = Lanes.all(lightX).sub(Lanes.load(t, at + Tile.POINT_X));
+            FloatVector z = Lanes.all(lightZ).sub(Lanes.load(t, at + Tile.POINT_Z));
+            FloatVector squared = Lanes.fma(x, x, Lanes.fma(z, z, Lanes.all(above * above)));
+            FloatVector inverse = Lanes.inverseRoot(squared);
+            FloatVector cosine = inverse.mul(above);
+            x.mul(inverse).intoArray(t, at + Tile.TO_LIGHT_X);
+            cosine.intoArray(t, at + Tile.TO_LIGHT_Y);
+            z.mul(inverse).intoArray(t, at + Tile.TO_LIGHT_Z);
+            squared.mul(inverse).intoArray(t, at + Tile.LIGHT_DISTANCE);
+            cosine.intoArray(t, at + Tile.NORMAL_DOT_LIGHT);
+            Lanes.all(1f).intoArray(t, at + Tile.VISIBLE);
+            VectorMask<Float> open = cosine.compare(VectorOperators.GT, least);
+            Lanes.all(0f).blend(1f, open).intoArray(t, at + Tile.SHADOW_OPEN);
+            if (open.anyTrue()) {
+                tile.shadows.add(at);
+            }
+        }
+    }
+
+    /** What {@code Highlight.findCosines} and {@code Highlight.sort} do: all shine to the same power. */
+    public static void findHighlight(Tile tile, Drawing drawing) {
+        tile.onePower.clear();
+        tile.wholePowers.clear();
+        tile.fractionPowers.clear();
+        float power = drawing.bodies.reflectivity(Layout.PLANE);
+        float shine = (power + 8f) * Light.INVERSE_EIGHT_PI * power * (1f / Layout.MAX_REFLECTIVITY);
+        float[] t = tile.values;
+        for (int k = 0; k < tile.grounds.count; k++) {
+            int at = tile.grounds.places[k];
+            FloatVector x = Lanes.load(t, at + Tile.TO_LIGHT_X).sub(Lanes.load(t, at + Tile.DIRECTION_X));
+            FloatVector y = Lanes.load(t, at + Tile.TO_LIGHT_Y).sub(Lanes.load(t, at + Tile.DIRECTION_Y));
+            FloatVector z = Lanes.load(t, at + Tile.TO_LIGHT_Z).sub(Lanes.load(t, at + Tile.DIRECTION_Z));
+            FloatVector cosine = y.mul(Lanes.inverseRoot(Lanes.fma(x, x, Lanes.fma(y, y, z.mul(z)))));
+            Lanes.smaller(Lanes.larger(cosine, Lanes.all(0f)), Lanes.all(1f)).intoArray(t, at + Tile.SPECULAR);
+            Lanes.all(0f)
+                    .blend(
+                            Lanes.load(t, at + Tile.VISIBLE).mul(shine),
+                            Lanes.load(t, at + Tile.NORMAL_DOT_LIGHT).compare(VectorOperators.GT, 0f))
+                    .intoArray(t, at + Tile.SPECULAR_WEIGHT);
+            tile.onePower.add(at);
+            tile.powers[at / Lanes.COUNT] = power;
+        }
+    }
+
+    /** Mirrors the live rays and starts them at the plane. */
+    public static void leave(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.live.count; k++) {
+            int at = tile.live.places[k];
+            Lanes.load(t, at + Tile.DIRECTION_Y).neg().intoArray(t, at + Tile.DIRECTION_Y);
+            Lanes.load(t, at + Tile.POINT_X).intoArray(t, at + Tile.ORIGIN_X);
+            Lanes.load(t, at + Tile.POINT_Y).intoArray(t, at + Tile.ORIGIN_Y);
+            Lanes.load(t, at + Tile.POINT_Z).intoArray(t, at + Tile.ORIGIN_Z);
+            Lanes.all(Layout.PLANE).intoArray(t, at + Tile.LEAVING);
+        }
+    }
+}

@@ -1,0 +1,282 @@
+package dev.twister.engine.vector.shortcut;
+
+import dev.twister.engine.vector.frame.BodyColumns;
+import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.frame.Shortcut;
+import dev.twister.engine.vector.lanes.BodyList;
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.PacketList;
+import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.engine.vector.step.CameraLanes;
+import dev.twister.kernel.Layout;
+import dev.twister.kernel.Shadow;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+
+/**
+ * A region that holds all rays of a tile: every point within {@code radius} of a cone, cut off where the rays end. The
+ * cone's half angle is negative where the region narrows along its axis, as it does from surfaces to a small light.
+ *
+ * <p>With a and c a centre's distances along the axis and across it, {@code c * cos - a * sin - radius} is at most its
+ * distance from the region.
+ */
+public final class Hull {
+    /** Culling must err on one side only: this share of all distances is added to what the kernel adds to a reach. */
+    private static final float ABSOLUTE_MARGIN = 1e-4f;
+
+    /** Of a cosine. */
+    private static final float ROUNDING = 1e-6f;
+
+    /** Below it a cone is as good as everything. */
+    private static final float LEAST_COSINE = 0.02f;
+
+    private static final float BIGGEST = 1e30f;
+
+    /** Of a square's half side, from its middle to a corner. */
+    private static final float SQUARE_DIAGONAL = 1.4142135f;
+
+    float baseX;
+    float baseY;
+    float baseZ;
+    float axisX;
+    float axisY;
+    float axisZ;
+    float radius;
+    float cosine;
+    float sine;
+
+    /** Metres along the axis to where the region ends. */
+    float end;
+
+    /** Whether the region is everything. */
+    boolean everything;
+
+    private final float[] lanes = new float[Lanes.COUNT];
+
+    /** Holds a tile's view rays: a cone from the camera about its middle that its corners, and so all of it, lie in. */
+    void holdViewRays(Tile tile, Drawing drawing) {
+        float[] camera = drawing.input.view().camera();
+        float half = 0.5f * Tile.SIDE;
+        float middleX = tile.left + half - drawing.width * 0.5f;
+        float middleY = drawing.input.height() * 0.5f - (drawing.input.firstRow() + tile.top + half);
+        float step = drawing.viewportStep;
+        startAt(camera[Layout.CAMERA_POSITION], camera[Layout.CAMERA_POSITION + 1], camera[Layout.CAMERA_POSITION + 2]);
+        float u = middleX * step;
+        float v = middleY * step;
+        float length = setAxis(
+                CameraLanes.turned(u, v, camera, 0),
+                CameraLanes.turned(u, v, camera, 1),
+                CameraLanes.turned(u, v, camera, 2));
+        // From the middle a corner is that far, whichever way, and so seen under an angle of at most that sine.
+        float sine = SQUARE_DIAGONAL * half * step / length;
+        holdCone((float) Math.sqrt(Math.max(0f, 1f - sine * sine)));
+    }
+
+    /** The rays of some packets that go on: a cone about their mean direction from a ball about their origins. */
+    void holdRays(Tile tile, PacketList packets) {
+        float[] t = tile.values;
+        FloatVector sumX = Lanes.all(0f);
+        FloatVector sumY = Lanes.all(0f);
+        FloatVector sumZ = Lanes.all(0f);
+        for (int k = 0; k < packets.count; k++) {
+            int at = packets.places[k];
+            VectorMask<Float> goesOn = Lanes.load(t, at + Tile.THROUGHPUT).compare(VectorOperators.GT, 0f);
+            sumX = sumX.blend(sumX.add(Lanes.load(t, at + Tile.DIRECTION_X)), goesOn);
+            sumY = sumY.blend(sumY.add(Lanes.load(t, at + Tile.DIRECTION_Y)), goesOn);
+            sumZ = sumZ.blend(sumZ.add(Lanes.load(t, at + Tile.DIRECTION_Z)), goesOn);
+        }
+        sumX.intoArray(lanes, 0);
+        float x = sumOfLanes();
+        sumY.intoArray(lanes, 0);
+        float y = sumOfLanes();
+        sumZ.intoArray(lanes, 0);
+        float length = setAxis(x, y, sumOfLanes());
+        holdCone(length > 0f ? leastCosine(tile, packets) : 0f);
+    }
+
+    /** In any order, unlike a vector's own sum. */
+    private float sumOfLanes() {
+        float sum = 0f;
+        for (float lane : lanes) {
+            sum += lane;
+        }
+        return sum;
+    }
+
+    /** Points the axis there, and tells the vector's length. */
+    float setAxis(float x, float y, float z) {
+        axisX = x;
+        axisY = y;
+        axisZ = z;
+        return normalizeAxis();
+    }
+
+    /** Widens about the axis, without an end, to rays of which the widest has that cosine, rounding allowed for. */
+    void holdCone(float leastCosine) {
+        cosine = leastCosine - ROUNDING;
+        everything = cosine < LEAST_COSINE;
+        sine = (float) Math.sqrt(Math.max(0f, 1f - cosine * cosine));
+        end = BIGGEST;
+    }
+
+    private float normalizeAxis() {
+        float length = (float) Math.sqrt(axisX * axisX + axisY * axisY + axisZ * axisZ);
+        float inverse = length > 0f ? 1f / length : 0f;
+        axisX = axisX * inverse;
+        axisY = axisY * inverse;
+        axisZ = axisZ * inverse;
+        return length;
+    }
+
+    /** Of the angles between the axis and the rays that go on. */
+    private float leastCosine(Tile tile, PacketList packets) {
+        float[] t = tile.values;
+        FloatVector least = Lanes.all(1f);
+        for (int k = 0; k < packets.count; k++) {
+            int at = packets.places[k];
+            FloatVector along = Lanes.load(t, at + Tile.DIRECTION_X)
+                    .mul(axisX)
+                    .add(Lanes.load(t, at + Tile.DIRECTION_Y).mul(axisY))
+                    .add(Lanes.load(t, at + Tile.DIRECTION_Z).mul(axisZ));
+            VectorMask<Float> wider = along.compare(VectorOperators.LT, least)
+                    .and(Lanes.load(t, at + Tile.THROUGHPUT).compare(VectorOperators.GT, 0f));
+            least = least.blend(along, wider);
+        }
+        return Lanes.least(least);
+    }
+
+    /** Starts at the camera: all view rays do. */
+    void startAt(float x, float y, float z) {
+        baseX = x;
+        baseY = y;
+        baseZ = z;
+        radius = 0f;
+    }
+
+    /** Starts in the ball about a level rectangle. */
+    void startIn(float leastX, float mostX, float y, float leastZ, float mostZ) {
+        startAt(0.5f * (leastX + mostX), y, 0.5f * (leastZ + mostZ));
+        float halfX = 0.5f * (mostX - leastX);
+        float halfZ = 0.5f * (mostZ - leastZ);
+        radius = (float) Math.sqrt(halfX * halfX + halfZ * halfZ);
+    }
+
+    /** Holds what another region holds. */
+    void hold(Hull other) {
+        baseX = other.baseX;
+        baseY = other.baseY;
+        baseZ = other.baseZ;
+        axisX = other.axisX;
+        axisY = other.axisY;
+        axisZ = other.axisZ;
+        radius = other.radius;
+        cosine = other.cosine;
+        sine = other.sine;
+        end = other.end;
+        everything = other.everything;
+    }
+
+    /** Holds the rays' mirror images in the level plane of that height instead. */
+    void mirror(float height) {
+        baseY = 2f * height - baseY;
+        axisY = -axisY;
+    }
+
+    /** Whether all rays start above that height and rise. */
+    boolean rises(float height) {
+        float level = (float) Math.sqrt(Math.max(0f, 1f - axisY * axisY));
+        return !everything && baseY - radius > height && axisY * cosine > level * sine;
+    }
+
+    /** Starts in a ball about the origins of the live rays, or the points of the lanes whose {@code lanes} column is above 0. */
+    public void startAround(Tile tile, PacketList packets, int column, int lanes) {
+        float halfX = spread(tile, packets, column, lanes);
+        baseX = middle;
+        float halfY = spread(tile, packets, column + Tile.SIZE, lanes);
+        baseY = middle;
+        float halfZ = spread(tile, packets, column + 2 * Tile.SIZE, lanes);
+        baseZ = middle;
+        radius = (float) Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
+    }
+
+    /** What {@link #spread} found last. */
+    private float middle;
+
+    /** Half of what the lanes spread along one axis; sets the middle. */
+    float spread(Tile tile, PacketList packets, int column, int lanes) {
+        float[] t = tile.values;
+        FloatVector least = Lanes.all(BIGGEST);
+        FloatVector most = Lanes.all(-BIGGEST);
+        for (int k = 0; k < packets.count; k++) {
+            int at = packets.places[k];
+            FloatVector value = Lanes.load(t, at + column);
+            VectorMask<Float> counts = Lanes.load(t, at + lanes).compare(VectorOperators.GT, 0f);
+            least = least.blend(value, value.compare(VectorOperators.LT, least).and(counts));
+            most = most.blend(value, value.compare(VectorOperators.GT, most).and(counts));
+        }
+        float low = Lanes.least(least);
+        float high = Lanes.greatest(most);
+        middle = 0.5f * (low + high);
+        return 0.5f * (high - low);
+    }
+
+    /** Narrows or widens to a ball: after {@link #startAround}, the region is the two balls' convex hull. */
+    void endIn(float x, float y, float z, float endRadius) {
+        axisX = x - baseX;
+        axisY = y - baseY;
+        axisZ = z - baseZ;
+        float length = normalizeAxis();
+        sine = length > 0f ? (endRadius - radius) / length : 1f;
+        float cosineSquared = 1f - sine * sine;
+        everything = cosineSquared < LEAST_COSINE;
+        cosine = (float) Math.sqrt(Math.max(0f, cosineSquared));
+        end = length + endRadius;
+    }
+
+    /** Ends at the light, as far as its outermost sample, and lists the spheres in between. */
+    public void listTowardsLight(Drawing drawing, BodyList found) {
+        BodyColumns bodies = drawing.bodies;
+        endIn(bodies.x[Layout.LIGHT], bodies.y[Layout.LIGHT], bodies.z[Layout.LIGHT], drawing.discRadius * drawing.rim);
+        cull(drawing, Layout.FIRST_SPHERE, found);
+    }
+
+    /** Lists the bodies from {@code first} on that may reach into the region. */
+    void cull(Drawing drawing, int first, BodyList found) {
+        BodyColumns bodies = drawing.bodies;
+        boolean all = everything || !drawing.shortcuts.take(Shortcut.CULLING);
+        found.clear();
+        for (int at = 0; at < bodies.count; at += Lanes.COUNT) {
+            long near = all ? ~0L >>> (64 - Lanes.COUNT) : touching(bodies.x, bodies.y, bodies.z, bodies.radius, at);
+            while (near != 0L) {
+                int body = at + Long.numberOfTrailingZeros(near);
+                near &= near - 1;
+                if (body >= first && bodies.radius[body] >= 0f) {
+                    found.add(body);
+                }
+            }
+        }
+    }
+
+    /** One bit a sphere of the columns, from {@code at} on, that may reach into the region. */
+    long touching(float[] columnX, float[] columnY, float[] columnZ, float[] radii, int at) {
+        FloatVector x = Lanes.load(columnX, at).sub(baseX);
+        FloatVector y = Lanes.load(columnY, at).sub(baseY);
+        FloatVector z = Lanes.load(columnZ, at).sub(baseZ);
+        FloatVector along = x.mul(axisX).add(y.mul(axisY)).add(z.mul(axisZ));
+        FloatVector acrossX = x.sub(along.mul(axisX));
+        FloatVector acrossY = y.sub(along.mul(axisY));
+        FloatVector acrossZ = z.sub(along.mul(axisZ));
+        FloatVector across = Lanes.fma(acrossX, acrossX, Lanes.fma(acrossY, acrossY, acrossZ.mul(acrossZ)))
+                .sqrt();
+        FloatVector reach = Lanes.load(radii, at).add(radius).mul(Shadow.RELATIVE_MARGIN);
+        FloatVector margin = along.abs().add(across).add(reach.abs()).mul(ABSOLUTE_MARGIN);
+        FloatVector generous = reach.add(margin);
+        return across.mul(cosine)
+                .sub(along.mul(sine))
+                .compare(VectorOperators.LE, generous)
+                .and(along.neg().compare(VectorOperators.LE, generous))
+                .and(along.sub(generous).compare(VectorOperators.LE, end))
+                .toLong();
+    }
+}

@@ -1,0 +1,128 @@
+package dev.twister.engine.vector.shortcut;
+
+import dev.twister.engine.vector.frame.PaddedSky;
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.PatchList;
+import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.kernel.Layout;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.ShortVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorSpecies;
+
+/**
+ * What {@link SkyPatches} does, for 16 lanes and a sky in halves: a row of a patch is one vector, and each lane picks its
+ * four texels out of three rows. Without helpers, for the reason that {@link ShadowConics} has; not even {@link Lanes#fma}, as
+ * every CPU with so many lanes has what it asks for.
+ */
+public final class SkyRows {
+    /** Whether a row of a patch fits a vector. */
+    static final boolean FIT = Lanes.COUNT == 16;
+
+    /** A lane's left texel may be so many columns from the leftmost one; five texels are fifteen numbers. */
+    private static final int MOST_TO_RIGHT = 3;
+
+    /** A lane's upper texel may be so many rows from the uppermost one. */
+    private static final int MOST_TO_BOTTOM = 1;
+
+    /** Of two vectors, the second one's lanes are counted on from the first one's 16. */
+    private static final int LANE_BITS = 4;
+
+    /** Added to small numbers, rounds them to whole ones, which are then a float's lowest bits. */
+    static final float ROUNDER = 3 << 22;
+
+    private static final VectorSpecies<Short> HALVES = ShortVector.SPECIES_256;
+
+    private SkyRows() {}
+
+    /**
+     * Splits the packets that met the sky by whether they look at a patch. It starts one column before that of a lane, which
+     * holds as well as the leftmost one and is found sooner, and in the upper of two rows.
+     */
+    static void sort(Tile tile) {
+        float[] t = tile.values;
+        PatchList patches = tile.skyPatches;
+        patches.clear();
+        tile.scatteredSkies.clear();
+        for (int k = 0; k < tile.skies.count; k++) {
+            int at = tile.skies.places[k];
+            long met = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.HIT)
+                    .compare(VectorOperators.EQ, Layout.NOTHING)
+                    .toLong();
+            FloatVector toRight = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.SKY_TO_RIGHT);
+            FloatVector toBottom = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.SKY_TO_BOTTOM);
+            int one = at + Long.numberOfTrailingZeros(met);
+            int left = Math.max(0, (int) t[one + Tile.SKY_TO_RIGHT] - 1);
+            int top = (int) t[one + Tile.SKY_TO_BOTTOM];
+            long above = toBottom.compare(VectorOperators.LT, (float) top).toLong() & met;
+            top -= (int) (-above >>> 63);
+            VectorMask<Float> outside = toRight.compare(VectorOperators.LT, (float) left)
+                    .or(toRight.compare(VectorOperators.GE, (float) (left + MOST_TO_RIGHT + 1)))
+                    .or(toBottom.compare(VectorOperators.LT, (float) top))
+                    .or(toBottom.compare(VectorOperators.GE, (float) (top + MOST_TO_BOTTOM + 1)));
+            if ((outside.toLong() & met) == 0) {
+                patches.places[patches.count] = at;
+                patches.left[patches.count] = left;
+                patches.top[patches.count] = top;
+                patches.count++;
+            } else {
+                tile.scatteredSkies.add(at);
+            }
+        }
+    }
+
+    /** Adds the patches' radiance to the lanes that met nothing. */
+    static void add(Tile tile, PaddedSky sky) {
+        float[] t = tile.values;
+        short[] halves = sky.halves;
+        PatchList patches = tile.skyPatches;
+        int below = PaddedSky.NUMBERS_A_TEXEL * sky.stride();
+        for (int k = 0; k < patches.count; k++) {
+            int at = patches.places[k];
+            int texel = PaddedSky.NUMBERS_A_TEXEL * (patches.top[k] * sky.stride() + patches.left[k]);
+            IntVector first = ((IntVector) ShortVector.fromArray(HALVES, halves, texel)
+                            .convertShape(VectorOperators.ZERO_EXTEND_S2I, Lanes.INTS, 0))
+                    .lanewise(VectorOperators.LSHL, PaddedSky.LOWER_BITS);
+            IntVector second = ((IntVector) ShortVector.fromArray(HALVES, halves, texel + below)
+                            .convertShape(VectorOperators.ZERO_EXTEND_S2I, Lanes.INTS, 0))
+                    .lanewise(VectorOperators.LSHL, PaddedSky.LOWER_BITS);
+            IntVector third = ((IntVector) ShortVector.fromArray(HALVES, halves, texel + 2 * below)
+                            .convertShape(VectorOperators.ZERO_EXTEND_S2I, Lanes.INTS, 0))
+                    .lanewise(VectorOperators.LSHL, PaddedSky.LOWER_BITS);
+            // Half a texel to the left, whose nearest whole number is the texel to the left; of a whole one it may be
+            // either.
+            FloatVector toRight = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.SKY_TO_RIGHT)
+                    .sub(patches.left[k] + 0.5f);
+            FloatVector toBottom = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.SKY_TO_BOTTOM)
+                    .sub(patches.top[k] + 0.5f);
+            FloatVector column = toRight.add(ROUNDER);
+            FloatVector row = toBottom.add(ROUNDER);
+            toRight = toRight.sub(column.sub(ROUNDER)).add(0.5f);
+            toBottom = toBottom.sub(row.sub(ROUNDER)).add(0.5f);
+            // The rounder's own bits are above those that choose a lane.
+            IntVector number = column.reinterpretAsInts()
+                    .add(column.reinterpretAsInts().lanewise(VectorOperators.LSHL, 1))
+                    .add(row.reinterpretAsInts().lanewise(VectorOperators.LSHL, LANE_BITS));
+            VectorMask<Float> met =
+                    FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.NOTHING);
+            FloatVector throughput = FloatVector.zero(Lanes.FLOATS)
+                    .blend(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.THROUGHPUT), met);
+            for (int channel = 0; channel < PaddedSky.NUMBERS_A_TEXEL; channel++) {
+                IntVector left = number.add(channel);
+                IntVector right = left.add(PaddedSky.NUMBERS_A_TEXEL);
+                FloatVector upper = left.selectFrom(first, second).reinterpretAsFloats();
+                FloatVector upperRight = right.selectFrom(first, second).reinterpretAsFloats();
+                FloatVector lower = left.selectFrom(second, third).reinterpretAsFloats();
+                FloatVector lowerRight = right.selectFrom(second, third).reinterpretAsFloats();
+                upper = upperRight.sub(upper).fma(toRight, upper);
+                lower = lowerRight.sub(lower).fma(toRight, lower);
+                int color = at + Tile.RED + channel * Tile.SIZE;
+                throughput
+                        .fma(lower.sub(upper).fma(toBottom, upper), FloatVector.fromArray(Lanes.FLOATS, t, color))
+                        .intoArray(t, color);
+            }
+        }
+    }
+}

@@ -1,0 +1,92 @@
+package dev.twister.engine.vector.shortcut;
+
+import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.frame.Shortcut;
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.engine.vector.step.SkyRadiance;
+
+/** The sky that a tile's rays look at, by the fastest way that applies. */
+public final class TileSky {
+    /** Fewer packets go by arc tangents, as a chart has its nodes to find first; from how many on it pays was not measured. */
+    private static final int LEAST_CHARTED = Tile.SIZE / Lanes.COUNT / 4;
+
+    /**
+     * Beside so many tiles of pictures of few pixels, what only larger ones come to is done for nothing: an engine is warmed up by
+     * small pictures, and what the JVM has not compiled by then makes the first large ones slow.
+     */
+    private static final int REHEARSALS = 20_000;
+
+    private final SkyChart chart = new SkyChart();
+    private final SkyWindow window = new SkyWindow();
+    private int rehearsals;
+
+    /** Prepares for a frame. */
+    public void start(Drawing drawing) {
+        chart.start(drawing);
+    }
+
+    /** Whether the chart has the directions of all of a tile's view rays, and of their mirror images in a level plane. */
+    boolean isCharted(Tile tile, Drawing drawing) {
+        return drawing.shortcuts.take(Shortcut.SKY_CHART) && chart.covers(tile, drawing);
+    }
+
+    /** The same where so many of the packets meet the sky that it pays. */
+    public boolean pays(Tile tile, Drawing drawing) {
+        return tile.skies.count >= LEAST_CHARTED && isCharted(tile, drawing);
+    }
+
+    /** Adds the sky that a charted tile's view rays look at, or their mirror images. */
+    public void addCharted(Tile tile, Drawing drawing, boolean mirrored) {
+        place(tile, drawing, mirrored);
+        if (isInWindow(tile, drawing, mirrored)) {
+            window.add(tile);
+        } else {
+            add(tile, drawing);
+        }
+    }
+
+    private void place(Tile tile, Drawing drawing, boolean mirrored) {
+        chart.spread(tile, drawing);
+        chart.place(tile, drawing, mirrored);
+    }
+
+    /** Whether the window holds all texels that a charted tile looks at; fetches them. */
+    private boolean isInWindow(Tile tile, Drawing drawing, boolean mirrored) {
+        return SkyWindow.FIT
+                && drawing.shortcuts.take(Shortcut.SKY_WINDOW)
+                && chart.open(window, tile, drawing, mirrored);
+    }
+
+    /** Adds the sky at the columns and rows that the tile's packets look at. */
+    public static void add(Tile tile, Drawing drawing) {
+        if (!drawing.shortcuts.take(Shortcut.SKY_PATCHES)) {
+            tile.scatteredSkies.copy(tile.skies);
+        } else if (SkyRows.FIT && drawing.sky.halved) {
+            SkyRows.sort(tile);
+            if (tile.skyPatches.count > 0) {
+                SkyRows.add(tile, drawing.sky);
+            }
+        } else {
+            SkyPatches.sort(tile);
+            if (tile.skyPatches.count > 0) {
+                SkyPatches.add(tile, drawing.sky);
+            }
+        }
+        if (tile.scatteredSkies.count > 0) {
+            SkyRadiance.lookUp(tile, drawing.sky);
+        }
+    }
+
+    /** With whatever chart and window hold: only lanes come of it. */
+    void rehearse(Tile clear, Drawing drawing) {
+        if (chart.isCoarse() && rehearsals < REHEARSALS) {
+            rehearsals++;
+            clear.sample = 0;
+            place(clear, drawing, false);
+            if (SkyWindow.FIT) {
+                window.add(clear);
+            }
+        }
+    }
+}

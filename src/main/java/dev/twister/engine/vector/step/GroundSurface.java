@@ -1,0 +1,66 @@
+package dev.twister.engine.vector.step;
+
+import dev.twister.engine.vector.frame.BodyColumns;
+import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.kernel.Layout;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+
+/** The plane where it is met: points, normals and the checker's colours, written to all lanes of a packet. */
+public final class GroundSurface {
+    private GroundSurface() {}
+
+    public static void find(Tile tile, Drawing drawing) {
+        findPoints(tile, drawing);
+        findColors(tile, drawing);
+    }
+
+    static void findPoints(Tile tile, Drawing drawing) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.grounds.count; k++) {
+            int at = tile.grounds.places[k];
+            // The other lanes stay where they are: a miss's distance would make numbers that are none.
+            FloatVector distance = Lanes.all(0f)
+                    .blend(
+                            Lanes.load(t, at + Tile.DISTANCE),
+                            Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.PLANE));
+            Lanes.load(t, at + Tile.ORIGIN_X)
+                    .add(distance.mul(Lanes.load(t, at + Tile.DIRECTION_X)))
+                    .intoArray(t, at + Tile.POINT_X);
+            Lanes.all(drawing.planeHeight).intoArray(t, at + Tile.POINT_Y);
+            Lanes.load(t, at + Tile.ORIGIN_Z)
+                    .add(distance.mul(Lanes.load(t, at + Tile.DIRECTION_Z)))
+                    .intoArray(t, at + Tile.POINT_Z);
+            Lanes.all(0f).intoArray(t, at + Tile.NORMAL_X);
+            Lanes.all(1f).intoArray(t, at + Tile.NORMAL_Y);
+            Lanes.all(0f).intoArray(t, at + Tile.NORMAL_Z);
+        }
+    }
+
+    public static void findColors(Tile tile, Drawing drawing) {
+        float[] t = tile.values;
+        float[] properties = drawing.input.view().properties();
+        BodyColumns bodies = drawing.bodies;
+        float red = bodies.red(Layout.PLANE);
+        float green = bodies.green(Layout.PLANE);
+        float blue = bodies.blue(Layout.PLANE);
+        float reflectivity = bodies.reflectivity(Layout.PLANE);
+        float oddRed = properties[Layout.PLANE_ODD_COLOR];
+        float oddGreen = properties[Layout.PLANE_ODD_COLOR + 1];
+        float oddBlue = properties[Layout.PLANE_ODD_COLOR + 2];
+        for (int k = 0; k < tile.grounds.count; k++) {
+            int at = tile.grounds.places[k];
+            FloatVector squares =
+                    Lanes.floor(Lanes.load(t, at + Tile.POINT_X)).add(Lanes.floor(Lanes.load(t, at + Tile.POINT_Z)));
+            FloatVector pairs = Lanes.floor(squares.mul(0.5f));
+            VectorMask<Float> odd = pairs.add(pairs).compare(VectorOperators.NE, squares);
+            Lanes.all(red).blend(oddRed, odd).intoArray(t, at + Tile.ALBEDO_RED);
+            Lanes.all(green).blend(oddGreen, odd).intoArray(t, at + Tile.ALBEDO_GREEN);
+            Lanes.all(blue).blend(oddBlue, odd).intoArray(t, at + Tile.ALBEDO_BLUE);
+            Lanes.all(reflectivity).intoArray(t, at + Tile.REFLECTIVITY);
+        }
+    }
+}

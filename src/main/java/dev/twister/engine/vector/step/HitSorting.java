@@ -1,0 +1,62 @@
+package dev.twister.engine.vector.step;
+
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.kernel.Layout;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+
+/** Sorts packets by what their lanes met; a packet may be in several lists. */
+public final class HitSorting {
+    private HitSorting() {}
+
+    /** Fills the lists where no ray of the tile can meet anything. */
+    public static void sortSkies(Tile tile) {
+        clear(tile);
+        float[] t = tile.values;
+        for (int k = 0; k < tile.live.count; k++) {
+            int at = tile.live.places[k];
+            VectorMask<Float> ended = Lanes.load(t, at + Tile.THROUGHPUT).compare(VectorOperators.LE, 0f);
+            Lanes.all(Layout.NOTHING).blend(Tile.ENDED, ended).intoArray(t, at + Tile.HIT);
+            tile.skies.add(at);
+        }
+    }
+
+    private static void clear(Tile tile) {
+        tile.skies.clear();
+        tile.lights.clear();
+        tile.grounds.clear();
+        tile.spheres.clear();
+        tile.surfaces.clear();
+    }
+
+    /** Fills the lists of skies, lights, grounds, spheres and surfaces. */
+    public static void sort(Tile tile) {
+        clear(tile);
+        float[] t = tile.values;
+        for (int k = 0; k < tile.live.count; k++) {
+            int at = tile.live.places[k];
+            VectorMask<Float> ended = Lanes.load(t, at + Tile.THROUGHPUT).compare(VectorOperators.LE, 0f);
+            FloatVector hit = Lanes.load(t, at + Tile.HIT).blend(Tile.ENDED, ended);
+            hit.intoArray(t, at + Tile.HIT);
+            if (hit.compare(VectorOperators.EQ, Layout.NOTHING).anyTrue()) {
+                tile.skies.add(at);
+            }
+            if (hit.compare(VectorOperators.EQ, Layout.LIGHT).anyTrue()) {
+                tile.lights.add(at);
+            }
+            boolean ground = hit.compare(VectorOperators.EQ, Layout.PLANE).anyTrue();
+            boolean sphere = hit.compare(VectorOperators.GT, Layout.PLANE).anyTrue();
+            if (ground) {
+                tile.grounds.add(at);
+            }
+            if (sphere) {
+                tile.spheres.add(at);
+            }
+            if (ground || sphere) {
+                tile.surfaces.add(at);
+            }
+        }
+    }
+}

@@ -1,0 +1,96 @@
+package dev.twister.engine.vector.step;
+
+import dev.twister.engine.vector.frame.BodyColumns;
+import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.kernel.Layout;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+
+/** Adds what the surfaces send towards the eye, and turns the rays that go on. */
+public final class ScatterLanes {
+    private ScatterLanes() {}
+
+    /** Adds what the surfaces send towards the eye, and starts the rays that go on. */
+    public static void scatter(Tile tile, Drawing drawing) {
+        shade(tile, drawing);
+        reflect(tile);
+        leave(tile);
+    }
+
+    /**
+     * Adds {@code T * (lightColor * spec + (1 - k) * C * lit)} and leaves {@code T * k * lit}; lists the packets with a
+     * lane that goes on as live.
+     */
+    public static void shade(Tile tile, Drawing drawing) {
+        BodyColumns bodies = drawing.bodies;
+        float ambient = drawing.ambient;
+        float[] t = tile.values;
+        float lightRed = bodies.red(Layout.LIGHT);
+        float lightGreen = bodies.green(Layout.LIGHT);
+        float lightBlue = bodies.blue(Layout.LIGHT);
+        float mirrorScale = tile.last ? 0f : 1f / Layout.MAX_REFLECTIVITY;
+        tile.live.clear();
+        for (int k = 0; k < tile.surfaces.count; k++) {
+            int at = tile.surfaces.places[k];
+            VectorMask<Float> here = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.GE, Layout.PLANE);
+            FloatVector throughput = Lanes.all(0f).blend(Lanes.load(t, at + Tile.THROUGHPUT), here);
+            FloatVector cosine = Lanes.larger(Lanes.load(t, at + Tile.NORMAL_DOT_LIGHT), Lanes.all(0f));
+            FloatVector lit = Lanes.larger(cosine.mul(Lanes.load(t, at + Tile.VISIBLE)), Lanes.all(ambient));
+            FloatVector mirror = Lanes.load(t, at + Tile.REFLECTIVITY).mul(mirrorScale);
+            FloatVector matte = throughput.mul(Lanes.all(1f).sub(mirror).mul(lit));
+            FloatVector specular = throughput.mul(Lanes.load(t, at + Tile.SPECULAR));
+            FloatVector red = Lanes.fma(matte, Lanes.load(t, at + Tile.ALBEDO_RED), Lanes.load(t, at + Tile.RED));
+            FloatVector green = Lanes.fma(matte, Lanes.load(t, at + Tile.ALBEDO_GREEN), Lanes.load(t, at + Tile.GREEN));
+            FloatVector blue = Lanes.fma(matte, Lanes.load(t, at + Tile.ALBEDO_BLUE), Lanes.load(t, at + Tile.BLUE));
+            Lanes.fma(specular, Lanes.all(lightRed), red).intoArray(t, at + Tile.RED);
+            Lanes.fma(specular, Lanes.all(lightGreen), green).intoArray(t, at + Tile.GREEN);
+            Lanes.fma(specular, Lanes.all(lightBlue), blue).intoArray(t, at + Tile.BLUE);
+            FloatVector passed = throughput.mul(mirror.mul(lit));
+            passed.intoArray(t, at + Tile.THROUGHPUT);
+            if (passed.compare(VectorOperators.GT, 0f).anyTrue()) {
+                tile.live.add(at);
+            }
+        }
+    }
+
+    /** Mirrors the live rays at the surfaces and starts them there. */
+    static void reflect(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.live.count; k++) {
+            int at = tile.live.places[k];
+            FloatVector normalX = Lanes.load(t, at + Tile.NORMAL_X);
+            FloatVector normalY = Lanes.load(t, at + Tile.NORMAL_Y);
+            FloatVector normalZ = Lanes.load(t, at + Tile.NORMAL_Z);
+            FloatVector directionX = Lanes.load(t, at + Tile.DIRECTION_X);
+            FloatVector directionY = Lanes.load(t, at + Tile.DIRECTION_Y);
+            FloatVector directionZ = Lanes.load(t, at + Tile.DIRECTION_Z);
+            FloatVector twice = directionX
+                    .mul(normalX)
+                    .add(directionY.mul(normalY))
+                    .add(directionZ.mul(normalZ))
+                    .mul(-2f);
+            FloatVector x = directionX.add(twice.mul(normalX));
+            FloatVector y = directionY.add(twice.mul(normalY));
+            FloatVector z = directionZ.add(twice.mul(normalZ));
+            FloatVector inverse = Lanes.inverseRoot(x.mul(x).add(y.mul(y)).add(z.mul(z)));
+            x.mul(inverse).intoArray(t, at + Tile.DIRECTION_X);
+            y.mul(inverse).intoArray(t, at + Tile.DIRECTION_Y);
+            z.mul(inverse).intoArray(t, at + Tile.DIRECTION_Z);
+        }
+    }
+
+    /** Starts the live rays at the surfaces they leave. */
+    static void leave(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.live.count; k++) {
+            int at = tile.live.places[k];
+            Lanes.load(t, at + Tile.POINT_X).intoArray(t, at + Tile.ORIGIN_X);
+            Lanes.load(t, at + Tile.POINT_Y).intoArray(t, at + Tile.ORIGIN_Y);
+            Lanes.load(t, at + Tile.POINT_Z).intoArray(t, at + Tile.ORIGIN_Z);
+            Lanes.load(t, at + Tile.HIT).intoArray(t, at + Tile.LEAVING);
+        }
+    }
+}

@@ -1,0 +1,115 @@
+package dev.twister.engine.vector.step;
+
+import dev.twister.engine.vector.frame.PaddedSky;
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.kernel.KernelMath;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+
+/** Where in the panorama each ray looks: {@link dev.twister.kernel.SkyLookup}'s column and row, with its arc tangent. */
+public final class SkyDirection {
+    private static final float TURNS_PER_RADIAN = 0.15915494f;
+    private static final float HALF_TURNS_PER_RADIAN = 0.31830987f;
+
+    /** Less than any coordinate that matters, more than 0: keeps 0 / 0 away. */
+    private static final float TINY = 1e-37f;
+
+    private SkyDirection() {}
+
+    /** Writes the columns and rows of the padded sky that the packets that met it look at. */
+    public static void find(Tile tile, PaddedSky sky) {
+        findRatios(tile);
+        findArcTangents(tile, Tile.SKY_TO_RIGHT);
+        findArcTangents(tile, Tile.SKY_TO_BOTTOM);
+        findColumns(tile, sky);
+        findRows(tile, sky);
+    }
+
+    /**
+     * Starts on the angles: writes the smaller of |x| and |z| over the larger to the column of {@link Tile#SKY_TO_RIGHT}, for
+     * those about the vertical, and the smaller of |y| and the length of (x, z) over the larger to that of
+     * {@link Tile#SKY_TO_BOTTOM}, for those above the horizon. One division serves both, as dividing takes longest.
+     */
+    static void findRatios(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.skies.count; k++) {
+            int at = tile.skies.places[k];
+            FloatVector x = Lanes.load(t, at + Tile.DIRECTION_X).abs();
+            FloatVector y = Lanes.load(t, at + Tile.DIRECTION_Y).abs();
+            FloatVector z = Lanes.load(t, at + Tile.DIRECTION_Z).abs();
+            FloatVector level = Lanes.fma(x, x, z.mul(z)).sqrt();
+            VectorMask<Float> sideways = z.compare(VectorOperators.GT, x);
+            VectorMask<Float> steep = y.compare(VectorOperators.GT, level);
+            FloatVector larger = Lanes.larger(x.blend(z, sideways), Lanes.all(TINY));
+            FloatVector higher = level.blend(y, steep);
+            FloatVector inverse = Lanes.all(1f).div(larger.mul(higher));
+            z.blend(x, sideways).mul(higher).mul(inverse).intoArray(t, at + Tile.SKY_TO_RIGHT);
+            y.blend(level, steep).mul(larger).mul(inverse).intoArray(t, at + Tile.SKY_TO_BOTTOM);
+        }
+    }
+
+    /** Replaces a column's ratios, in [0, 1], by their arc tangents: the scalar kernel's polynomial. */
+    static void findArcTangents(Tile tile, int column) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.skies.count; k++) {
+            int at = tile.skies.places[k] + column;
+            FloatVector ratio = Lanes.load(t, at);
+            FloatVector s = ratio.mul(ratio);
+            FloatVector polynomial = Lanes.fma(s, KernelMath.ATAN_8, KernelMath.ATAN_7);
+            polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.ATAN_6));
+            polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.ATAN_5));
+            polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.ATAN_4));
+            polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.ATAN_3));
+            polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.ATAN_2));
+            polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.ATAN_1));
+            Lanes.fma(ratio, polynomial.mul(s), ratio).intoArray(t, at);
+        }
+    }
+
+    /**
+     * Turns the arc tangents into angles about the vertical, in [-pi, pi], and those into columns of the padded sky, in
+     * texels, whole where a texel's centre is.
+     */
+    static void findColumns(Tile tile, PaddedSky sky) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.skies.count; k++) {
+            int at = tile.skies.places[k];
+            FloatVector x = Lanes.load(t, at + Tile.DIRECTION_X);
+            FloatVector z = Lanes.load(t, at + Tile.DIRECTION_Z);
+            FloatVector octant = Lanes.load(t, at + Tile.SKY_TO_RIGHT);
+            FloatVector quadrant = octant.blend(
+                    Lanes.all(KernelMath.HALF_PI).sub(octant), z.abs().compare(VectorOperators.GT, x.abs()));
+            FloatVector half =
+                    quadrant.blend(Lanes.all(KernelMath.PI).sub(quadrant), x.compare(VectorOperators.LT, 0f));
+            // The border counts 1 more, and the texels' centres lie half a texel in.
+            half.blend(half.neg(), z.compare(VectorOperators.LT, 0f))
+                    .mul(TURNS_PER_RADIAN)
+                    .add(0.5f)
+                    .mul(sky.width)
+                    .add(0.5f)
+                    .intoArray(t, at + Tile.SKY_TO_RIGHT);
+        }
+    }
+
+    /** Turns the arc tangents into angles above the horizon, in [-pi / 2, pi / 2], and those into rows in the same way. */
+    static void findRows(Tile tile, PaddedSky sky) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.skies.count; k++) {
+            int at = tile.skies.places[k];
+            FloatVector x = Lanes.load(t, at + Tile.DIRECTION_X);
+            FloatVector y = Lanes.load(t, at + Tile.DIRECTION_Y);
+            FloatVector z = Lanes.load(t, at + Tile.DIRECTION_Z);
+            FloatVector octant = Lanes.load(t, at + Tile.SKY_TO_BOTTOM);
+            VectorMask<Float> steep = y.mul(y).compare(VectorOperators.GT, Lanes.fma(x, x, z.mul(z)));
+            FloatVector quadrant = octant.blend(Lanes.all(KernelMath.HALF_PI).sub(octant), steep);
+            FloatVector elevation = quadrant.blend(quadrant.neg(), y.compare(VectorOperators.LT, 0f));
+            Lanes.all(0.5f)
+                    .sub(elevation.mul(HALF_TURNS_PER_RADIAN))
+                    .mul(sky.height)
+                    .add(0.5f)
+                    .intoArray(t, at + Tile.SKY_TO_BOTTOM);
+        }
+    }
+}
