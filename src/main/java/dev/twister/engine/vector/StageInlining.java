@@ -24,12 +24,10 @@ final class StageInlining {
     /** What takes or returns vectors, and lists: always inlined. */
     static final List<String> ALWAYS = List.of(PACKAGE + "lanes/*.*");
 
-    /** All methods of these, each of which has an inlining budget of its own. */
+    /** What has a tile's or a shadow's columns as its first parameter: each has an inlining budget of its own. */
     static final List<String> NEVER = List.of(
-            PACKAGE + "step/*.*",
-            PACKAGE + "shadow/*.*",
-            PACKAGE + "crowd/*.*",
-            PACKAGE + "shortcut/*.*",
+            PACKAGE + "*.*(L" + PACKAGE + "lanes/Tile;",
+            PACKAGE + "*.*(L" + PACKAGE + "lanes/ShadowColumns;",
             PACKAGE + "TileRenderer.*");
 
     private static final Logger LOGGER = System.getLogger(StageInlining.class.getName());

@@ -51,9 +51,9 @@ final class TileRenderer {
         for (int sample = 0; sample < drawing.pixelSamples; sample++) {
             startSample(drawing, sample);
             switch (way) {
-                case LIT_GROUND -> shadeLitGround(drawing);
+                case LIT_GROUND -> OpenGround.addAndLeave(tile, drawing);
                 case GROUND -> shadeGround(drawing);
-                default -> startRays(drawing);
+                default -> CameraLanes.startRays(tile, drawing);
             }
             follow(drawing, way == Choices.Way.ANY ? 0 : 1);
         }
@@ -69,11 +69,6 @@ final class TileRenderer {
                 bench.choices.cullViewRays(tile, drawing);
             }
         }
-    }
-
-    private void startRays(Drawing drawing) {
-        CameraLanes.start(tile, drawing);
-        CameraLanes.place(tile, drawing.input.view().camera());
     }
 
     /** Follows the live rays, which have met and left so many surfaces, to their ends. */
@@ -141,7 +136,7 @@ final class TileRenderer {
     /** The same from the view rays on, which all meet the ground. */
     private void shadeGround(Drawing drawing) {
         tile.last = drawing.bounceLimit == 0;
-        CameraLanes.start(tile, drawing);
+        CameraLanes.aim(tile, drawing);
         GroundAlone.meet(tile, drawing);
         GroundSurface.findColors(tile, drawing);
         GroundAlone.findLight(tile, drawing);
@@ -150,12 +145,5 @@ final class TileRenderer {
         Highlight.raise(tile);
         ScatterLanes.shade(tile, drawing);
         GroundAlone.leave(tile);
-    }
-
-    /** The same where all of it is in the light. */
-    private void shadeLitGround(Drawing drawing) {
-        OpenGround.add(tile, drawing);
-        CameraLanes.start(tile, drawing);
-        OpenGround.leave(tile, drawing);
     }
 }

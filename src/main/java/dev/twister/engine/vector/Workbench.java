@@ -15,7 +15,7 @@ final class Workbench {
     final ShadowBench shadows = new ShadowBench(walks);
     final TileSky sky = new TileSky();
     final WholeTiles wholeTiles = new WholeTiles(sky);
-    final Choices choices = new Choices(sky, shadows.columns.tileCandidates);
+    final Choices choices = new Choices(sky, shadows.columns);
 
     /** Prepares for a frame. */
     void start(Drawing drawing) {

@@ -77,10 +77,10 @@ public final class Beam {
     }
 
     private void rays(Slab slab, Tile tile, int first, int end, int origin, int direction) {
-        bound(tile.values, tile.together.places, first, end, origin, Tile.TOGETHER);
+        bound(tile, tile.together.places, first, end, origin, Tile.TOGETHER);
         float originLow = low;
         float originHigh = high;
-        bound(tile.values, tile.together.places, first, end, direction, Tile.TOGETHER);
+        bound(tile, tile.together.places, first, end, direction, Tile.TOGETHER);
         slab.set(originLow, originHigh, low - SPREAD, high + SPREAD);
     }
 
@@ -108,11 +108,11 @@ public final class Beam {
      */
     public void holdLines(Tile tile, Drawing drawing, int number, float radius) {
         BodyColumns bodies = drawing.bodies;
-        bound(tile.values, tile.shadows.places, number, number + 1, Tile.POINT_X, Tile.SHADOW_OPEN);
+        bound(tile, tile.shadows.places, number, number + 1, Tile.POINT_X, Tile.SHADOW_OPEN);
         linesOfAll(x, bodies.x[Layout.LIGHT], radius);
-        bound(tile.values, tile.shadows.places, number, number + 1, Tile.POINT_Y, Tile.SHADOW_OPEN);
+        bound(tile, tile.shadows.places, number, number + 1, Tile.POINT_Y, Tile.SHADOW_OPEN);
         linesOfAll(y, bodies.y[Layout.LIGHT], radius);
-        bound(tile.values, tile.shadows.places, number, number + 1, Tile.POINT_Z, Tile.SHADOW_OPEN);
+        bound(tile, tile.shadows.places, number, number + 1, Tile.POINT_Z, Tile.SHADOW_OPEN);
         linesOfAll(z, bodies.z[Layout.LIGHT], radius);
         end = 1f + DISC_SPREAD;
         finish();
@@ -132,7 +132,8 @@ public final class Beam {
      * @param end which is the first that is not looked at any more
      * @param lanes the column of what is above 0 in the lanes that count
      */
-    void bound(float[] t, int[] packets, int first, int end, int column, int lanes) {
+    void bound(Tile tile, int[] packets, int first, int end, int column, int lanes) {
+        float[] t = tile.values;
         IntVector leasts = IntVector.broadcast(Lanes.INTS, Integer.MAX_VALUE);
         IntVector greatests = IntVector.broadcast(Lanes.INTS, Integer.MIN_VALUE);
         for (int k = first; k < end; k++) {

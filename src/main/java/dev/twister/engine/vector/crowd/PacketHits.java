@@ -33,9 +33,9 @@ public final class PacketHits {
         tile.together.clear();
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
-            int goesOn = (int) start(tile.values, at);
-            meet(tile.values, at, drawing.light.values, SphereColumns.FIRST, 1);
-            int together = (int) gather(tile.values, at, goesOn);
+            int goesOn = (int) start(tile, at);
+            meet(tile, at, drawing.light.values, SphereColumns.FIRST, 1);
+            int together = (int) gather(tile, at, goesOn);
             if (together != 0) {
                 tile.together.add(at);
             }
@@ -76,7 +76,7 @@ public final class PacketHits {
                 long near = beam.meeting(hierarchy.spheres, first);
                 tested |= near != 0L;
                 if (near != 0L) {
-                    meet(tile.values, at, drawing.hierarchy.spheres.values, first, near);
+                    meet(tile, at, drawing.hierarchy.spheres.values, first, near);
                 }
                 first += hierarchy.spheres.step;
             }
@@ -89,7 +89,7 @@ public final class PacketHits {
 
     /** Metres along the rays beyond which nothing matters to any of them. */
     private static float farthest(Tile tile, int at) {
-        return Float.intBitsToFloat((int) farthest(tile.values, at));
+        return Float.intBitsToFloat((int) farthestBits(tile, at));
     }
 
     /** So many of the rays on their own, from that one of them on. */
@@ -127,7 +127,8 @@ public final class PacketHits {
     }
 
     /** No hit yet; rays that have ended meet nothing any more. Returns one bit a ray that goes on. */
-    static long start(float[] t, int at) {
+    static long start(Tile tile, int at) {
+        float[] t = tile.values;
         VectorMask<Float> goesOn =
                 FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.THROUGHPUT).compare(VectorOperators.GT, 0f);
         FloatVector.broadcast(Lanes.FLOATS, 0f).blend(Intersection.MISS, goesOn).intoArray(t, at + Tile.DISTANCE);
@@ -140,7 +141,8 @@ public final class PacketHits {
      *
      * @param wanted one bit a sphere
      */
-    static void meet(float[] t, int at, float[] spheres, int first, long wanted) {
+    static void meet(Tile tile, int at, float[] spheres, int first, long wanted) {
+        float[] t = tile.values;
         FloatVector directionX = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_X);
         FloatVector directionY = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_Y);
         FloatVector directionZ = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_Z);
@@ -183,7 +185,8 @@ public final class PacketHits {
      * The bits, as a float, of the farthest of the closest hits of those that keep together; none is below 0, so that they
      * are in the floats' order.
      */
-    static long farthest(float[] t, int at) {
+    static long farthestBits(Tile tile, int at) {
+        float[] t = tile.values;
         return FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISTANCE)
                 .mul(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.TOGETHER))
                 .reinterpretAsInts()
@@ -197,7 +200,8 @@ public final class PacketHits {
      * @param goesOn one bit a ray that goes on
      * @return one bit a ray that keeps together
      */
-    static long gather(float[] t, int at, long goesOn) {
+    static long gather(Tile tile, int at, long goesOn) {
+        float[] t = tile.values;
         long ground = goesOn
                 & FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.LEAVING)
                         .compare(VectorOperators.EQ, Layout.PLANE)

@@ -4,7 +4,7 @@ import dev.twister.engine.vector.frame.PaddedSky;
 import dev.twister.kernel.Layout;
 
 /**
- * One thread's workbench for 16 x 16 pixels: columns of {@value #SIZE} floats, one value a pixel, in one array so that
+ * 16 x 16 pixels on their way, as one thread draws them: columns of {@value #SIZE} floats, one value a pixel, in one array so that
  * one bounds check covers neighbouring columns.
  *
  * <p>Pixels lie in blocks of 4 x 4, row by row within a block and block by block within the tile, so that a packet of 16

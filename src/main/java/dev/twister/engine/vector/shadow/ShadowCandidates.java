@@ -46,20 +46,20 @@ public final class ShadowCandidates {
             int body = candidates.bodies[c];
             long between = between(t, at, bodies, body);
             if (between != 0) {
-                between &= isOutside(t, at, bodies, body);
+                between &= isOutside(tile, at, bodies, body);
             }
             if (between != 0) {
-                scratch.add(body, between, hidesDisc(t, at, bodies, body));
+                scratch.add(body, between, hidesDisc(tile, at, bodies, body));
             }
         }
-        return finish(t, at, scratch) != 0;
+        return finish(tile, at, scratch) != 0;
     }
 
     /** The same out of the spheres that are near the packet's lines, at most {@link ShadowColumns#MOST_TOGETHER}. */
     static boolean findAmong(SphereColumns near, int count, Tile tile, int at, Drawing drawing, ShadowBench bench) {
         ShadowColumns scratch = bench.columns;
         scratch.startPacket();
-        betweens(tile.values, at, near, count, bench.columns.betweens);
+        betweens(tile, at, near, count, bench.columns.betweens);
         int bodies = SphereColumns.FIRST + SphereColumns.BODY * near.stride;
         for (int sphere = 0; sphere < count; sphere++) {
             long between = scratch.betweens[sphere];
@@ -67,18 +67,19 @@ public final class ShadowCandidates {
                 judge(tile, drawing, bench, at, (int) near.values[bodies + sphere], between);
             }
         }
-        return finish(tile.values, at, bench.columns) != 0;
+        return finish(tile, at, bench.columns) != 0;
     }
 
     private static void judge(Tile tile, Drawing drawing, ShadowBench bench, int at, int body, long between) {
-        long shaded = between & isOutside(tile.values, at, drawing.bodies, body);
+        long shaded = between & isOutside(tile, at, drawing.bodies, body);
         if (shaded != 0) {
-            bench.columns.add(body, shaded, hidesDisc(tile.values, at, drawing.bodies, body));
+            bench.columns.add(body, shaded, hidesDisc(tile, at, drawing.bodies, body));
         }
     }
 
     /** As {@link #between} of each of some spheres. */
-    static void betweens(float[] t, int at, SphereColumns near, int count, long[] betweens) {
+    static void betweens(Tile tile, int at, SphereColumns near, int count, long[] betweens) {
+        float[] t = tile.values;
         float[] spheres = near.values;
         int stride = near.stride;
         FloatVector pointX = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.POINT_X);
@@ -118,7 +119,8 @@ public final class ShadowCandidates {
     }
 
     /** Makes the lanes in the dark invisible; returns one bit a lane that is still open. */
-    static long finish(float[] t, int at, ShadowColumns scratch) {
+    static long finish(Tile tile, int at, ShadowColumns scratch) {
+        float[] t = tile.values;
         long undecided = scratch.touched & ~scratch.dark;
         close(t, at, scratch.dark, undecided);
         return undecided;
@@ -132,14 +134,16 @@ public final class ShadowCandidates {
     }
 
     /** One bit an open lane. */
-    static long open(float[] t, int at) {
+    static long open(Tile tile, int at) {
+        float[] t = tile.values;
         return Lanes.load(t, at + Tile.SHADOW_OPEN)
                 .compare(VectorOperators.GT, 0f)
                 .toLong();
     }
 
     /** One bit an open lane whose point lies on the ground. */
-    static long openOnGround(float[] t, int at) {
+    static long openOnGround(Tile tile, int at) {
+        float[] t = tile.values;
         return Lanes.load(t, at + Tile.HIT)
                 .compare(VectorOperators.EQ, Layout.PLANE)
                 .and(Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f))
@@ -147,7 +151,8 @@ public final class ShadowCandidates {
     }
 
     /** Leaves those lanes open alone. */
-    static void narrow(float[] t, int at, long lanes) {
+    static void narrow(Tile tile, int at, long lanes) {
+        float[] t = tile.values;
         Lanes.all(0f).blend(1f, VectorMask.fromLong(Lanes.FLOATS, lanes)).intoArray(t, at + Tile.SHADOW_OPEN);
     }
 
@@ -184,7 +189,8 @@ public final class ShadowCandidates {
     }
 
     /** One bit an open lane whose point neither lies on the sphere nor inside it. */
-    static long isOutside(float[] t, int at, BodyColumns bodies, int body) {
+    static long isOutside(Tile tile, int at, BodyColumns bodies, int body) {
+        float[] t = tile.values;
         float[] spheres = bodies.surfaces;
         int sphere = bodies.surfacePlaces[body];
         float radius = spheres[sphere + BodyColumns.RADIUS];
@@ -202,7 +208,8 @@ public final class ShadowCandidates {
      * One bit a lane where the sphere surely hides the whole disc: it lies wholly between, and its cone, as seen from the
      * point, holds the disc's.
      */
-    static long hidesDisc(float[] t, int at, BodyColumns bodies, int body) {
+    static long hidesDisc(Tile tile, int at, BodyColumns bodies, int body) {
+        float[] t = tile.values;
         float[] spheres = bodies.surfaces;
         int sphere = bodies.surfacePlaces[body];
         float radius = spheres[sphere + BodyColumns.RADIUS];

@@ -47,7 +47,7 @@ public final class Shadows {
     }
 
     private static void sampleAmongFew(Tile tile, Drawing drawing, ShadowBench bench, Hull hull) {
-        hull.listTowardsLight(drawing, bench.columns.tileCandidates);
+        hull.listTowardsLight(bench.columns, drawing);
         if (bench.columns.tileCandidates.count > 0) {
             ShadowCandidates.findDiscs(tile, drawing);
             sample(tile, drawing, bench);
@@ -60,13 +60,13 @@ public final class Shadows {
         tile.lonely.clear();
         for (int k = 0; k < tile.shadows.count; k++) {
             int at = tile.shadows.places[k];
-            int open = (int) ShadowCandidates.open(tile.values, at);
-            int ground = (int) ShadowCandidates.openOnGround(tile.values, at);
+            int open = (int) ShadowCandidates.open(tile, at);
+            int ground = (int) ShadowCandidates.openOnGround(tile, at);
             if (ground != 0 && ground != open) {
-                ShadowCandidates.narrow(tile.values, at, ground);
+                ShadowCandidates.narrow(tile, at, ground);
                 sampleInCrowd(tile, drawing, bench, k, ground, radius);
                 open &= ~ground;
-                ShadowCandidates.narrow(tile.values, at, open);
+                ShadowCandidates.narrow(tile, at, open);
             }
             sampleInCrowd(tile, drawing, bench, k, open, radius);
         }
@@ -125,9 +125,9 @@ public final class Shadows {
         ShadowFrame.limitAll(tile, at, drawing.bodies, bench.columns);
         ShadowFrame.judgeAll(tile, at, drawing, bench.columns);
         ShadowConics.prepare(bench.columns);
-        ShadowRange.choose(drawing, bench.columns);
-        ShadowRange.findPlaces(tile.values, at, bench.columns);
-        ShadowRange.find(drawing, bench.columns);
+        ShadowRange.choose(bench.columns, drawing);
+        ShadowRange.findPlaces(tile, at, bench.columns);
+        ShadowRange.find(bench.columns, drawing);
         count(tile, drawing, bench, at);
         finish(tile, drawing, bench, at);
     }

@@ -2,9 +2,8 @@ package dev.twister.engine.vector.shortcut;
 
 import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.frame.Shortcut;
-import dev.twister.engine.vector.lanes.BodyList;
+import dev.twister.engine.vector.lanes.ShadowColumns;
 import dev.twister.engine.vector.lanes.Tile;
-import dev.twister.kernel.Layout;
 
 /** Which shortcuts apply to a tile, and to the rays of a bounce. */
 public final class Choices {
@@ -25,7 +24,7 @@ public final class Choices {
     private final TileSky sky;
 
     /** What may come between a tile's ground and the light. */
-    private final BodyList occluders;
+    private final ShadowColumns shadows;
 
     /** The region that holds the live rays. */
     private final Hull rays = new Hull();
@@ -39,11 +38,11 @@ public final class Choices {
     /**
      * With the sky of the same thread.
      *
-     * @param occluders a list that is free between tiles
+     * @param shadows those of the same thread
      */
-    public Choices(TileSky sky, BodyList occluders) {
+    public Choices(TileSky sky, ShadowColumns shadows) {
         this.sky = sky;
-        this.occluders = occluders;
+        this.shadows = shadows;
     }
 
     /** Between the ground of a tile of ground and the light. */
@@ -66,7 +65,7 @@ public final class Choices {
     /** Lists what the tile's view rays may meet. */
     public void cullViewRays(Tile tile, Drawing drawing) {
         rays.holdViewRays(tile, drawing);
-        cull(rays, tile, drawing);
+        rays.cull(tile, drawing);
     }
 
     private Way chooseWithoutBodies(Tile tile, Drawing drawing) {
@@ -91,8 +90,8 @@ public final class Choices {
     private boolean isLit(Drawing drawing) {
         boolean lit = drawing.shortcuts.take(Shortcut.OPEN_GROUND) && OpenGround.suits(drawing);
         if (lit) {
-            ground.listTowardsLight(drawing, occluders);
-            lit = occluders.count == 0;
+            ground.listTowardsLight(shadows, drawing);
+            lit = shadows.tileCandidates.count == 0;
         }
         return lit;
     }
@@ -100,7 +99,7 @@ public final class Choices {
     private boolean mirrorsSkyAlone(Tile tile, Drawing drawing) {
         mirrored.hold(rays);
         mirrored.mirror(drawing.planeHeight);
-        cull(mirrored, tile, drawing);
+        mirrored.cull(tile, drawing);
         return tile.candidates.count == 0 && sky.isCharted(tile, drawing);
     }
 
@@ -113,16 +112,12 @@ public final class Choices {
     public boolean cull(Tile tile, Drawing drawing, int bounce, boolean offPlane) {
         if (offPlane) {
             rays.mirror(drawing.planeHeight);
-            cull(rays, tile, drawing);
+            rays.cull(tile, drawing);
         } else if (bounce > 0) {
             rays.startAround(tile, tile.live, Tile.ORIGIN_X, Tile.THROUGHPUT);
             rays.holdRays(tile, tile.live);
-            cull(rays, tile, drawing);
+            rays.cull(tile, drawing);
         }
         return drawing.shortcuts.take(Shortcut.CULLING) && (offPlane || rays.rises(drawing.planeHeight));
-    }
-
-    private static void cull(Hull hull, Tile tile, Drawing drawing) {
-        hull.cull(drawing, Layout.LIGHT, tile.candidates);
     }
 }

@@ -44,9 +44,9 @@ public final class GroundAlone {
         float mostX = -Float.MAX_VALUE;
         float mostZ = -Float.MAX_VALUE;
         for (int corner = 0; corner < 4 && meets; corner++) {
-            float along = down / CameraLanes.corner(tile, drawing, corner, 1);
-            float x = camera[Layout.CAMERA_POSITION] + along * CameraLanes.corner(tile, drawing, corner, 0);
-            float z = camera[Layout.CAMERA_POSITION + 2] + along * CameraLanes.corner(tile, drawing, corner, 2);
+            float along = down / CameraLanes.corner(drawing, tile, corner, 1);
+            float x = camera[Layout.CAMERA_POSITION] + along * CameraLanes.corner(drawing, tile, corner, 0);
+            float z = camera[Layout.CAMERA_POSITION + 2] + along * CameraLanes.corner(drawing, tile, corner, 2);
             leastX = Math.min(leastX, x);
             leastZ = Math.min(leastZ, z);
             mostX = Math.max(mostX, x);

@@ -6,6 +6,7 @@ import dev.twister.engine.vector.frame.Shortcut;
 import dev.twister.engine.vector.lanes.BodyList;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.PacketList;
+import dev.twister.engine.vector.lanes.ShadowColumns;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.engine.vector.step.CameraLanes;
 import dev.twister.kernel.Layout;
@@ -234,15 +235,20 @@ public final class Hull {
         end = length + endRadius;
     }
 
-    /** Ends at the light, as far as its outermost sample, and lists the spheres in between. */
-    public void listTowardsLight(Drawing drawing, BodyList found) {
+    /** Ends at the light, as far as its outermost sample, and lists the spheres in between as the shadows' candidates. */
+    public void listTowardsLight(ShadowColumns columns, Drawing drawing) {
         BodyColumns bodies = drawing.bodies;
         endIn(bodies.x[Layout.LIGHT], bodies.y[Layout.LIGHT], bodies.z[Layout.LIGHT], drawing.discRadius * drawing.rim);
-        cull(drawing, Layout.FIRST_SPHERE, found);
+        cull(drawing, Layout.FIRST_SPHERE, columns.tileCandidates);
+    }
+
+    /** Lists the bodies that may reach into the region as those that a tile's rays may meet. */
+    void cull(Tile tile, Drawing drawing) {
+        cull(drawing, Layout.LIGHT, tile.candidates);
     }
 
     /** Lists the bodies from {@code first} on that may reach into the region. */
-    void cull(Drawing drawing, int first, BodyList found) {
+    private void cull(Drawing drawing, int first, BodyList found) {
         BodyColumns bodies = drawing.bodies;
         boolean all = everything || !drawing.shortcuts.take(Shortcut.CULLING);
         found.clear();

@@ -148,8 +148,15 @@ public final class OpenGround {
         }
     }
 
+    /** Adds the same, and starts the live rays that the ground mirrors. */
+    public static void addAndLeave(Tile tile, Drawing drawing) {
+        add(tile, drawing);
+        CameraLanes.aim(tile, drawing);
+        mirror(tile, drawing);
+    }
+
     /** Turns the live view rays into their mirror images, which start where they meet the plane. */
-    public static void leave(Tile tile, Drawing drawing) {
+    static void mirror(Tile tile, Drawing drawing) {
         tile.spheres.clear();
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {

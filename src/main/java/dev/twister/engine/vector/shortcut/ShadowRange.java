@@ -34,7 +34,7 @@ public final class ShadowRange {
     private ShadowRange() {}
 
     /** Chooses the direction, from the disc's centre to the first candidate as one of the packet's points sees it. */
-    public static void choose(Drawing drawing, ShadowColumns scratch) {
+    public static void choose(ShadowColumns scratch, Drawing drawing) {
         scratch.sorted = scratch.conical
                 && drawing.shadowSamples >= DiscOrders.FEW
                 && drawing.shortcuts.take(Shortcut.SAMPLE_RANGES);
@@ -46,10 +46,10 @@ public final class ShadowRange {
     }
 
     /** Writes where each candidate's shadow begins and ends, and where it hides all, as each lane sees it. */
-    public static void findPlaces(float[] t, int at, ShadowColumns scratch) {
+    public static void findPlaces(Tile tile, int at, ShadowColumns scratch) {
         if (scratch.sorted) {
             for (int c = 0; c < scratch.candidates.count; c++) {
-                findPlaces(t, at, scratch, c * ShadowColumns.STRIDE);
+                findPlaces(tile.values, at, scratch, c * ShadowColumns.STRIDE);
             }
         }
     }
@@ -106,7 +106,7 @@ public final class ShadowRange {
      * Finds the range of each candidate's samples that are to be looked at, and counts those that are hidden from all lanes
      * without a look.
      */
-    public static void find(Drawing drawing, ShadowColumns scratch) {
+    public static void find(ShadowColumns scratch, Drawing drawing) {
         if (scratch.sorted) {
             findRanges(drawing.discOrders, drawing.shadowSamples, scratch);
         } else {

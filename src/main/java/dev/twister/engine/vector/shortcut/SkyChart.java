@@ -131,7 +131,7 @@ public final class SkyChart {
         if (nodes.left != left || nodes.top != tile.top) {
             nodes.left = left;
             nodes.top = tile.top;
-            CameraLanes.start(nodes, drawing);
+            CameraLanes.aim(nodes, drawing);
             SkyDirection.find(nodes, drawing.sky);
             exact = judge(drawing.sky.width);
             if (exact) {

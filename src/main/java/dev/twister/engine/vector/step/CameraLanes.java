@@ -24,8 +24,14 @@ public final class CameraLanes {
         }
     }
 
+    /** Starts the live rays at the camera. */
+    public static void startRays(Tile tile, Drawing drawing) {
+        aim(tile, drawing);
+        place(tile, drawing.input.view().camera());
+    }
+
     /** The rays' directions, through the current samples. */
-    public static void start(Tile tile, Drawing drawing) {
+    public static void aim(Tile tile, Drawing drawing) {
         float[] camera = drawing.input.view().camera();
         float[] offsets = drawing.input.view().pixelOffsets();
         float step = drawing.viewportStep;
@@ -70,7 +76,7 @@ public final class CameraLanes {
      * @param corner 0 to 3
      * @param axis 0 for x, 1 for y, 2 for z
      */
-    public static float corner(Tile tile, Drawing drawing, int corner, int axis) {
+    public static float corner(Drawing drawing, Tile tile, int corner, int axis) {
         float x = tile.left + corner % 2 * Tile.SIDE - drawing.width * 0.5f;
         float y = drawing.input.height() * 0.5f - (drawing.input.firstRow() + tile.top + corner / 2 * Tile.SIDE);
         return turned(

@@ -93,7 +93,7 @@ public final class Highlight {
         if (tile.fractionPowers.count > 0) {
             findFractions(tile);
             raiseEach(tile, tile.fractionPowers, Tile.FRACTION_POWER);
-            weigh(tile.values, tile.fractionPowers);
+            weigh(tile, tile.fractionPowers);
         }
     }
 
@@ -155,7 +155,8 @@ public final class Highlight {
         }
     }
 
-    static void weigh(float[] t, PacketList packets) {
+    static void weigh(Tile tile, PacketList packets) {
+        float[] t = tile.values;
         for (int k = 0; k < packets.count; k++) {
             int at = packets.places[k];
             Lanes.load(t, at + Tile.SPECULAR)

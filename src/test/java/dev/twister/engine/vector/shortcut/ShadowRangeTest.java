@@ -106,10 +106,10 @@ final class ShadowRangeTest {
 
     /** Counts; returns how many samples of all candidates are left to be looked at. */
     private int count(Drawing drawing, boolean sorted) {
-        ShadowRange.choose(drawing, scratch);
+        ShadowRange.choose(scratch, drawing);
         scratch.sorted &= sorted;
-        ShadowRange.findPlaces(tile.values, 0, scratch);
-        ShadowRange.find(drawing, scratch);
+        ShadowRange.findPlaces(tile, 0, scratch);
+        ShadowRange.find(scratch, drawing);
         Shadows.count(tile, drawing, bench, 0);
         int left = 0;
         for (int c = 0; c < scratch.candidates.count; c++) {

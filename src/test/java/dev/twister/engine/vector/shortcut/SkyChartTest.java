@@ -113,7 +113,7 @@ final class SkyChartTest {
         tile.skies.addAll();
         if (chart.covers(tile, drawing)) {
             covered++;
-            CameraLanes.start(tile, drawing);
+            CameraLanes.aim(tile, drawing);
             chart.spread(tile, drawing);
             chart.place(tile, drawing, false);
             check(1);
