@@ -35,8 +35,9 @@ public final class JvmEngines implements EngineProvider {
     }
 
     private static void drawInTurn(FrameInput input, Frame frame) {
+        JvmKernel kernel = new JvmKernel();
         for (int row = 0; row < frame.height(); row++) {
-            JvmKernel.drawRow(input, frame, row);
+            kernel.drawRow(input, frame, row, 0, input.width());
         }
     }
 
@@ -44,7 +45,7 @@ public final class JvmEngines implements EngineProvider {
         RowSpread rows = new RowSpread(frame.height());
         IntStream.range(0, frame.height())
                 .parallel()
-                .forEach(index -> JvmKernel.drawRow(input, frame, rows.row(index)));
+                .forEach(index -> new JvmKernel().drawRow(input, frame, rows.row(index), 0, input.width()));
     }
 
     /** How the rows of a frame are gone through. */

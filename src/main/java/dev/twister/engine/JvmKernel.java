@@ -2,27 +2,31 @@ package dev.twister.engine;
 
 import dev.twister.image.Frame;
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.Path;
 import dev.twister.kernel.PixelKernel;
 import dev.twister.world.Bodies;
 import dev.twister.world.FrameInput;
 import dev.twister.world.Panorama;
 import dev.twister.world.View;
 
-/** Calls the kernel on the JVM, row by row. */
-final class JvmKernel {
-    private JvmKernel() {}
+/** Calls the kernel on the JVM, for one thread. */
+public final class JvmKernel {
+    private final float[] path = new float[Layout.PATH_LENGTH];
+    private final float[] scratch = new float[Layout.SCRATCH_LENGTH];
 
-    /** Draws one row of the band. */
-    static void drawRow(FrameInput input, Frame frame, int row) {
-        float[] path = new float[Layout.PATH_LENGTH];
-        float[] scratch = new float[Layout.SCRATCH_LENGTH];
+    /** The path that {@link #follow} follows: {@link Layout#PATH_LENGTH} floats. */
+    public float[] path() {
+        return path;
+    }
+
+    /** Draws the pixels of a row of the band, from one column to before another. */
+    public void drawRow(FrameInput input, Frame frame, int row, int firstColumn, int endColumn) {
         int search = HitSearch.of(input);
         int output = frame.isLinear() ? PixelKernel.LINEAR : PixelKernel.ARGB;
         View view = input.view();
         Bodies bodies = input.bodies();
         Panorama panorama = input.panorama();
-        int width = input.width();
-        for (int column = 0; column < width; column++) {
+        for (int column = firstColumn; column < endColumn; column++) {
             PixelKernel.draw(
                     column,
                     row,
@@ -43,5 +47,22 @@ final class JvmKernel {
                     search,
                     output);
         }
+    }
+
+    /** Follows the {@link #path} from a bounce on, as {@link Path#follow} does. */
+    public void follow(FrameInput input, int bounce) {
+        Path.follow(
+                path,
+                bounce,
+                input.view().properties(),
+                input.bodies().places(),
+                input.bodies().looks(),
+                input.bodies().hierarchy(),
+                input.bodyCount(),
+                input.panorama().texels(),
+                input.panorama().dimensions(),
+                input.view().shadowDisc(),
+                scratch,
+                HitSearch.of(input));
     }
 }

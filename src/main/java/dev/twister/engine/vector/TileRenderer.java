@@ -36,6 +36,10 @@ final class TileRenderer {
         tile.left = number % drawing.tilesAcross() * Tile.SIDE;
         tile.top = number / drawing.tilesAcross() * Tile.SIDE;
         TileOutput.approachNext(tile, drawing.frame);
+        if (drawing.declined.isFrame()) {
+            bench.handover.drawTile(tile, drawing);
+            return;
+        }
         bench.wholeTiles.rehearse(drawing);
         Choices.Way way = bench.choices.choose(tile, drawing);
         switch (way) {
@@ -77,6 +81,9 @@ final class TileRenderer {
             tile.last = bounce == drawing.bounceLimit;
             boolean offPlane = bounce == 1 && tile.spheres.count == 0;
             findHits(drawing, bounce, offPlane);
+            if (drawing.declined.isAnyBody()) {
+                bench.handover.endAtHits(tile, drawing, bounce);
+            }
             if (tile.lights.count > 0) {
                 LightHit.add(tile, drawing.bodies);
             }
@@ -90,7 +97,7 @@ final class TileRenderer {
                 SphereSurface.find(tile, drawing);
             }
             if (tile.surfaces.count > 0) {
-                shade(drawing);
+                shade(drawing, bounce);
             } else {
                 tile.live.clear();
             }
@@ -126,8 +133,11 @@ final class TileRenderer {
     }
 
     /** Adds what the surfaces send towards the eye, and starts the rays that go on. */
-    private void shade(Drawing drawing) {
+    private void shade(Drawing drawing, int bounce) {
         LightDirection.find(tile, drawing);
+        if (drawing.declined.isAnyBody()) {
+            bench.handover.endInShadows(tile, drawing, bounce);
+        }
         Shadows.find(tile, drawing, bench.shadows);
         Highlight.find(tile);
         ScatterLanes.scatter(tile, drawing);

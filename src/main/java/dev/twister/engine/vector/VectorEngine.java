@@ -4,7 +4,6 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.FrameFit;
 import dev.twister.engine.vector.frame.Drawing;
-import dev.twister.engine.vector.frame.Shortcuts;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
@@ -38,9 +37,10 @@ final class VectorEngine implements Engine {
      * Starts the threads.
      *
      * @param ways which are closed with the engine
+     * @param drawing which takes each frame
      */
-    VectorEngine(int threads, Ways ways, Shortcuts shortcuts) {
-        drawing = new Drawing(shortcuts);
+    VectorEngine(int threads, Ways ways, Drawing drawing) {
+        this.drawing = drawing;
         this.threads = threads;
         this.ways = ways;
         renderers = new TileRenderer[threads];

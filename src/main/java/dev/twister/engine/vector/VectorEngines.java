@@ -4,8 +4,11 @@ import com.google.auto.service.AutoService;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.EngineProvider;
+import dev.twister.engine.vector.frame.Declined;
+import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.frame.Shortcuts;
 import java.util.List;
+import java.util.function.IntPredicate;
 
 /** Offers the engine of SIMD lanes where the JVM was started with the Vector API. */
 @AutoService(EngineProvider.class)
@@ -36,7 +39,7 @@ public final class VectorEngines implements EngineProvider {
 
     /** The engine on so many threads. */
     static Engine open(int threads) {
-        return new VectorEngine(threads, new Ways(VectorEngine.CROWD, SmallRehearsal::of), Shortcuts.all());
+        return new VectorEngine(threads, new Ways(VectorEngine.CROWD, SmallRehearsal::of), new Drawing());
     }
 
     /** The same, which walks the hierarchy from that many bodies on, rehearsed or not. */
@@ -46,6 +49,15 @@ public final class VectorEngines implements EngineProvider {
 
     /** The same with some shortcuts. */
     static Engine open(int threads, int crowd, Shortcuts shortcuts) {
-        return new VectorEngine(threads, new Ways(crowd, _ -> new Unrehearsed()), shortcuts);
+        return open(threads, crowd, new Drawing(shortcuts, new Declined(_ -> false)));
+    }
+
+    /** The same, which declines some bodies. */
+    static Engine open(int threads, int crowd, IntPredicate declined) {
+        return open(threads, crowd, new Drawing(Shortcuts.all(), new Declined(declined)));
+    }
+
+    private static Engine open(int threads, int crowd, Drawing drawing) {
+        return new VectorEngine(threads, new Ways(crowd, _ -> new Unrehearsed()), drawing);
     }
 }

@@ -11,6 +11,7 @@ import dev.twister.engine.vector.shortcut.WholeTiles;
 /** One thread's tile and tools. */
 final class Workbench {
     final Tile tile = new Tile();
+    final Handover handover = new Handover();
     final Walks walks = new Walks();
     final ShadowBench shadows = new ShadowBench(walks);
     final TileSky sky = new TileSky();

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
-import dev.twister.engine.vector.frame.Shortcuts;
+import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.image.Frame;
 import dev.twister.oracle.PictureDifference;
 import dev.twister.world.FrameInput;
@@ -139,7 +139,7 @@ class WaysTest {
     @Test
     void bothWaysDrawTheSamePicture() {
         warm();
-        try (Engine vector = new VectorEngine(2, ways, Shortcuts.all());
+        try (Engine vector = new VectorEngine(2, ways, new Drawing());
                 Engine sequential = Engines.open("sequential")) {
             assertSame(vector, sequential, bodies(CROWD + 10));
             started.getFirst().over = true;

@@ -9,6 +9,7 @@ import java.io.UncheckedIOException;
 import java.util.Arrays;
 import java.util.Map;
 import java.util.Properties;
+import java.util.function.IntPredicate;
 
 /**
  * Loads the engine's classes anew, with a width of its own: lanes are a constant of a class, so that each width is other
@@ -35,6 +36,11 @@ final class WidthLoader extends ClassLoader {
         return open(Map.of(Lanes.BITS_PROPERTY, Integer.toString(bits)), threads, crowd);
     }
 
+    /** The same, which declines some bodies. */
+    static Engine openDeclining(int bits, int threads, int crowd, IntPredicate declined) {
+        return open(Map.of(Lanes.BITS_PROPERTY, Integer.toString(bits)), threads, crowd, declined);
+    }
+
     /** An engine as on the CPUs that have no fused multiply-add, which have four lanes. */
     static Engine openWithoutFusing(int threads) {
         return openWithoutFusing(threads, VectorEngine.CROWD);
@@ -50,8 +56,9 @@ final class WidthLoader extends ClassLoader {
         System.getProperties().putAll(properties);
         try {
             Class<?> engines = new WidthLoader().loadClass(VectorEngines.class.getName());
-            Class<?>[] types = new Class<?>[arguments.length];
-            Arrays.fill(types, int.class);
+            Class<?>[] types = Arrays.stream(arguments)
+                    .map(argument -> argument instanceof Integer ? int.class : IntPredicate.class)
+                    .toArray(Class<?>[]::new);
             var open = engines.getDeclaredMethod("open", types);
             open.setAccessible(true);
             return (Engine) open.invoke(null, arguments);

@@ -11,6 +11,7 @@ import dev.twister.world.FrameInput;
 /** What all threads read while a frame is drawn: the input, prepared for lanes. */
 public final class Drawing {
     public final Shortcuts shortcuts;
+    public final Declined declined;
 
     public final BodyColumns bodies = new BodyColumns();
     public final WideHierarchy hierarchy = new WideHierarchy();
@@ -49,13 +50,14 @@ public final class Drawing {
     /** How far the outermost sample lies from the disc's centre, as a part of its radius. */
     public float rim;
 
-    /** For frames with all shortcuts. */
+    /** For frames with all shortcuts, of bodies that lanes know. */
     public Drawing() {
-        this(Shortcuts.all());
+        this(Shortcuts.all(), new Declined(_ -> false));
     }
 
-    public Drawing(Shortcuts shortcuts) {
+    public Drawing(Shortcuts shortcuts, Declined declined) {
         this.shortcuts = shortcuts;
+        this.declined = declined;
     }
 
     /**
@@ -66,6 +68,7 @@ public final class Drawing {
     public void take(FrameInput newInput, Frame newFrame, boolean walk) {
         input = newInput;
         frame = newFrame;
+        declined.take(newInput);
         bodies.take(newInput);
         crowded = walk;
         if (crowded) {

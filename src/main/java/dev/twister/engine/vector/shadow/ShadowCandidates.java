@@ -18,7 +18,7 @@ public final class ShadowCandidates {
     private ShadowCandidates() {}
 
     /** Writes the disc's half angles, as far as its outermost sample, for all packets with open lanes. */
-    static void findDiscs(Tile tile, Drawing drawing) {
+    public static void findDiscs(Tile tile, Drawing drawing) {
         float[] t = tile.values;
         for (int k = 0; k < tile.shadows.count; k++) {
             int at = tile.shadows.places[k];
@@ -134,7 +134,7 @@ public final class ShadowCandidates {
     }
 
     /** One bit an open lane. */
-    static long open(Tile tile, int at) {
+    public static long open(Tile tile, int at) {
         float[] t = tile.values;
         return Lanes.load(t, at + Tile.SHADOW_OPEN)
                 .compare(VectorOperators.GT, 0f)
@@ -186,6 +186,16 @@ public final class ShadowCandidates {
                 .and(along.compare(VectorOperators.GT, -radius))
                 .and(along.sub(radius).compare(VectorOperators.LT, distance.mul(Shadow.RELATIVE_MARGIN)))
                 .toLong();
+    }
+
+    /** One bit a lane whose point may be shaded by a sphere that lanes do not know. */
+    public static long declined(Tile tile, int at, Drawing drawing) {
+        BodyList occluders = drawing.declined.occluders();
+        long declined = 0L;
+        for (int k = 0; k < occluders.count; k++) {
+            declined |= between(tile.values, at, drawing.bodies, occluders.bodies[k]);
+        }
+        return declined;
     }
 
     /** One bit an open lane whose point neither lies on the sphere nor inside it. */

@@ -4,6 +4,7 @@ import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.frame.Shortcut;
 import dev.twister.engine.vector.lanes.ShadowColumns;
 import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.kernel.Layout;
 
 /** Which shortcuts apply to a tile, and to the rays of a bounce. */
 public final class Choices {
@@ -74,14 +75,17 @@ public final class Choices {
         return switch (view) {
             case NOTHING ->
                 drawing.shortcuts.take(Shortcut.SKY_TILES) && sky.isCharted(tile, drawing) ? Way.SKY : Way.ANY;
-            case GROUND -> drawing.shortcuts.take(Shortcut.GROUND_TILES) ? chooseOnGround(tile, drawing) : Way.ANY;
+            case GROUND ->
+                drawing.shortcuts.take(Shortcut.GROUND_TILES) && !drawing.declined.isBody(Layout.PLANE)
+                        ? chooseOnGround(tile, drawing)
+                        : Way.ANY;
             case PART -> Way.ANY;
         };
     }
 
     private Way chooseOnGround(Tile tile, Drawing drawing) {
         if (!isLit(drawing)) {
-            return Way.GROUND;
+            return drawing.declined.isAnyBody() ? Way.ANY : Way.GROUND;
         }
         return OpenGround.mirrors(drawing) && !mirrorsSkyAlone(tile, drawing) ? Way.LIT_GROUND : Way.OPEN_GROUND;
     }

@@ -1,0 +1,77 @@
+package dev.twister.engine.vector;
+
+import dev.twister.engine.JvmKernel;
+import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.engine.vector.shadow.ShadowCandidates;
+import dev.twister.kernel.Layout;
+
+/** Hands what lanes decline to the scalar kernel: paths from a bounce on, or whole tiles. */
+final class Handover {
+    private final JvmKernel kernel = new JvmKernel();
+
+    /** Ends the live rays that meet a body that lanes do not know, once the kernel has followed them. */
+    void endAtHits(Tile tile, Drawing drawing, int bounce) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.live.count; k++) {
+            int at = tile.live.places[k];
+            for (int pixel = at; pixel < at + Lanes.COUNT; pixel++) {
+                int hit = (int) t[pixel + Tile.HIT];
+                if (hit >= Layout.LIGHT && drawing.declined.isBody(hit)) {
+                    end(tile, drawing, pixel, bounce);
+                }
+            }
+        }
+    }
+
+    /**
+     * Ends the live rays whose surfaces may be shaded by a body that lanes do not know. The points that are left have none
+     * among their possible occluders.
+     */
+    void endInShadows(Tile tile, Drawing drawing, int bounce) {
+        int kept = 0;
+        ShadowCandidates.findDiscs(tile, drawing);
+        for (int k = 0; k < tile.shadows.count; k++) {
+            int at = tile.shadows.places[k];
+            long open = ShadowCandidates.open(tile, at);
+            long declined = open & ShadowCandidates.declined(tile, at, drawing);
+            for (long rest = declined; rest != 0L; rest &= rest - 1) {
+                end(tile, drawing, at + Long.numberOfTrailingZeros(rest), bounce);
+            }
+            if (open != declined) {
+                tile.shadows.places[kept] = at;
+                kept++;
+            }
+        }
+        tile.shadows.count = kept;
+    }
+
+    private void end(Tile tile, Drawing drawing, int pixel, int bounce) {
+        float[] t = tile.values;
+        float[] path = kernel.path();
+        for (int axis = 0; axis < 3; axis++) {
+            path[Layout.ORIGIN + axis] = t[pixel + Tile.ORIGIN_X + axis * Tile.SIZE];
+            path[Layout.DIRECTION + axis] = t[pixel + Tile.DIRECTION_X + axis * Tile.SIZE];
+            path[Layout.RADIANCE + axis] = t[pixel + Tile.RED + axis * Tile.SIZE];
+        }
+        path[Layout.LEAVING] = t[pixel + Tile.LEAVING];
+        path[Layout.THROUGHPUT] = t[pixel + Tile.THROUGHPUT];
+        kernel.follow(drawing.input, bounce);
+        for (int channel = 0; channel < 3; channel++) {
+            t[pixel + Tile.RED + channel * Tile.SIZE] = path[Layout.RADIANCE + channel];
+        }
+        t[pixel + Tile.THROUGHPUT] = 0f;
+        t[pixel + Tile.SHADOW_OPEN] = 0f;
+        t[pixel + Tile.HIT] = Tile.ENDED;
+    }
+
+    /** Draws all pixels of a tile that are in the frame. */
+    void drawTile(Tile tile, Drawing drawing) {
+        int right = Math.min(tile.left + Tile.SIDE, drawing.width);
+        int bottom = Math.min(tile.top + Tile.SIDE, drawing.rows);
+        for (int row = tile.top; row < bottom; row++) {
+            kernel.drawRow(drawing.input, drawing.frame, row, tile.left, right);
+        }
+    }
+}

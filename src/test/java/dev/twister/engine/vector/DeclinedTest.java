@@ -1,0 +1,125 @@
+package dev.twister.engine.vector;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.Engines;
+import dev.twister.engine.JvmEngines;
+import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.image.Frame;
+import dev.twister.kernel.Layout;
+import dev.twister.oracle.LitScene;
+import dev.twister.oracle.PictureDifference;
+import dev.twister.oracle.RandomScenes;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneReader;
+import dev.twister.sky.SkyboxReader;
+import dev.twister.world.FrameInput;
+import dev.twister.world.View;
+import dev.twister.world.World;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Random;
+import java.util.function.IntPredicate;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What lanes decline, the scalar kernel draws: the picture is the same. */
+final class DeclinedTest {
+    private static final List<Integer> WIDTHS = List.of(128, 256, 512);
+    private static final int ALWAYS_WALK = 0;
+    private static final int NEVER_WALK = Integer.MAX_VALUE;
+
+    private record Kind(String name, IntPredicate bodies) {
+        @Override
+        public String toString() {
+            return name;
+        }
+    }
+
+    private static final List<Kind> KINDS = List.of(
+            new Kind("the light", body -> body == Layout.LIGHT),
+            new Kind("the plane", body -> body == Layout.PLANE),
+            new Kind("one sphere", body -> body == Layout.FIRST_SPHERE + 1),
+            new Kind("every other sphere", body -> body >= Layout.FIRST_SPHERE && body % 2 == 0),
+            new Kind("all spheres", body -> body >= Layout.FIRST_SPHERE),
+            new Kind("all bodies", _ -> true));
+
+    static Stream<Object[]> widthsAndKinds() {
+        return WIDTHS.stream().flatMap(bits -> KINDS.stream().map(kind -> new Object[] {bits, kind}));
+    }
+
+    @ParameterizedTest(name = "{1} at {0} bits")
+    @MethodSource("widthsAndKinds")
+    void shippedScenesAreTheSame(int bits, Object kind) {
+        for (int crowd : new int[] {ALWAYS_WALK, NEVER_WALK}) {
+            try (Engine declining = WidthLoader.openDeclining(bits, 2, crowd, ((Kind) kind).bodies());
+                    Engine sequential = Engines.open(JvmEngines.SEQUENTIAL)) {
+                for (String scene : List.of("benchmark", "teaching", "mirrors", "spheres-100")) {
+                    FrameInput input = shipped(scene);
+                    PictureDifference difference =
+                            PictureDifference.between(pixels(declining, input), pixels(sequential, input));
+                    assertThat(difference).as(scene).matches(PictureDifference::isWithinBound);
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest(name = "{1} at {0} bits")
+    @MethodSource("widthsAndKinds")
+    void randomScenesAreTheSame(int bits, Object kind) {
+        Random random = new Random(20261125);
+        int pixels = 0;
+        int different = 0;
+        for (int crowd : new int[] {ALWAYS_WALK, NEVER_WALK}) {
+            try (Engine declining = WidthLoader.openDeclining(bits, 2, crowd, ((Kind) kind).bodies());
+                    Engine sequential = Engines.open(JvmEngines.SEQUENTIAL)) {
+                for (int count = 0; count < 20; count++) {
+                    LitScene scene = RandomScenes.scene(random, random.nextInt(4));
+                    FrameInput input = World.of(scene.scene(), scene.sky()).snapshot();
+                    PictureDifference difference =
+                            PictureDifference.between(pixels(declining, input), pixels(sequential, input));
+                    pixels += difference.pixels();
+                    different += difference.differing().length;
+                }
+            }
+        }
+        assertThat(different).isLessThanOrEqualTo(pixels / PictureDifference.PIXELS_AN_ODD_ONE);
+    }
+
+    @Test
+    void toneMapThatLanesDoNotKnowDeclinesTheFrame() {
+        FrameInput known = shipped("teaching");
+        float[] properties = known.view().properties().clone();
+        properties[Layout.TONE_MAP] = 99;
+        View view = known.view();
+        FrameInput unknown = new FrameInput(
+                new View(view.dimensions(), view.camera(), properties, view.shadowDisc(), view.pixelOffsets()),
+                known.bodies(),
+                known.panorama());
+        Drawing drawing = new Drawing();
+        drawing.take(known, Frame.ofPixels(known.width(), known.rows()), false);
+        assertThat(drawing.declined.isFrame()).isFalse();
+        drawing.take(unknown, Frame.ofPixels(known.width(), known.rows()), false);
+        assertThat(drawing.declined.isFrame()).isTrue();
+        try (Engine vector = VectorEngines.open(2);
+                Engine sequential = Engines.open(JvmEngines.SEQUENTIAL)) {
+            assertThat(pixels(vector, unknown)).isEqualTo(pixels(sequential, unknown));
+        }
+    }
+
+    private static FrameInput shipped(String name) {
+        Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
+        World world = World.of(scene, SkyboxReader.read(scene.skybox()));
+        world.setSettings(world.settings().withSize(151, 87).withShadows(9).withBounces(2));
+        return world.snapshot();
+    }
+
+    private static int[] pixels(Engine engine, FrameInput input) {
+        Frame frame = Frame.ofPixels(input.width(), input.rows());
+        engine.render(input, frame);
+        return frame.argb();
+    }
+}
