@@ -1,32 +1,35 @@
 package dev.twister.engine.vector.frame;
 
-import java.util.EnumSet;
-
 /** Which shortcuts an engine takes. */
 public final class Shortcuts {
-    private final EnumSet<Shortcut> taken;
+    private final int taken;
 
-    private Shortcuts(EnumSet<Shortcut> taken) {
+    private Shortcuts(int taken) {
         this.taken = taken;
     }
 
     /** All of them. */
     public static Shortcuts all() {
-        return new Shortcuts(EnumSet.allOf(Shortcut.class));
+        return new Shortcuts(-1);
     }
 
     /** None of them. */
     public static Shortcuts none() {
-        return new Shortcuts(EnumSet.noneOf(Shortcut.class));
+        return new Shortcuts(0);
     }
 
     /** All but one. */
     public static Shortcuts without(Shortcut shortcut) {
-        return new Shortcuts(EnumSet.complementOf(EnumSet.of(shortcut)));
+        return new Shortcuts(~bit(shortcut));
     }
 
     /** Whether that one is taken. */
     public boolean take(Shortcut shortcut) {
-        return taken.contains(shortcut);
+        return (taken & bit(shortcut)) != 0;
+    }
+
+    @SuppressWarnings("EnumOrdinal") // asked several times a tile, where a set would be slower
+    private static int bit(Shortcut shortcut) {
+        return 1 << shortcut.ordinal();
     }
 }

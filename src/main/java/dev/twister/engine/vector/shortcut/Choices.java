@@ -57,7 +57,7 @@ public final class Choices {
         if (!drawing.crowded) {
             cullViewRays(tile, drawing);
             if (drawing.shortcuts.take(Shortcut.CULLING) && tile.candidates.count == 0) {
-                way = chooseWithoutBodies(tile, drawing);
+                way = chooseWithoutBodies(drawing, tile);
             }
         }
         return way;
@@ -69,25 +69,25 @@ public final class Choices {
         rays.cull(tile, drawing);
     }
 
-    private Way chooseWithoutBodies(Tile tile, Drawing drawing) {
+    private Way chooseWithoutBodies(Drawing drawing, Tile tile) {
         GroundAlone.View view =
                 rays.rises(drawing.planeHeight) ? GroundAlone.View.NOTHING : GroundAlone.view(tile, drawing, ground);
         return switch (view) {
             case NOTHING ->
-                drawing.shortcuts.take(Shortcut.SKY_TILES) && sky.isCharted(tile, drawing) ? Way.SKY : Way.ANY;
+                drawing.shortcuts.take(Shortcut.SKY_TILES) && sky.isCharted(drawing, tile) ? Way.SKY : Way.ANY;
             case GROUND ->
                 drawing.shortcuts.take(Shortcut.GROUND_TILES) && !drawing.declined.isBody(Layout.PLANE)
-                        ? chooseOnGround(tile, drawing)
+                        ? chooseOnGround(drawing, tile)
                         : Way.ANY;
             case PART -> Way.ANY;
         };
     }
 
-    private Way chooseOnGround(Tile tile, Drawing drawing) {
+    private Way chooseOnGround(Drawing drawing, Tile tile) {
         if (!isLit(drawing)) {
             return drawing.declined.isAnyBody() ? Way.ANY : Way.GROUND;
         }
-        return OpenGround.mirrors(drawing) && !mirrorsSkyAlone(tile, drawing) ? Way.LIT_GROUND : Way.OPEN_GROUND;
+        return OpenGround.mirrors(drawing) && !mirrorsSkyAlone(drawing, tile) ? Way.LIT_GROUND : Way.OPEN_GROUND;
     }
 
     /** Whether nothing is between a tile's ground and the light. */
@@ -100,11 +100,11 @@ public final class Choices {
         return lit;
     }
 
-    private boolean mirrorsSkyAlone(Tile tile, Drawing drawing) {
+    private boolean mirrorsSkyAlone(Drawing drawing, Tile tile) {
         mirrored.hold(rays);
         mirrored.mirror(drawing.planeHeight);
         mirrored.cull(tile, drawing);
-        return tile.candidates.count == 0 && sky.isCharted(tile, drawing);
+        return tile.candidates.count == 0 && sky.isCharted(drawing, tile);
     }
 
     /**

@@ -27,32 +27,32 @@ public final class TileSky {
     }
 
     /** Whether the chart has the directions of all of a tile's view rays, and of their mirror images in a level plane. */
-    boolean isCharted(Tile tile, Drawing drawing) {
+    boolean isCharted(Drawing drawing, Tile tile) {
         return drawing.shortcuts.take(Shortcut.SKY_CHART) && chart.covers(tile, drawing);
     }
 
     /** The same where so many of the packets meet the sky that it pays. */
     public boolean pays(Tile tile, Drawing drawing) {
-        return tile.skies.count >= LEAST_CHARTED && isCharted(tile, drawing);
+        return tile.skies.count >= LEAST_CHARTED && isCharted(drawing, tile);
     }
 
     /** Adds the sky that a charted tile's view rays look at, or their mirror images. */
     public void addCharted(Tile tile, Drawing drawing, boolean mirrored) {
-        place(tile, drawing, mirrored);
-        if (isInWindow(tile, drawing, mirrored)) {
+        place(drawing, tile, mirrored);
+        if (isInWindow(drawing, tile, mirrored)) {
             window.add(tile);
         } else {
             add(tile, drawing);
         }
     }
 
-    private void place(Tile tile, Drawing drawing, boolean mirrored) {
+    private void place(Drawing drawing, Tile tile, boolean mirrored) {
         chart.spread(tile, drawing);
         chart.place(tile, drawing, mirrored);
     }
 
     /** Whether the window holds all texels that a charted tile looks at; fetches them. */
-    private boolean isInWindow(Tile tile, Drawing drawing, boolean mirrored) {
+    private boolean isInWindow(Drawing drawing, Tile tile, boolean mirrored) {
         return SkyWindow.FIT
                 && drawing.shortcuts.take(Shortcut.SKY_WINDOW)
                 && chart.open(window, tile, drawing, mirrored);
@@ -83,7 +83,7 @@ public final class TileSky {
         if (chart.isCoarse() && rehearsals < REHEARSALS) {
             rehearsals++;
             clear.sample = 0;
-            place(clear, drawing, false);
+            place(drawing, clear, false);
             if (SkyWindow.FIT) {
                 window.add(clear);
             }
