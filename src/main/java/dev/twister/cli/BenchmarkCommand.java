@@ -15,7 +15,6 @@ import dev.twister.engine.Engines;
 import dev.twister.engine.JvmEngines;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
-import dev.twister.sky.SkyboxReader;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -184,11 +183,12 @@ final class BenchmarkCommand implements Callable<Integer> {
 
     private World world() {
         Scene scene = SceneReader.read(SceneFiles.find(sceneName));
-        return World.of(scene, SkyboxReader.read(scene.skybox()));
+        return World.of(scene, SkyFiles.read(scene.skybox(), spec.commandLine().getErr()));
     }
 
     private BenchmarkReport run(BenchmarkPlan plan, Scene scene, ReportFiles files) {
-        World world = World.of(scene, SkyboxReader.read(scene.skybox()));
+        World world =
+                World.of(scene, SkyFiles.read(scene.skybox(), spec.commandLine().getErr()));
         Optional<MotionPlan> moving = motion.isOn()
                 ? Optional.of(new MotionPlan(scene, motion.startSeconds(), motion.secondsPerFrame()))
                 : Optional.empty();

@@ -7,7 +7,6 @@ import dev.twister.bench.StartUpReport;
 import dev.twister.engine.Engines;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
-import dev.twister.sky.SkyboxReader;
 import dev.twister.world.World;
 import java.lang.management.ManagementFactory;
 import java.time.Duration;
@@ -66,7 +65,8 @@ final class StartUpCommand implements Runnable {
     public void run() {
         Ranges.check("--seconds", seconds, 1, MAX_SECONDS);
         Scene scene = SceneReader.read(SceneFiles.find(sceneName));
-        World world = World.of(scene, SkyboxReader.read(scene.skybox()));
+        World world =
+                World.of(scene, SkyFiles.read(scene.skybox(), spec.commandLine().getErr()));
         world.setSettings(world.settings().withSize(size.width(), size.height()));
         try (ProgressLine line = ProgressLine.start(spec.commandLine().getErr(), engineId, seconds)) {
             print(new StartUp(StartUpCommand::nanosSinceStart)
