@@ -14,7 +14,6 @@ import dev.twister.image.PictureSize;
 import dev.twister.physics.Simulation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
-import dev.twister.sky.SkyboxReader;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -194,7 +193,8 @@ final class BenchmarkCommand implements Callable<Integer> {
     }
 
     private BenchmarkReport run(BenchmarkPlan plan, Scene scene, ReportFiles files) {
-        World world = World.of(scene, SkyboxReader.read(scene.skybox()));
+        World world =
+                World.of(scene, SkyFiles.read(scene.skybox(), spec.commandLine().getErr()));
         Optional<MotionPlan> moving = motion.isOn()
                 ? Optional.of(new MotionPlan(scene, motion.startSeconds(), motion.secondsPerFrame()))
                 : Optional.empty();

@@ -11,7 +11,6 @@ import dev.twister.physics.Simulation;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
-import dev.twister.sky.SkyboxReader;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -115,7 +114,7 @@ final class RenderCommand implements Callable<Integer> {
         checkKeeps(file, sky);
         RenderSettings settings = settings(scene.settings());
         PictureMemory.check(new PictureSize(settings.width(), settings.height()), BandedDrawing.bytesPerPixel(linear));
-        World world = World.of(scene, SkyboxReader.read(sky));
+        World world = World.of(scene, SkyFiles.read(sky, spec.commandLine().getErr()));
         world.setCamera(camera.over(scene.camera()));
         world.setSettings(settings);
         if (motion.isOn()) {

@@ -5,7 +5,6 @@ import dev.twister.scene.SceneGenerator;
 import dev.twister.scene.SceneReader;
 import dev.twister.scene.SceneWriter;
 import dev.twister.sky.ShippedSky;
-import dev.twister.sky.SkyboxReader;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -76,20 +75,20 @@ final class SceneCommand implements Callable<Integer> {
         return Main.OK;
     }
 
-    private static String check(String name) {
+    private String check(String name) {
         Path file = SceneFiles.find(name);
         Scene scene = SceneReader.read(file);
-        SkyboxReader.read(scene.skybox());
+        SkyFiles.read(scene.skybox(), spec.commandLine().getErr());
         return file + ": valid, " + spheres(scene);
     }
 
-    private static String generate(Generation wanted) throws IOException {
+    private String generate(Generation wanted) throws IOException {
         Ranges.check("--spheres", wanted.count, 1, SceneGenerator.MAX_SPHERES);
         OutputFile.check("--output", wanted.output);
         Path skybox = wanted.skybox.orElseGet(() -> Home.skyboxes().resolve(ShippedSky.DAY.fileName()));
         OutputFile.checkKeeps("--output", wanted.output, skybox);
         // As --check does: a scene that no command can draw is not to be written.
-        SkyboxReader.read(skybox);
+        SkyFiles.read(skybox, spec.commandLine().getErr());
         Scene scene = SceneGenerator.spheres(wanted.count, wanted.seed, skybox);
         SceneWriter.write(scene, wanted.output);
         return wanted.output + ": " + spheres(scene);

@@ -445,6 +445,10 @@ public final class Studio implements AutoCloseable {
             frames.add(newest, displayMillis);
             picture.set(Optional.of(newest));
         });
+        String warnings = skies.takeWarnings();
+        if (!warnings.isEmpty()) {
+            notice(warnings);
+        }
         drawing.set(loop.status());
     }
 

@@ -12,6 +12,8 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
+import java.util.Arrays;
+import java.util.Optional;
 
 /** Reads a scene file's bytes as UTF-8, refusing what cannot be a scene before it costs memory. */
 final class SourceFile {
@@ -69,6 +71,9 @@ final class SourceFile {
     }
 
     private static SourceText decode(String name, byte[] bytes) {
+        wideEncoding(bytes).ifPresent(encoding -> {
+            throw failure(name, "is not UTF-8 text but " + encoding + "; save it as UTF-8");
+        });
         CharsetDecoder decoder = StandardCharsets.UTF_8.newDecoder();
         ByteBuffer input = ByteBuffer.wrap(bytes);
         // UTF-8 never has more UTF-16 units than bytes.
@@ -86,5 +91,21 @@ final class SourceFile {
             characters[0] = ' ';
         }
         return text;
+    }
+
+    /** By its byte order mark, or where the zero bytes of its first character are (RFC 4627, 3). */
+    private static Optional<String> wideEncoding(byte[] bytes) {
+        int first = ByteBuffer.wrap(Arrays.copyOf(bytes, Integer.BYTES)).getInt();
+        int high = first >>> 16;
+        if (first == 0x0000feff || first == 0xfffe0000 || (bytes.length >= 4 && isOneOf(first, 0xff, 0xff000000))) {
+            return Optional.of("UTF-32");
+        }
+        boolean marked = high == 0xfeff || high == 0xfffe;
+        return marked || (bytes.length >= 2 && isOneOf(high, 0xff, 0xff00)) ? Optional.of("UTF-16") : Optional.empty();
+    }
+
+    /** Whether some bits of one of these bytes are set, and no others. */
+    private static boolean isOneOf(int value, int low, int high) {
+        return value != 0 && ((value & low) == value || (value & high) == value);
     }
 }

@@ -2,11 +2,11 @@ package dev.twister.sky;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Consumer;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
@@ -14,35 +14,56 @@ import javax.imageio.stream.MemoryCacheImageInputStream;
 
 /** Reads PNG and JPEG panoramas through ImageIO. */
 final class OrdinaryImageReader {
+    /** What a decoder is asked for. */
+    private interface Step<T> {
+        T run() throws IOException;
+    }
+
     private OrdinaryImageReader() {}
 
-    static Skybox read(ByteBuffer content, OrdinaryImageFormat format) throws IOException {
-        format.check(content);
+    /**
+     * Reads a panorama.
+     *
+     * @param warnings told of what the file says and is not used
+     */
+    static Skybox read(FileBytes file, OrdinaryImageFormat format, Consumer<String> warnings) throws IOException {
+        EncodedImage encoded = format.open(file, warnings);
         Iterator<ImageReader> readers = ImageIO.getImageReadersByFormatName(format.name());
         if (!readers.hasNext()) {
             throw new IOException("this Java runtime cannot read " + format);
         }
         ImageReader reader = readers.next();
-        int fileBytes = content.remaining();
-        try (ImageInputStream stream = new MemoryCacheImageInputStream(new ByteBufferInput(content))) {
-            return LinearImage.skybox(decode(reader, stream, format, fileBytes));
+        ImageMeaning meaning = encoded.meaning();
+        try (ImageInputStream stream = new MemoryCacheImageInputStream(encoded.decodable())) {
+            reader.setInput(stream, true, true);
+            return LinearImage.skybox(decode(reader, format, encoded, meaning), meaning);
         } finally {
             reader.dispose();
         }
     }
 
-    static BufferedImage decode(ImageReader reader, ImageInputStream stream, OrdinaryImageFormat format, int fileBytes)
+    /** Decodes what the reader has as its input. */
+    static BufferedImage decode(
+            ImageReader reader, OrdinaryImageFormat format, EncodedImage encoded, ImageMeaning meaning)
             throws IOException {
-        List<String> warnings = new ArrayList<>();
-        BufferedImage image;
+        int width = attempt(format, () -> reader.getWidth(0));
+        int height = attempt(format, () -> reader.getHeight(0));
+        ScanOrder order = meaning.order(width, height);
+        SkyboxLimits.checkSize(order.width(), order.height());
+        encoded.checkTexels((long) width * height);
+        List<String> complaints = new ArrayList<>();
+        reader.addIIOReadWarningListener((source, complaint) -> complaints.add(complaint));
+        BufferedImage image = attempt(format, () -> reader.read(0));
+        // libjpeg fills what is missing with gray and only warns.
+        if (complaints.stream().anyMatch(OrdinaryImageReader::saysTruncated)) {
+            throw new IOException("the " + format + " ends before its last texel");
+        }
+        return image;
+    }
+
+    private static <T> T attempt(OrdinaryImageFormat format, Step<T> step) throws IOException {
         try {
-            reader.setInput(stream, true, true);
-            long width = reader.getWidth(0);
-            long height = reader.getHeight(0);
-            SkyboxLimits.checkSize(width, height);
-            format.checkSize(width * height, fileBytes);
-            reader.addIIOReadWarningListener((source, warning) -> warnings.add(warning));
-            image = reader.read(0);
+            return step.run();
         } catch (IllegalArgumentException
                 | IllegalStateException
                 | IndexOutOfBoundsException
@@ -53,30 +74,28 @@ final class OrdinaryImageReader {
             // ImageIO's decoders answer some damaged files so.
             throw new IOException("a damaged " + format + " (" + damaged + ")", damaged);
         } catch (IOException unreadable) {
-            rethrowOutOfMemory(unreadable);
+            rethrowIfNotTheContent(unreadable);
             throw new IOException(
                     "cannot be decoded as " + format + " (" + RadianceHeader.quotable("" + unreadable.getMessage())
-                            + "); RGB and greyscale are read, CMYK is not",
+                            + ")",
                     unreadable);
         }
-        // libjpeg fills what is missing with grey and only warns.
-        if (warnings.stream().anyMatch(OrdinaryImageReader::saysTruncated)) {
-            throw new IOException("the " + format + " ends before its last texel");
-        }
-        return image;
     }
 
-    /** ImageIO takes that for the file's fault; but a larger heap helps. */
-    private static void rethrowOutOfMemory(IOException failure) {
-        for (Throwable cause = failure.getCause(); cause != null; cause = cause.getCause()) {
+    /** ImageIO takes these for the file's fault; but a larger heap helps, or another try. */
+    private static void rethrowIfNotTheContent(IOException failure) throws IOException {
+        for (Throwable cause = failure; cause != null; cause = cause.getCause()) {
             if (cause instanceof OutOfMemoryError memory) {
                 throw memory;
+            }
+            if (cause instanceof FileChangedException changed) {
+                throw changed;
             }
         }
     }
 
-    private static boolean saysTruncated(String warning) {
-        String words = warning.toLowerCase(Locale.ROOT);
+    private static boolean saysTruncated(String complaint) {
+        String words = complaint.toLowerCase(Locale.ROOT);
         return words.contains("premature end") || words.contains("truncated");
     }
 }

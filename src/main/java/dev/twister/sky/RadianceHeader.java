@@ -1,41 +1,44 @@
 package dev.twister.sky;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 
 /**
  * What a Radiance picture says before its texels ("The Radiance file formats", Ward 1992 to 2003).
  *
  * @param xyz whether texels hold CIE XYZ and not red, green and blue
+ * @param primaries what red, green and blue are, where the texels hold them
  * @param redDivisor the product of all EXPOSURE and COLORCORR factors of the first channel, which is to be divided by it
  * @param greenDivisor likewise, second channel
  * @param blueDivisor likewise, third channel
- * @param layout size and order of the texels
+ * @param order size and order of the texels
  */
-record RadianceHeader(boolean xyz, double redDivisor, double greenDivisor, double blueDivisor, RadianceLayout layout) {
-    private static final String[] MAGICS = {"#?RADIANCE", "#?RGBE"};
+record RadianceHeader(
+        boolean xyz, Primaries primaries, double redDivisor, double greenDivisor, double blueDivisor, ScanOrder order) {
+    /** The primaries of pictures that name none; as usual, their channels are taken for linear sRGB as they stand. */
+    private static final Primaries RADIANCE = Primaries.of(0.640, 0.330, 0.290, 0.600, 0.150, 0.060, 1 / 3.0, 1 / 3.0);
+
+    /** What follows names the program that wrote the file. */
+    private static final String MAGIC = "#?";
+
     private static final String RGBE = "32-bit_rle_rgbe";
     private static final String XYZE = "32-bit_rle_xyze";
     private static final int MOST_BYTES = 1 << 16;
     private static final int MOST_QUOTED = 60;
 
     /** Whether the content starts as a Radiance picture does. */
-    static boolean startsIn(ByteBuffer content) {
-        for (String magic : MAGICS) {
-            byte[] bytes = magic.getBytes(StandardCharsets.US_ASCII);
-            if (content.remaining() >= bytes.length
-                    && content.slice(content.position(), bytes.length).equals(ByteBuffer.wrap(bytes))) {
-                return true;
-            }
-        }
-        return false;
+    static boolean startsIn(FileBytes file) throws IOException {
+        return file.startsWith(MAGIC);
     }
 
-    /** Reads the header and the resolution line, and leaves the buffer at the first texel. */
-    static RadianceHeader read(ByteBuffer content) throws IOException {
+    /**
+     * Reads the header and the resolution line, and leaves the cursor at the first texel. Values of EXPOSURE, COLORCORR
+     * and PRIMARIES that make no sense, of which there are many in files, count as absent.
+     */
+    static RadianceHeader read(FileCursor content) throws IOException {
         boolean xyz = false;
-        double exposure = 1;
+        Primaries primaries = Primaries.SRGB;
+        double[] exposure = {1, 1, 1};
         double[] correction = {1, 1, 1};
         String line = line(content);
         while (!line.isEmpty()) {
@@ -43,22 +46,18 @@ record RadianceHeader(boolean xyz, double redDivisor, double greenDivisor, doubl
             if (line.startsWith("FORMAT=")) {
                 xyz = isXyz(value(line));
             } else if (line.startsWith("EXPOSURE=")) {
-                exposure *= factor(value(line), line);
+                double factor = numbers(line, 1)[0];
+                multiply(exposure, factor, factor, factor);
             } else if (line.startsWith("COLORCORR=")) {
-                String[] factors = value(line).split("\\s+", -1);
-                if (factors.length != 3) {
-                    throw new IOException("the header line \"" + quotable(line) + "\"; COLORCORR takes three numbers");
-                }
-                for (int channel = 0; channel < 3; channel++) {
-                    correction[channel] *= factor(factors[channel], line);
-                }
+                multiply(correction, numbers(line, 3));
+            } else if (line.startsWith("PRIMARIES=")) {
+                primaries = primaries(numbers(line, 8), primaries);
             }
             line = line(content);
         }
-        double red = divisor(exposure * correction[0]);
-        double green = divisor(exposure * correction[1]);
-        double blue = divisor(exposure * correction[2]);
-        return new RadianceHeader(xyz, red, green, blue, RadianceLayout.parse(line(content)));
+        multiply(exposure, correction);
+        return new RadianceHeader(
+                xyz, primaries, exposure[0], exposure[1], exposure[2], ResolutionLine.parse(line(content)));
     }
 
     /** A piece of a file made fit for a message of one line. */
@@ -79,31 +78,47 @@ record RadianceHeader(boolean xyz, double redDivisor, double greenDivisor, doubl
         };
     }
 
-    private static double factor(String number, String line) throws IOException {
+    /** The numbers of a line that has as many; NaN each where it has not. */
+    private static double[] numbers(String line, int count) {
+        double[] numbers = new double[count];
+        Arrays.fill(numbers, Double.NaN);
+        String[] words = value(line).split("\\s+", -1);
         try {
-            double factor = Double.parseDouble(number);
-            if (factor > 0 && factor < Double.POSITIVE_INFINITY) {
-                return factor;
+            for (int i = 0; words.length == count && i < count; i++) {
+                numbers[i] = Double.parseDouble(words[i]);
             }
         } catch (NumberFormatException notANumber) {
-            throw new IOException("the header line \"" + quotable(line) + "\"; a number is needed", notANumber);
+            Arrays.fill(numbers, Double.NaN);
         }
-        throw new IOException("the header line \"" + quotable(line) + "\"; a number above 0 is needed");
+        return numbers;
     }
 
-    private static double divisor(double product) throws IOException {
-        if (product > 0 && product < Double.POSITIVE_INFINITY) {
-            return product;
+    /** Multiplies by factors above 0, unless that leads out of a double's range. */
+    private static void multiply(double[] divisors, double... factors) {
+        double[] products = new double[3];
+        for (int channel = 0; channel < 3; channel++) {
+            products[channel] = divisors[channel] * factors[channel];
+            // Written so that NaN fails too.
+            if (!(factors[channel] > 0 && products[channel] > 0 && products[channel] < Double.POSITIVE_INFINITY)) {
+                return;
+            }
         }
-        throw new IOException("the exposures multiply to " + product + "; a number above 0 is needed");
+        System.arraycopy(products, 0, divisors, 0, 3);
+    }
+
+    private static Primaries primaries(double[] named, Primaries before) {
+        Primaries primaries = Primaries.of(named);
+        if (!primaries.makeSense()) {
+            return before;
+        }
+        return primaries.near(RADIANCE) ? Primaries.SRGB : primaries;
     }
 
     /** The next line without its end, which is a line feed or, as some Windows programs write it, CR and LF. */
-    private static String line(ByteBuffer content) throws IOException {
+    private static String line(FileCursor content) throws IOException {
         StringBuilder line = new StringBuilder();
-        int end = Math.min(content.limit(), MOST_BYTES);
-        while (content.position() < end) {
-            char next = (char) Byte.toUnsignedInt(content.get());
+        while (content.remaining() > 0 && content.position() < MOST_BYTES) {
+            char next = (char) content.next();
             if (next == '\n') {
                 int length = line.length();
                 boolean windows = length > 0 && line.charAt(length - 1) == '\r';

@@ -1,7 +1,6 @@
 package dev.twister.sky;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
 
 /**
  * Reads Radiance pictures. ImageIO plug-ins for them (TwelveMonkeys' imageio-hdr) tone-map to 8 bits unless told not to,
@@ -10,35 +9,36 @@ import java.nio.ByteBuffer;
 final class RadianceReader {
     private RadianceReader() {}
 
-    static Skybox read(ByteBuffer content) throws IOException {
+    static Skybox read(FileBytes file) throws IOException {
+        FileCursor content = new FileCursor(file);
         RadianceHeader header = RadianceHeader.read(content);
-        RadianceLayout layout = header.layout();
-        int length = layout.scanlineLength();
-        checkLength(content.remaining(), layout);
+        ScanOrder order = header.order();
+        int length = order.scanlineLength();
+        checkLength(content.remaining(), order);
 
         byte[] scanline = new byte[4 * length];
-        if (content.remaining() < layout.scanlines() * RadianceScanlines.fewestBytesWithoutOldRuns(length)) {
+        if (content.remaining() < order.scanlines() * RadianceScanlines.fewestBytesWithoutOldRuns(length)) {
             // Old runs can make a picture of any size out of a few bytes: see that they do before making room for it.
-            RadianceScanlines rehearsal = new RadianceScanlines(content.duplicate(), length);
-            for (int line = 0; line < layout.scanlines(); line++) {
+            RadianceScanlines rehearsal = new RadianceScanlines(content.copy(), length);
+            for (int line = 0; line < order.scanlines(); line++) {
                 rehearsal.next(scanline);
             }
         }
 
-        float[] radiance = new float[3 * layout.width() * layout.height()];
+        float[] radiance = new float[3 * order.width() * order.height()];
         RadianceScanlines scanlines = new RadianceScanlines(content, length);
         RadianceTexels texels = new RadianceTexels(header);
-        for (int line = 0; line < layout.scanlines(); line++) {
+        for (int line = 0; line < order.scanlines(); line++) {
             scanlines.next(scanline);
-            texels.convert(scanline, radiance, layout.texel(line, 0), layout.step());
+            texels.convert(scanline, radiance, order.texel(line, 0), order.step());
         }
-        return new Skybox(layout.width(), layout.height(), radiance);
+        return new Skybox(order.width(), order.height(), radiance);
     }
 
-    private static void checkLength(long remaining, RadianceLayout layout) throws IOException {
-        long needed = layout.scanlines() * RadianceScanlines.fewestBytes(layout.scanlineLength());
+    private static void checkLength(long remaining, ScanOrder order) throws IOException {
+        long needed = order.scanlines() * RadianceScanlines.fewestBytes(order.scanlineLength());
         if (remaining < needed) {
-            throw new IOException(layout.width() + " x " + layout.height() + " texels take " + needed
+            throw new IOException(order.width() + " x " + order.height() + " texels take " + needed
                     + " bytes or more, but only " + remaining + " follow the header");
         }
     }

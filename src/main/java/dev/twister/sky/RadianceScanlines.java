@@ -1,7 +1,6 @@
 package dev.twister.sky;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
 
 /**
  * Reads the scanlines of a Radiance picture in any mix of the three codings: flat texels; the old run lengths, texels
@@ -13,11 +12,15 @@ final class RadianceScanlines {
     private static final int LONGEST_NEW = 32767;
     private static final int LARGEST_SHIFT = 24;
 
-    private final ByteBuffer content;
-    private final int length;
+    /** A code of this many and fewer is followed by as many values; one above it by one that is repeated. */
+    private static final int LONGEST_LITERAL = 128;
 
-    /** Scanlines of {@code length} texels, read from the buffer's position on. */
-    RadianceScanlines(ByteBuffer content, int length) {
+    private final FileCursor content;
+    private final int length;
+    private final byte[] values = new byte[LONGEST_LITERAL];
+
+    /** Scanlines of {@code length} texels, read from the cursor's position on. */
+    RadianceScanlines(FileCursor content, int length) {
         this.content = content;
         this.length = length;
     }
@@ -41,7 +44,7 @@ final class RadianceScanlines {
     /** Reads the next scanline into {@code 4 * length} bytes, texel by texel. */
     void next(byte[] scanline) throws IOException {
         byte[] first = new byte[4];
-        take(first, 0);
+        take(first, 0, 4);
         if (mayBeNew(length) && first[0] == 2 && first[1] == 2 && first[2] >= 0) {
             int claimed = first[2] << 8 | Byte.toUnsignedInt(first[3]);
             if (claimed != length) {
@@ -67,15 +70,16 @@ final class RadianceScanlines {
         int done = 0;
         while (done < length) {
             int code = takeByte();
-            boolean run = code > 128;
-            int count = run ? code - 128 : code;
+            boolean run = code > LONGEST_LITERAL;
+            int count = run ? code - LONGEST_LITERAL : code;
             if (count == 0) {
                 throw new IOException("a run of no texels");
             }
             checkFits(count, done);
-            byte value = run ? (byte) takeByte() : 0;
+            int different = run ? 1 : count;
+            take(values, 0, different);
             for (int i = 0; i < count; i++) {
-                scanline[4 * (done + i) + component] = run ? value : (byte) takeByte();
+                scanline[4 * (done + i) + component] = values[run ? 0 : i];
             }
             done += count;
         }
@@ -85,7 +89,7 @@ final class RadianceScanlines {
         int done = 1;
         int shift = 0;
         while (done < length) {
-            take(scanline, 4 * done);
+            take(scanline, 4 * done, 4);
             if (isOldRun(scanline, 4 * done)) {
                 if (shift > LARGEST_SHIFT) {
                     throw new IOException("a run length of more than four bytes");
@@ -116,18 +120,18 @@ final class RadianceScanlines {
         }
     }
 
-    private void take(byte[] target, int at) throws IOException {
-        if (content.remaining() < 4) {
+    private void take(byte[] target, int at, int count) throws IOException {
+        if (content.remaining() < count) {
             throw endOfFile();
         }
-        content.get(target, at, 4);
+        content.next(target, at, count);
     }
 
     private int takeByte() throws IOException {
-        if (!content.hasRemaining()) {
+        if (content.remaining() < 1) {
             throw endOfFile();
         }
-        return Byte.toUnsignedInt(content.get());
+        return content.next();
     }
 
     private static IOException endOfFile() {

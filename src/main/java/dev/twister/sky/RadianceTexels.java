@@ -4,8 +4,8 @@ package dev.twister.sky;
 final class RadianceTexels {
     /**
      * CIE XYZ to red, green and blue of Radiance's own primaries, (0.640, 0.330), (0.290, 0.600), (0.150, 0.060), and its
-     * white of equal energy (Radiance's color.h). As for RGBE pictures the result is taken as linear sRGB as it stands, so
-     * that a picture is the same in both formats.
+     * white of equal energy (Radiance's color.h). As for RGBE pictures that name no primaries the result is taken as linear
+     * sRGB as it stands, so that a picture is the same in both formats.
      */
     private static final double[][] RGB_OF_XYZ = {
         {2.565312843, -1.166849616, -0.398463227},
@@ -16,11 +16,20 @@ final class RadianceTexels {
     /** So much is beyond a float's range for each texel but black; infinite, it would make NaN of black, and of XYZ. */
     private static final double LARGEST_SCALE = 1e300;
 
-    private final boolean xyz;
+    /** For channels that are taken as they stand. */
+    private static final double[][] NONE = {};
+
+    private final double[][] matrix;
     private final double[][] scales;
 
     RadianceTexels(RadianceHeader header) {
-        xyz = header.xyz();
+        if (header.xyz()) {
+            matrix = RGB_OF_XYZ;
+        } else {
+            matrix = header.primaries().near(Primaries.SRGB)
+                    ? NONE
+                    : header.primaries().toSrgb();
+        }
         scales =
                 new double[][] {scales(header.redDivisor()), scales(header.greenDivisor()), scales(header.blueDivisor())
                 };
@@ -48,7 +57,7 @@ final class RadianceTexels {
                     default -> third;
                 };
                 radiance[3 * target + channel] =
-                        finite(xyz ? colour(RGB_OF_XYZ[channel], first, second, third) : value);
+                        finite(matrix.length > 0 ? colour(matrix[channel], first, second, third) : value);
             }
             target += step;
         }

@@ -18,8 +18,18 @@ final class SkyboxLimits {
     /** Checks what a header claims before anything is allocated for it. */
     static void checkSize(long width, long height) throws IOException {
         if (width < 1 || height < 1 || width > WIDTH || height > HEIGHT) {
-            throw new IOException(
-                    width + " x " + height + " texels; 1 x 1 to " + WIDTH + " x " + HEIGHT + " are allowed");
+            throw notAllowed(width, height);
         }
+    }
+
+    /** Checks a size of which it is not known yet which side is the width. */
+    static void checkEitherWay(long width, long height) throws IOException {
+        if (Math.min(width, height) < 1 || Math.max(width, height) > WIDTH || Math.min(width, height) > HEIGHT) {
+            throw notAllowed(width, height);
+        }
+    }
+
+    private static IOException notAllowed(long width, long height) {
+        return new IOException(width + " x " + height + " texels; 1 x 1 to " + WIDTH + " x " + HEIGHT + " are allowed");
     }
 }

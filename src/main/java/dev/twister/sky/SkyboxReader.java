@@ -1,13 +1,12 @@
 package dev.twister.sky;
 
 import java.io.IOException;
-import java.lang.foreign.Arena;
-import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.function.Consumer;
 
 /**
  * Reads panoramas: Radiance pictures ({@code .hdr}, {@code .pic}), PNG and JPEG, told apart by their first bytes, whatever
@@ -17,15 +16,27 @@ public final class SkyboxReader {
     private SkyboxReader() {}
 
     /**
-     * Reads a panorama of at most 16384 x 8192 texels from a file of at most 1 GiB. Radiance pictures keep radiance above
-     * 1; PNG and JPEG are taken as sRGB and made linear, 0 to 1, over black where they are transparent.
+     * Reads a panorama as {@link #read(Path, Consumer)} does, and says nothing of what is not used.
      *
      * @param file a file of the default file system
      * @throws SkyException where there is no such file, it is not a panorama of these kinds, is damaged or too large
      */
     public static Skybox read(Path file) {
+        return read(file, _ -> {});
+    }
+
+    /**
+     * Reads a panorama of at most 16384 x 8192 texels from a file of at most 1 GiB. Radiance pictures keep radiance above
+     * 1. PNG and JPEG are made linear, 0 to 1, by what they say of their colors, as sRGB where they say nothing, over black
+     * where they are transparent, and turned upright by their EXIF orientation.
+     *
+     * @param file a file of the default file system
+     * @param warnings told of what the file says and is not used; one line each that names the file
+     * @throws SkyException where there is no such file, it is not a panorama of these kinds, is damaged or too large
+     */
+    public static Skybox read(Path file, Consumer<String> warnings) {
         try {
-            return readFile(file);
+            return readFile(file, warning -> warnings.accept(file + ": " + warning));
         } catch (AccessDeniedException denied) {
             throw new SkyException(file + ": no permission to read it", denied);
         } catch (IOException problem) {
@@ -33,46 +44,32 @@ public final class SkyboxReader {
         }
     }
 
-    private static Skybox readFile(Path file) throws IOException {
+    private static Skybox readFile(Path file, Consumer<String> warnings) throws IOException {
         if (!Files.exists(file)) {
             throw new IOException("there is no such file");
         }
         if (!Files.isRegularFile(file)) {
             throw new IOException("not a file but a folder or a device");
         }
-        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ);
-                Arena arena = Arena.ofConfined()) {
+        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
             long length = channel.size();
             if (length > SkyboxLimits.FILE_BYTES) {
                 throw new IOException(length + " bytes; at most " + SkyboxLimits.FILE_BYTES + " are allowed");
             }
-            // An arena, unlike the garbage collector, gives the file back as soon as it has been read.
-            ByteBuffer content =
-                    channel.map(FileChannel.MapMode.READ_ONLY, 0, length, arena).asByteBuffer();
-            return decode(content);
+            return decode(new FileBytes(channel), warnings);
         }
     }
 
-    /** What is in a mapped file, which may be written to meanwhile. */
-    static Skybox decode(ByteBuffer content) throws IOException {
-        try {
-            return decodeByKind(content);
-        } catch (InternalError gone) {
-            // So the JVM says that the file has become shorter than what is mapped of it.
-            throw new IOException("it was changed while it was read; try again", gone);
-        }
-    }
-
-    private static Skybox decodeByKind(ByteBuffer content) throws IOException {
-        if (RadianceHeader.startsIn(content)) {
-            return RadianceReader.read(content);
+    static Skybox decode(FileBytes file, Consumer<String> warnings) throws IOException {
+        if (RadianceHeader.startsIn(file)) {
+            return RadianceReader.read(file);
         }
         for (OrdinaryImageFormat format : OrdinaryImageFormat.values()) {
-            if (format.startsIn(content)) {
-                return OrdinaryImageReader.read(content, format);
+            if (format.startsIn(file)) {
+                return OrdinaryImageReader.read(file, format, warnings);
             }
         }
-        throw new IOException((content.hasRemaining() ? "not a panorama by its first bytes" : "an empty file")
-                + "; Radiance (#?RADIANCE or #?RGBE), PNG and JPEG are read");
+        throw new IOException((file.length() > 0 ? "not a panorama by its first bytes" : "an empty file")
+                + "; Radiance, PNG and JPEG are read");
     }
 }

@@ -2,11 +2,14 @@ package dev.twister.sky;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.color.ColorSpace;
+import java.awt.color.ICC_Profile;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
@@ -16,6 +19,9 @@ import net.jqwik.api.Property;
 
 /** Files with bytes changed, cut off or put in: read, or refused in one line, and never anything else. */
 class DamagedFilesTest {
+    private static final byte[] PROFILE =
+            ICC_Profile.getInstance(ColorSpace.CS_LINEAR_RGB).getData();
+
     private static final List<byte[]> FILES = files();
 
     @Property(tries = 3000)
@@ -25,7 +31,9 @@ class DamagedFilesTest {
         Path file = Files.createTempFile("damaged", ".hdr");
         try {
             Files.write(file, damaged);
-            Skybox sky = SkyboxReader.read(file);
+            List<String> warnings = new ArrayList<>();
+            Skybox sky = SkyboxReader.read(file, warnings::add);
+            assertThat(warnings).allMatch(warning -> warning.startsWith(file + ": ") && !warning.contains("\n"));
             for (float radiance : sky.radiance()) {
                 assertThat(radiance >= 0 && radiance <= Float.MAX_VALUE).isTrue();
             }
@@ -79,7 +87,24 @@ class DamagedFilesTest {
                 image("png", BufferedImage.TYPE_INT_RGB),
                 image("png", BufferedImage.TYPE_BYTE_INDEXED),
                 image("jpeg", BufferedImage.TYPE_INT_RGB),
-                image("jpeg", BufferedImage.TYPE_BYTE_GRAY));
+                image("jpeg", BufferedImage.TYPE_BYTE_GRAY),
+                profiledPng(),
+                profiledJpeg());
+    }
+
+    private static byte[] profiledPng() {
+        return PngBytes.start(2, 8, PngBytes.RGB)
+                .chunk("cICP", 9, 8, 0, 1)
+                .profile(PROFILE)
+                .gamma(70_000)
+                .chromaticities(31_270, 32_900, 68_000, 32_000, 26_500, 69_000, 15_000, 6_000)
+                .chunk("eXIf", ExifBytes.tiff(true, 7))
+                .texels(1, 2, 3, 4, 5, 6);
+    }
+
+    private static byte[] profiledJpeg() {
+        byte[] jpeg = JpegBytes.of(JpegBytes.image(16, 6, BufferedImage.TYPE_INT_RGB, 0x123456), true);
+        return JpegBytes.withExif(JpegBytes.withProfile(jpeg, 1, 1, PROFILE), ExifBytes.tiff(false, 5));
     }
 
     private static byte[] image(String format, int type) {

@@ -3,8 +3,11 @@ package dev.twister.sky;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.awt.image.BufferedImage;
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.Collections;
 import java.util.Iterator;
 import javax.imageio.IIOException;
@@ -12,17 +15,23 @@ import javax.imageio.ImageReadParam;
 import javax.imageio.ImageReader;
 import javax.imageio.ImageTypeSpecifier;
 import javax.imageio.metadata.IIOMetadata;
-import javax.imageio.stream.ImageInputStream;
-import javax.imageio.stream.MemoryCacheImageInputStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 class OrdinaryImageReaderTest {
+    @TempDir
+    Path folder;
+
     private final OutOfMemoryError memory = new OutOfMemoryError("Java heap space");
 
     @Test
     void tooLittleMemoryIsNoDamagedFile() throws IOException {
-        try (ImageInputStream stream = new MemoryCacheImageInputStream(new ByteArrayInputStream(new byte[0]))) {
-            assertThatThrownBy(() -> OrdinaryImageReader.decode(new Failing(), stream, OrdinaryImageFormat.PNG, 100))
+        Path file = Files.write(
+                folder.resolve("sky.png"), PngBytes.start(1, 8, PngBytes.GRAY).texels(0));
+        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
+            EncodedImage image = new PngFile(new FileBytes(channel), warning -> {});
+            assertThatThrownBy(() ->
+                            OrdinaryImageReader.decode(new Failing(), OrdinaryImageFormat.PNG, image, image.meaning()))
                     .isSameAs(memory);
         }
     }

@@ -7,7 +7,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.ByteBuffer;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -71,7 +70,15 @@ class RadianceReaderTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"#?RGBE\n", "#?RADIANCE\r\nFORMAT=32-bit_rle_rgbe\r\n", "#?RADIANCE\nSOFTWARE=x\n"})
+    @ValueSource(
+            strings = {
+                "#?RGBE\n",
+                "#?RADIANCE\r\nFORMAT=32-bit_rle_rgbe\r\n",
+                "#?RADIANCE\nSOFTWARE=x\n",
+                "#?AUTOPANO\n",
+                "#?my program 2.0\n",
+                "#?\n"
+            })
     void toleratesOtherHeaders(String header) throws IOException {
         byte[] texels = texels(9, 3);
         byte[] file = RadianceFiles.file(header, "-Y +X", 9, 3, texels, RadianceFiles.Coding.NEW_RUNS);
@@ -141,18 +148,80 @@ class RadianceReaderTest {
             strings = {
                 "EXPOSURE=0",
                 "EXPOSURE=-1",
+                "EXPOSURE=",
+                "EXPOSURE=1,5",
                 "EXPOSURE=NaN",
+                "EXPOSURE=nan",
+                "EXPOSURE=inf",
+                "EXPOSURE=Infinity",
+                "EXPOSURE=1e999",
                 "EXPOSURE=bright",
-                "EXPOSURE=1e308\nEXPOSURE=1e308",
+                "EXPOSURE=2 3",
+                "COLORCORR=0 0 0",
                 "COLORCORR=1 2",
                 "COLORCORR=1 2 0",
-                "FORMAT=64-bit"
+                "COLORCORR=1 2 -3",
+                "COLORCORR=1, 2, 3",
+                "COLORCORR=",
+                "PRIMARIES=0 0 0 0 0 0 0 0",
+                "PRIMARIES=.64 .33 .29 .60 .15 .06",
+                "PRIMARIES=nan nan nan nan nan nan nan nan",
+                "PRIMARIES=.64 .33 .29 .60 .15 .06 .9 .05"
             })
-    void refusesOtherHeaderValues(String line) {
-        assertThatThrownBy(() -> read(ascii("#?RADIANCE\n" + line + "\n\n-Y 1 +X 1\n\1\2\3\4")))
-                .isInstanceOf(IOException.class)
-                .message()
-                .doesNotContain("\n");
+    void valuesThatMakeNoSenseCountAsAbsent(String line) throws IOException {
+        byte[] texels = texels(10, 2);
+        String header = HEADER + "EXPOSURE=2\n" + line + "\nCOLORCORR=1 2 4\n";
+        Skybox sky = read(RadianceFiles.file(header, "-Y +X", 10, 2, texels, RadianceFiles.Coding.NEW_RUNS));
+        assertThat(sky.radiance()).containsExactly(expected(texels, 2, 4, 8));
+    }
+
+    @Test
+    void exposuresBeyondAllNumbersCountAsAbsent() throws IOException {
+        byte[] texels = texels(10, 2);
+        String header = HEADER + "EXPOSURE=4e200\nEXPOSURE=1e200\nCOLORCORR=1e200 1 1\nEXPOSURE=0.5e-200\n";
+        Skybox sky = read(RadianceFiles.file(header, "-Y +X", 10, 2, texels, RadianceFiles.Coding.NEW_RUNS));
+        assertThat(sky.radiance()).containsExactly(expected(texels, 2e200, 2, 2));
+    }
+
+    @Test
+    void refusesOtherFormats() {
+        assertThatThrownBy(() -> read(ascii("#?RADIANCE\nFORMAT=64-bit\n\n-Y 1 +X 1\n\1\2\3\4")))
+                .hasMessage("FORMAT=64-bit; 32-bit_rle_rgbe and 32-bit_rle_xyze are read");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {".64 .33 .29 .60 .15 .06 .333 .333", "0.64 0.33 0.3 0.6 0.15 0.06 0.3127 0.329"})
+    void theUsualPrimariesChangeNothing(String primaries) throws IOException {
+        byte[] texels = texels(10, 2);
+        String header = HEADER + "PRIMARIES=" + primaries + "\n";
+        Skybox sky = read(RadianceFiles.file(header, "-Y +X", 10, 2, texels, RadianceFiles.Coding.NEW_RUNS));
+        assertThat(sky.radiance()).containsExactly(expected(texels, 1, 1, 1));
+    }
+
+    @Test
+    void convertsOtherPrimaries() throws IOException {
+        String header = HEADER + "PRIMARIES= .708 .292 .170 .797 .131 .046 .3127 .3290\n";
+        byte[] texels = {(byte) 128, (byte) 128, (byte) 128, (byte) 131, (byte) 128, 64, 64, (byte) 129};
+        float[] rgb = read(RadianceFiles.file(header, "-Y +X", 2, 1, texels, RadianceFiles.Coding.FLAT))
+                .radiance();
+        for (int channel = 0; channel < 3; channel++) {
+            assertThat(rgb[channel]).isCloseTo(4f, within(1e-4f));
+        }
+        // BT.2020 to BT.709 (ITU-R BT.2087): 1.6605, -0.1246 and -0.0182 from red.
+        assertThat(rgb[3]).isCloseTo(0.5f + 0.5f * 1.6605f, within(1e-3f));
+        assertThat(rgb[4]).isCloseTo(0.5f - 0.5f * 0.1246f, within(1e-3f));
+        assertThat(rgb[5]).isCloseTo(0.5f - 0.5f * 0.0182f, within(1e-3f));
+    }
+
+    @Test
+    void adaptsAnotherWhite() throws IOException {
+        String header = HEADER + "PRIMARIES=.64 .33 .21 .71 .15 .06 .3457 .3585\n";
+        byte[] texels = {(byte) 128, (byte) 128, (byte) 128, (byte) 129};
+        float[] rgb = read(RadianceFiles.file(header, "-Y +X", 1, 1, texels, RadianceFiles.Coding.FLAT))
+                .radiance();
+        for (int channel = 0; channel < 3; channel++) {
+            assertThat(rgb[channel]).isCloseTo(1f, within(1e-4f));
+        }
     }
 
     @Test
@@ -189,7 +258,7 @@ class RadianceReaderTest {
     }
 
     private static Skybox read(byte[] file) throws IOException {
-        return RadianceReader.read(ByteBuffer.wrap(file));
+        return SkyBytes.read(file);
     }
 
     /** Texels with runs of every length, one of them black; none looks like a run length code. */

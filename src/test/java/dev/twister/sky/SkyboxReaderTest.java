@@ -13,15 +13,14 @@ import java.awt.image.ComponentColorModel;
 import java.awt.image.DataBuffer;
 import java.awt.image.IndexColorModel;
 import java.io.IOException;
-import java.lang.foreign.Arena;
-import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
 import javax.imageio.ImageIO;
-import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -38,6 +37,15 @@ class SkyboxReaderTest {
         Path file = folder.resolve("named.png");
         HdrWriter.write(file, 3, 1, radiance);
         assertThat(SkyboxReader.read(file).radiance()).containsExactly(radiance);
+    }
+
+    @Test
+    void whatTheHdrWriterWritesIsFinite() throws IOException {
+        float[] radiance = {Float.POSITIVE_INFINITY, Float.MAX_VALUE, Float.NaN, 3e38f, Float.NEGATIVE_INFINITY, 0};
+        Path file = folder.resolve("bright.hdr");
+        HdrWriter.write(file, 2, 1, radiance);
+        float largest = 255 * 0x1p119f;
+        assertThat(SkyboxReader.read(file).radiance()).containsExactly(largest, largest, 0, largest, 0, 0);
     }
 
     @Test
@@ -87,7 +95,7 @@ class SkyboxReaderTest {
         image.getRaster().setPixel(0, 0, new int[] {65535, 30000, 1});
         image.getRaster().setPixel(1, 0, new int[] {30001, 188 * 257, 0});
         float[] read = SkyboxReader.read(png(image)).radiance();
-        assertThat(read[1]).isEqualTo((float) LinearImage.linear(30000 / 65535.0));
+        assertThat(read[1]).isEqualTo((float) CurveEncoding.linear(30000 / 65535.0));
         assertThat(read[2]).isEqualTo((float) (1 / 65535.0 / 12.92));
         assertThat(read[3]).isGreaterThan(read[1]);
         assertThat(read[4]).isCloseTo(HALF, within(1e-4f));
@@ -140,32 +148,60 @@ class SkyboxReaderTest {
                 .hasMessage(folder + ": not a file but a folder or a device");
         Path empty = Files.write(folder.resolve("empty.hdr"), new byte[0]);
         assertThatThrownBy(() -> SkyboxReader.read(empty))
-                .hasMessage(empty + ": an empty file; Radiance (#?RADIANCE or #?RGBE), PNG and JPEG are read");
+                .hasMessage(empty + ": an empty file; Radiance, PNG and JPEG are read");
         Path text = Files.writeString(folder.resolve("text.hdr"), "hello");
         assertThatThrownBy(() -> SkyboxReader.read(text)).hasMessageContaining("not a panorama by its first bytes");
     }
 
     @Test
-    void saysThatTheFileBecameShorterWhileItWasRead() throws IOException {
-        Path file = folder.resolve("sky.hdr");
-        HdrWriter.write(file, 4, 8_000, new float[3 * 4 * 8_000]);
-        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ, StandardOpenOption.WRITE);
-                Arena arena = Arena.ofConfined()) {
-            ByteBuffer content = channel.map(FileChannel.MapMode.READ_ONLY, 0, channel.size(), arena)
-                    .asByteBuffer();
-            truncate(channel);
-            assertThatThrownBy(() -> SkyboxReader.decode(content))
+    void saysThatTheFileBecameShorterWhileItWasLookedThrough() throws IOException {
+        Path hdr = folder.resolve("sky.hdr");
+        HdrWriter.write(hdr, 4, 8000, new float[3 * 4 * 8000]);
+        byte[] png = PngBytes.start(16_384, 16, PngBytes.RGBA).texels(noise(131_072));
+        for (byte[] content : List.of(Files.readAllBytes(hdr), png, largeJpeg())) {
+            assertShortened(content, true);
+        }
+    }
+
+    @Test
+    void saysThatTheFileBecameShorterWhileItWasDecoded() throws IOException {
+        byte[] warned = JpegBytes.withProfile(largeJpeg(), 1, 2, new byte[9]);
+        assertShortened(warned, false);
+    }
+
+    /** Reads a file that is shortened once its first bytes were read, or at the first warning. */
+    private void assertShortened(byte[] content, boolean atOnce) throws IOException {
+        Path file = Files.write(folder.resolve("shortened"), content);
+        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ, StandardOpenOption.WRITE)) {
+            FileBytes bytes = new FileBytes(channel);
+            if (atOnce) {
+                bytes.at(0);
+                truncate(channel);
+            }
+            assertThatThrownBy(() -> SkyboxReader.decode(bytes, warning -> truncate(channel)))
                     .isInstanceOf(IOException.class)
-                    .hasMessage("it was changed while it was read; try again");
+                    .hasMessage("the file was changed while it was read; try again");
         }
     }
 
     private static void truncate(FileChannel channel) {
         try {
             channel.truncate(100);
-        } catch (IOException mapped) {
-            Assumptions.abort("this system makes no mapped file shorter");
+        } catch (IOException impossible) {
+            throw new AssertionError(impossible);
         }
+    }
+
+    private static byte[] largeJpeg() {
+        BufferedImage image = new BufferedImage(800, 500, BufferedImage.TYPE_BYTE_GRAY);
+        image.getRaster().setDataElements(0, 0, 800, 500, noise(400_000));
+        return JpegBytes.of(image, false);
+    }
+
+    private static byte[] noise(int bytes) {
+        byte[] noise = new byte[bytes];
+        new Random(1).nextBytes(noise);
+        return noise;
     }
 
     private Path png(BufferedImage image) throws IOException {

@@ -8,7 +8,10 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Queue;
 import java.util.SequencedMap;
+import java.util.StringJoiner;
+import java.util.concurrent.ConcurrentLinkedQueue;
 
 /**
  * The panoramas used last, so that going back to one does not read its file again. Used by any thread; none waits while
@@ -19,6 +22,7 @@ public final class SkyShelf {
 
     private final SequencedMap<Path, Skybox> skies = new LinkedHashMap<>();
     private final Map<Path, Long> editions = new HashMap<>();
+    private final Queue<String> warnings = new ConcurrentLinkedQueue<>();
 
     /**
      * The panorama of that file, read where it is not at hand.
@@ -26,7 +30,7 @@ public final class SkyShelf {
      * @throws SkyException as {@link SkyboxReader#read} does
      */
     public Skybox find(Path file) {
-        return kept(file).orElseGet(() -> keep(file, SkyboxReader.read(file)));
+        return kept(file).orElseGet(() -> keep(file, SkyboxReader.read(file, warnings::add)));
     }
 
     /**
@@ -35,11 +39,20 @@ public final class SkyShelf {
      * @throws SkyException as {@link SkyboxReader#read} does; the panorama that was at hand stays then
      */
     public void refresh(Path file) {
-        Skybox sky = SkyboxReader.read(file);
+        Skybox sky = SkyboxReader.read(file, warnings::add);
         synchronized (this) {
             keep(file, sky);
             editions.merge(file, 1L, Long::sum);
         }
+    }
+
+    /** What the files that were read since the last call say and is not used; empty where there is nothing. */
+    public String takeWarnings() {
+        StringJoiner taken = new StringJoiner("; ");
+        for (String warning = warnings.poll(); warning != null; warning = warnings.poll()) {
+            taken.add(warning);
+        }
+        return taken.toString();
     }
 
     /** How often a file was read anew: whoever has its panorama of another number has an old one. */

@@ -1,0 +1,21 @@
+package dev.twister.sky;
+
+import java.io.IOException;
+import java.io.InputStream;
+
+/** A PNG or JPEG file, looked through before it is decoded. */
+interface EncodedImage {
+    /** What its decoder is to read. */
+    InputStream decodable();
+
+    /** What the file says of its samples. */
+    ImageMeaning meaning();
+
+    /**
+     * Checks what could not be checked before its decoder said how large it is.
+     *
+     * @param texels in the whole image
+     * @throws IOException where the file cannot hold so many, or would take minutes
+     */
+    void checkTexels(long texels) throws IOException;
+}
