@@ -1,5 +1,6 @@
 package dev.twister.bench;
 
+import dev.twister.files.UserHome;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Locale;
@@ -29,7 +30,7 @@ public enum UserFolder {
 
     /** Twister's own folder there for whoever runs this program; it need not exist yet. */
     public Optional<Path> ofThisUser() {
-        return find(System.getProperty("os.name", ""), System.getProperty("user.home", ""), System.getenv());
+        return find(System.getProperty("os.name", ""), UserHome.ofThisUser(), System.getenv());
     }
 
     /**
