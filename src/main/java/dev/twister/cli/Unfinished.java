@@ -1,5 +1,7 @@
 package dev.twister.cli;
 
+import dev.twister.files.LastWrites;
+
 /**
  * Speaks up where the process ends in the middle of long work: stopped by a person, or by a device's driver, some of which
  * end it without a word.
@@ -17,7 +19,7 @@ final class Unfinished implements AutoCloseable {
      * @param speak called once where the process ends before that, on another thread than the work's, which goes on beside it
      */
     static Unfinished until(Runnable speak) {
-        Thread hook = Thread.ofPlatform().name("unfinished").unstarted(speak);
+        Thread hook = Thread.ofPlatform().name("unfinished").unstarted(() -> LastWrites.run(speak));
         Runtime.getRuntime().addShutdownHook(hook);
         return new Unfinished(hook);
     }
