@@ -7,6 +7,7 @@ import dev.twister.bench.PaperFolder;
 import dev.twister.bench.PaperPlan;
 import dev.twister.bench.PaperReport;
 import dev.twister.bench.PaperSetting;
+import dev.twister.files.PrintableText;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -35,8 +36,9 @@ final class PaperEvaluation {
             report = PaperBenchmark.run(BenchmarkEngines::open, plan, scene, world, line, kept::keep);
         }
         Path page = PaperFolder.write(report, folder);
-        out.println(page + ": " + report.engines().size() + " engines at "
-                + plan.settings().size() + " settings; beside it JSON, CSV, plots and pictures");
+        out.println(
+                PrintableText.line(page.toString()) + ": " + report.engines().size() + " engines at "
+                        + plan.settings().size() + " settings; beside it JSON, CSV, plots and pictures");
         for (EngineFailure failure : report.failures()) {
             out.println("FAILED: " + failure.engine() + ": " + failure.message());
         }

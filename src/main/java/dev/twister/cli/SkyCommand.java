@@ -1,6 +1,7 @@
 package dev.twister.cli;
 
 import dev.twister.bench.PictureSize;
+import dev.twister.files.PrintableText;
 import dev.twister.image.HdrWriter;
 import dev.twister.sky.Daylight;
 import dev.twister.sky.DaylightSky;
@@ -98,7 +99,9 @@ final class SkyCommand implements Callable<Integer> {
         PictureMemory.check(size, BYTES_PER_TEXEL);
         Skybox sky = DaylightSky.panorama(size.width(), size.height(), daylight);
         HdrWriter.write(output, sky.width(), sky.height(), sky.radiance());
-        spec.commandLine().getOut().println(output + ": " + sky.width() + " x " + sky.height());
+        spec.commandLine()
+                .getOut()
+                .println(PrintableText.line(output.toString()) + ": " + sky.width() + " x " + sky.height());
         return Main.OK;
     }
 
