@@ -14,6 +14,7 @@ import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.FileAttribute;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
 import java.util.Set;
@@ -26,6 +27,7 @@ import java.util.UUID;
 final class TemporaryFile implements AutoCloseable {
     private static final String START = ".twister-";
     private static final String END = ".tmp";
+    private static final Duration MADE_AND_LOCKED = Duration.ofMillis(100);
 
     private final Path place;
     private final Path path;
@@ -127,8 +129,8 @@ final class TemporaryFile implements AutoCloseable {
 
     /** Deletes what killed processes have left in a folder, as far as that is possible. */
     static void deleteLeftovers(Path folder) {
-        // A file that another process has made, but not locked yet, is younger than this process.
-        Instant youngest = ProcessHandle.current().info().startInstant().orElse(Instant.MIN);
+        // A younger one may be made by another process, but not locked yet.
+        Instant youngest = Instant.now().minus(MADE_AND_LOCKED);
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, START + "*" + END)) {
             for (Path file : files) {
                 if (Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.FileTime;
+import java.time.Duration;
 import java.time.Instant;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -55,7 +56,8 @@ class TemporaryFileTest {
     @Test
     void whatIsWrittenStays() throws IOException {
         Path written = old(".twister-1234.tmp");
-        Path unlocked = Files.writeString(folder.resolve(".twister-5678.tmp"), "just made");
+        Path unlocked = Files.setLastModifiedTime(
+                old(".twister-5678.tmp"), FileTime.from(Instant.now().plus(Duration.ofHours(1))));
         try (FileChannel channel = FileChannel.open(written, StandardOpenOption.WRITE)) {
             channel.lock();
 
