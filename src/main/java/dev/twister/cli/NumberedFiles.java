@@ -43,7 +43,7 @@ final class NumberedFiles {
                 new NumberedFiles(file, name.substring(0, place.start()), digits(place), name.substring(place.end()));
         if (place.find()) {
             throw new BadInputException(
-                    "--output is " + file + ", but must have one place for the frame's number: %04d or ####");
+                    "--output is " + file + ", but must have one pattern for the frame number, such as %04d or ####");
         }
         return files;
     }

@@ -42,8 +42,7 @@ final class PictureOutput {
      */
     static PictureOutput of(Path output, Optional<Integer> frames, boolean overwrite) {
         if (overwrite && frames.isEmpty()) {
-            throw new BadInputException(
-                    "--overwrite goes with --frames only: a single picture replaces its file always");
+            throw new BadInputException("--overwrite requires --frames; a single picture always replaces its file");
         }
         if (output.equals(STANDARD_OUTPUT)) {
             checkNoTerminal();
@@ -62,7 +61,7 @@ final class PictureOutput {
     private static void checkNoTerminal() {
         if (Optional.ofNullable(System.console()).map(Console::isTerminal).orElse(false)) {
             throw new BadInputException(
-                    OPTION + " is -, but the standard output is a terminal; lead it to a file or a program");
+                    OPTION + " is -, but standard output is a terminal; redirect it to a file or a program");
         }
     }
 
@@ -80,8 +79,8 @@ final class PictureOutput {
             Path file = file(number);
             OutputFile.checkKeeps(OPTION, file, inputs);
             if (numbered.isPresent() && !overwrite && Files.exists(file)) {
-                throw new BadInputException(
-                        file + " is there already, from an earlier run maybe; give --overwrite, or another name");
+                throw new BadInputException(file
+                        + " already exists; use --overwrite to replace the frames of an earlier run, or another name");
             }
         }
     }

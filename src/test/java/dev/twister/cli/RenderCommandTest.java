@@ -106,7 +106,7 @@ class RenderCommandTest {
         Outcome refused = drawFrames(file);
         assertThat(refused.exitCode()).isEqualTo(2);
         assertThat(refused.err())
-                .startsWith("twister: " + second + " is there already")
+                .startsWith("twister: " + second + " already exists")
                 .contains("--overwrite")
                 .hasLineCount(1);
         assertThat(second).hasContent("older");
