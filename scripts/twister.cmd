@@ -1,89 +1,144 @@
 @echo off
 rem Starts Twister on Windows: finds a JDK, builds where that is needed, and runs with TornadoVM where its SDK is found.
+rem Any name may hold a parenthesis, an ampersand, a percent sign. So no variable stands within a block in parentheses, which
+rem it could end; none is a word of call, which would read it anew; and what is said goes through :say.
 setlocal EnableExtensions DisableDelayedExpansion
 
 for %%I in ("%~dp0..") do set "TWISTER_HOME=%%~fI"
 set "target=%TWISTER_HOME%\target"
 set "jar=%target%\twister.jar"
 set "stamp=%target%\built-with"
-set "sdk_arguments=%target%\tornado-argfile"
+set "message=a semicolon in the name of %TWISTER_HOME% would part Java's class path; give Twister another folder"
+if not "%TWISTER_HOME:;=%"=="%TWISTER_HOME%" goto fail
 
 set "jdk="
-if defined JAVA_HOME call :try_jdk "%JAVA_HOME%"
-for /f "delims=" %%I in ('where javac 2^>nul') do call :try_jdk "%%~dpI.."
-for /d %%I in ("%ProgramFiles%\Eclipse Adoptium\jdk-*" "%ProgramFiles%\Java\jdk-*" "%ProgramFiles%\Microsoft\jdk-*" "%ProgramFiles%\Zulu\zulu-*" "%ProgramFiles%\GraalVM\*" "%USERPROFILE%\.jdks\*" "%USERPROFILE%\.sdkman\candidates\java\*" "%USERPROFILE%\scoop\apps\*") do call :try_jdk "%%~I"
-if not defined jdk (
-    echo twister: no JDK 25 or newer was found; install one ^(Temurin, say^) and set JAVA_HOME to its folder 1>&2
-    exit /b 2
-)
+if defined JAVA_HOME set "candidate=%JAVA_HOME:"=%"
+if defined JAVA_HOME call :try_jdk
+for /f "delims=" %%I in ('where javac 2^>nul') do set "candidate=%%~dpI.."& call :try_jdk
+for /d %%I in ("%ProgramFiles%\Eclipse Adoptium\jdk-*" "%ProgramFiles%\Java\jdk-*" "%ProgramFiles%\Microsoft\jdk-*" "%ProgramFiles%\Zulu\zulu-*" "%ProgramFiles%\GraalVM\*" "%USERPROFILE%\.jdks\*" "%USERPROFILE%\.sdkman\candidates\java\*" "%USERPROFILE%\scoop\apps\*") do set "candidate=%%~I"& call :try_jdk
+set "message=no JDK 25 or newer was found; install one (Temurin, say) and set JAVA_HOME to its folder"
+if not defined jdk goto fail
 
 set "sdk="
-if defined TORNADOVM_HOME if exist "%TORNADOVM_HOME%\tornado-argfile" set "sdk=%TORNADOVM_HOME%"
-if not defined sdk if exist "%USERPROFILE%\.sdkman\candidates\tornadovm\current\tornado-argfile" set "sdk=%USERPROFILE%\.sdkman\candidates\tornadovm\current"
+if defined TORNADOVM_HOME set "candidate=%TORNADOVM_HOME:"=%"
+if defined TORNADOVM_HOME if exist "%candidate%\tornado-argfile" set "sdk=%candidate%"
+set "candidate=%USERPROFILE%\.sdkman\candidates\tornadovm\current"
+if not defined sdk if exist "%candidate%\tornado-argfile" set "sdk=%candidate%"
 
 call :is_built
-if errorlevel 1 (
-    call :build
-    if errorlevel 1 exit /b 2
-)
+if errorlevel 1 call :build
+if errorlevel 1 goto fail
 
-if defined sdk (
-    set "TORNADOVM_HOME=%sdk%"
-    "%jdk%\bin\java" "@%sdk_arguments%" "@%TWISTER_HOME%\scripts\tornado.options" "@%TWISTER_HOME%\scripts\jvm.options" "-XX:CompilerDirectivesFile=%TWISTER_HOME%\scripts\compiler.json" %TWISTER_JAVA_OPTIONS% -cp "%jar%;%target%\lib\*" dev.twister.cli.Main %*
-) else (
-    "%jdk%\bin\java" "@%TWISTER_HOME%\scripts\jvm.options" "-XX:CompilerDirectivesFile=%TWISTER_HOME%\scripts\compiler.json" %TWISTER_JAVA_OPTIONS% -cp "%jar%;%target%\lib\*" dev.twister.cli.Main %*
-)
-exit /b %ERRORLEVEL%
+rem The user's collector wins: the JVM takes one.
+set collector="@%TWISTER_HOME%\scripts\collector.options"
+for %%V in (JAVA_TOOL_OPTIONS JDK_JAVA_OPTIONS TWISTER_JAVA_OPTIONS _JAVA_OPTIONS) do set %%V 2>nul | findstr /r /c:"-XX:+Use[A-Za-z0-9]*GC\>" >nul && set "collector="
+if defined sdk goto run_with_sdk
+"%jdk%\bin\java" "@%TWISTER_HOME%\scripts\jvm.options" %collector% %TWISTER_JAVA_OPTIONS% -cp "%jar%;%target%\lib\*" dev.twister.cli.Main %*
+exit /b
+
+:run_with_sdk
+set "engine=%target%\tornado"
+if defined LOCALAPPDATA set "engine=%LOCALAPPDATA%\twister\tornado"
+set "message=cannot write in %engine%"
+if not exist "%engine%\" mkdir "%engine%"
+if not exist "%engine%\" goto fail
+call :is_engine_built
+if errorlevel 1 call :build_engine
+if errorlevel 1 goto fail
+set "TORNADOVM_HOME=%sdk%"
+"%jdk%\bin\java" "@%engine%\argfile" "@%TWISTER_HOME%\scripts\tornado.options" "@%TWISTER_HOME%\scripts\jvm.options" %collector% %TWISTER_JAVA_OPTIONS% -cp "%jar%;%target%\lib\*;%engine%\classes" dev.twister.cli.Main %*
+exit /b
+
+:fail
+call :say
+exit /b 2
+
+rem Delayed, a variable is only text, whatever it holds.
+:say
+setlocal EnableDelayedExpansion
+>&2 echo(twister: !message!
+exit /b 0
 
 :try_jdk
 if defined jdk exit /b 0
-if not exist "%~1\bin\javac.exe" exit /b 0
-if not exist "%~1\release" exit /b 0
+if not exist "%candidate%\bin\javac.exe" exit /b 0
+if not exist "%candidate%\release" exit /b 0
 set "major=0"
-for /f "tokens=2 delims==." %%V in ('findstr /b "JAVA_VERSION=" "%~1\release"') do set "major=%%~V"
+for /f "usebackq tokens=1,2 delims==." %%U in ("%candidate%\release") do if "%%U"=="JAVA_VERSION" set "major=%%V"
 rem The release file quotes the whole version, so that its first part begins with a quote.
 set "major=%major:"=%"
 for /f "tokens=1 delims=-+" %%V in ("%major%") do set "major=%%V"
-if %major% geq 25 for %%J in ("%~1") do set "jdk=%%~fJ"
+if %major% geq 25 for %%J in ("%candidate%") do set "jdk=%%~fJ"
 exit /b 0
 
 :is_built
 if not exist "%jar%" exit /b 1
 if not exist "%stamp%" exit /b 1
-if defined sdk if not exist "%sdk_arguments%" exit /b 1
 set "built_with="
 set /p built_with=<"%stamp%"
-if not "%built_with%"=="sdk [%sdk%] jdk [%jdk%]" exit /b 1
-powershell -NoProfile -Command "$built = (Get-Item -LiteralPath $env:stamp).LastWriteTime; Set-Location -LiteralPath $env:TWISTER_HOME; $newer = Get-Item pom.xml, src/main; $newer += Get-ChildItem -Recurse src/main, src/tornado/java, .mvn -ErrorAction SilentlyContinue; if ($newer | Where-Object { $_.LastWriteTime -gt $built }) { exit 1 }"
-exit /b %ERRORLEVEL%
+if not "%built_with%"=="no sdk" exit /b 1
+powershell -NoProfile -Command "$built = (Get-Item -LiteralPath $env:stamp).LastWriteTime; Set-Location -LiteralPath $env:TWISTER_HOME; $newer = @(Get-Item pom.xml, src/main); $newer += Get-ChildItem -Recurse src/main, .mvn -ErrorAction SilentlyContinue; if ($newer | Where-Object { $_.LastWriteTime -gt $built }) { exit 1 }"
+exit /b
 
 :build
-echo building Twister... 1>&2
-rem The TornadoVM engine's classes must not stay where there is no SDK any more.
+>&2 echo building Twister...
+rem Classes of TornadoVM's engine, from when they were built here, would be found without an SDK.
 if exist "%target%\classes" rmdir /s /q "%target%\classes"
 if exist "%target%\maven-status" rmdir /s /q "%target%\maven-status"
 if not exist "%target%" mkdir "%target%"
-if not defined sdk goto prepared
-rem The SDK's own argument file has the current folder on its module path: a stray jar there would stop the JVM.
-powershell -NoProfile -Command "(Get-Content -LiteralPath (Join-Path $env:sdk 'tornado-argfile')) -replace '^(--module-path[ =]\x22?)\.;', '$1' | Set-Content -Encoding ascii -LiteralPath $env:sdk_arguments"
-"%jdk%\bin\java" "@%sdk_arguments%" "@%TWISTER_HOME%\scripts\tornado.options" -version >nul 2>&1
-if errorlevel 1 (
-    del "%sdk_arguments%"
-    echo twister: the TornadoVM SDK in %sdk% does not run on the JDK in %jdk%. Set JAVA_HOME to the JDK that the SDK is made for, or install an SDK made for this one 1>&2
-    exit /b 1
-)
-:prepared
+rem What is there afterwards is new.
+if exist "%jar%" del "%jar%"
 rem The sources' state is that of now, whatever is edited while the build runs.
->"%stamp%.new" echo sdk [%sdk%] jdk [%jdk%]
-pushd "%TWISTER_HOME%"
+set "message=cannot write in %target% to build Twister"
+if exist "%stamp%.new" del "%stamp%.new"
+>"%stamp%.new" echo no sdk
+if not exist "%stamp%.new" exit /b 1
+set "message=the build failed; its messages are above"
+setlocal
 set "JAVA_HOME=%jdk%"
-set "TORNADOVM_HOME=%sdk%"
-call mvnw.cmd -q -DskipTests package 1>&2
-if errorlevel 1 (
-    popd
-    echo twister: the build failed; its messages are above 1>&2
-    exit /b 1
-)
+pushd "%TWISTER_HOME%"
+call mvnw.cmd -q "-P-tornadovm-home,-tornadovm-sdkman" -DskipTests package 1>&2
+set "maven_code=%ERRORLEVEL%"
 popd
+endlocal& set "maven_code=%maven_code%"
+if not "%maven_code%"=="0" exit /b 1
+if not exist "%jar%" exit /b 1
 move /y "%stamp%.new" "%stamp%" >nul
-exit /b 0
+exit /b
+
+rem TornadoVM's engine is built against a user's SDK, and so into the user's folder. PowerShell takes the names from the
+rem environment, where they have all their letters.
+:is_engine_built
+powershell -NoProfile -Command "$files = @(Get-Item -LiteralPath $env:jar, (Join-Path $env:sdk 'tornado-argfile')) + @(Get-ChildItem -Recurse -File -LiteralPath (Join-Path $env:TWISTER_HOME 'src/tornado')); $facts = @($env:sdk, $env:jdk) + @($files | ForEach-Object { $_.FullName + ' ' + $_.Length + ' ' + $_.LastWriteTimeUtc.Ticks }) -join [char]10; $known = Join-Path $env:engine 'built-for'; [IO.File]::WriteAllText($known + '.new', $facts); if (-not (Test-Path -LiteralPath $known) -or [IO.File]::ReadAllText($known) -cne $facts) { exit 1 }"
+exit /b
+
+:build_engine
+setlocal
+rem The user's options are for Twister, not for what it is made by.
+set "JAVA_TOOL_OPTIONS="
+set "JDK_JAVA_OPTIONS="
+set "_JAVA_OPTIONS="
+>&2 echo building Twister's engine for TornadoVM...
+if exist "%engine%\built-for" del "%engine%\built-for"
+if exist "%engine%\classes" rmdir /s /q "%engine%\classes"
+rem The current folder is on the module path there: a stray jar would stop the JVM. The collector is Twister's choice. The JVM
+rem reads the file in the system's code page.
+powershell -NoProfile -Command "$bytes = [IO.File]::ReadAllBytes((Join-Path $env:sdk 'tornado-argfile')); try { $text = (New-Object Text.UTF8Encoding($false, $true)).GetString($bytes) } catch { $text = [Text.Encoding]::Default.GetString($bytes) }; $text = $text -replace '(?m)^(--module-path[ =]\x22?)\.;', '$1' -replace '(?m)^-XX:\+Use[A-Za-z0-9]*GC\s*$', ''; [IO.File]::WriteAllText((Join-Path $env:engine 'argfile'), $text, [Text.Encoding]::Default)"
+"%jdk%\bin\java" "@%engine%\argfile" "@%TWISTER_HOME%\scripts\tornado.options" -version >nul 2>&1
+if errorlevel 1 goto wrong_sdk
+"%jdk%\bin\javac" -g -parameters -proc:none -nowarn -cp "%jar%" --module-path "%sdk%\share\java\tornado" --add-modules tornado.api -d "%engine%\classes" "%TWISTER_HOME%\src\tornado\java\dev\twister\engine\tornado\*.java" 1>&2
+if errorlevel 1 goto engine_failed
+xcopy /e /i /q /y "%TWISTER_HOME%\src\tornado\resources" "%engine%\classes" >nul
+if errorlevel 1 goto engine_failed
+move /y "%engine%\built-for.new" "%engine%\built-for" >nul
+exit /b
+
+:engine_failed
+endlocal
+set "message=the build failed; its messages are above"
+exit /b 1
+
+:wrong_sdk
+endlocal
+set "message=the TornadoVM SDK in %sdk% does not run on the JDK in %jdk%. Set JAVA_HOME to the JDK that the SDK is made for, or install an SDK made for this one"
+exit /b 1

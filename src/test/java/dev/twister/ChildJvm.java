@@ -26,9 +26,8 @@ public final class ChildJvm {
 
     /** The same with the launcher's options, as a user's, and some more. */
     public static ProcessBuilder asLaunched(List<String> moreOptions, Class<?> main, String... arguments) {
-        List<String> options = new ArrayList<>(List.of(
-                "@" + Path.of("scripts", "jvm.options"),
-                "-XX:CompilerDirectivesFile=" + Path.of("scripts", "compiler.json")));
+        List<String> options = new ArrayList<>(
+                List.of("@" + Path.of("scripts", "jvm.options"), "@" + Path.of("scripts", "collector.options")));
         options.addAll(moreOptions);
         return of(options, main, arguments);
     }

@@ -18,20 +18,16 @@ import org.junit.jupiter.api.TestFactory;
 /** What the launcher tells the JVM's compiler is of methods that there are: the JVM says nothing of others. */
 final class CompilerOptionsTest {
     private static final Pattern COMMANDED = Pattern.compile("CompileCommand=\\w+,([\\w/]+(?:/\\*)?)\\.([\\w*]+)");
-    private static final Pattern DIRECTED = Pattern.compile("\"([\\w/]+(?:/\\*)?)\\.([\\w*]+)\"");
 
     @TestFactory
     Stream<DynamicTest> namesMethods() throws IOException {
         String options = Files.readString(Path.of("scripts", "jvm.options"));
-        String directives = Files.readString(Path.of("scripts", "compiler.json"));
         List<MatchResult> commanded = COMMANDED.matcher(options).results().toList();
-        List<MatchResult> directed = DIRECTED.matcher(directives).results().toList();
         assertThat(commanded)
                 .hasSameSizeAs(options.lines()
                         .filter(line -> line.startsWith("-XX:CompileCommand=") && !line.endsWith("quiet"))
                         .toList());
-        assertThat(directed).isNotEmpty();
-        return Stream.concat(commanded.stream(), directed.stream())
+        return commanded.stream()
                 .map(result -> DynamicTest.dynamicTest(
                         result.group(1) + "." + result.group(2),
                         () -> assertThat(methods(result.group(1)))

@@ -5,6 +5,7 @@ import dev.twister.bench.BenchmarkProgress;
 import dev.twister.bench.BenchmarkReport;
 import dev.twister.bench.EngineFailure;
 import dev.twister.bench.ReportTable;
+import dev.twister.files.LastWrites;
 import dev.twister.image.PictureSize;
 import java.io.PrintWriter;
 import java.util.Optional;
@@ -19,7 +20,7 @@ final class BenchmarkLine implements BenchmarkProgress, AutoCloseable {
     private final PrintWriter err;
     private final ReportFiles files;
     private final ProgressLine line;
-    private final Thread hook = Thread.ofPlatform().name("unfinished").unstarted(this::giveUp);
+    private final Thread hook = Thread.ofPlatform().name("unfinished").unstarted(() -> LastWrites.run(this::giveUp));
     private volatile String engine = "benchmark";
     private volatile String task = engine;
     private Optional<BenchmarkReport> latest = Optional.empty();

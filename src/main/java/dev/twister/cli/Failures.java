@@ -2,6 +2,7 @@ package dev.twister.cli;
 
 import dev.twister.engine.EngineException;
 import dev.twister.engine.UnknownEngineException;
+import dev.twister.files.PrintableText;
 import dev.twister.gui.NoDisplayException;
 import dev.twister.scene.SceneException;
 import dev.twister.sky.SkyException;
@@ -21,7 +22,7 @@ final class Failures {
     static int explainParameter(ParameterException failure, String[] arguments) {
         CommandLine command = failure.getCommandLine();
         PrintWriter err = command.getErr();
-        err.println("twister: " + failure.getMessage().replaceFirst("^Error: ", ""));
+        err.println("twister: " + PrintableText.line(failure.getMessage().replaceFirst("^Error: ", "")));
         UnmatchedArgumentException.printSuggestions(failure, err);
         err.println("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
         return Main.BAD_INPUT;
@@ -36,9 +37,13 @@ final class Failures {
                     SkyException _,
                     UnknownEngineException _,
                     NoDisplayException _,
-                    IOException _ -> say(err, failure, Main.BAD_INPUT);
-            case UncheckedIOException wrapped -> say(err, wrapped.getCause(), Main.BAD_INPUT);
-            case EngineException _ -> say(err, failure, Main.FAILED);
+                    IOException _ -> say(err, failure);
+            case UncheckedIOException wrapped -> say(err, wrapped.getCause());
+            case EngineException _ -> {
+                // Drivers speak in several lines.
+                err.println("twister: " + failure.getMessage());
+                yield Main.FAILED;
+            }
             default -> {
                 err.println("twister: this is a bug of Twister's:");
                 failure.printStackTrace(err);
@@ -47,8 +52,8 @@ final class Failures {
         };
     }
 
-    private static int say(PrintWriter err, Exception failure, int exitCode) {
-        err.println("twister: " + failure.getMessage());
-        return exitCode;
+    private static int say(PrintWriter err, Exception failure) {
+        err.println("twister: " + PrintableText.line(failure.getMessage()));
+        return Main.BAD_INPUT;
     }
 }

@@ -7,6 +7,8 @@ import java.io.PrintWriter;
 import java.nio.charset.Charset;
 import java.nio.file.Path;
 import picocli.CommandLine;
+import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.RunLast;
 
 /** Where Twister starts. */
 public final class Main {
@@ -42,12 +44,13 @@ public final class Main {
     public static int run(PrintWriter out, PrintWriter err, String... arguments) {
         CommandLine commandLine = new CommandLine(new TwisterCommand())
                 .setOut(out)
-                .setErr(err)
+                .setErr(printable(err))
                 .setExpandAtFiles(false)
                 .registerConverter(Path.class, new PathConverter())
                 .registerConverter(ToneMap.class, new ChoiceConverter<>(ToneMap.class))
                 .registerConverter(ShippedSky.class, new ChoiceConverter<>(ShippedSky.class))
                 .setUsageHelpWidth(HELP_WIDTH)
+                .setExecutionStrategy(parsed -> execute(parsed, out))
                 .setParameterExceptionHandler(Failures::explainParameter)
                 .setExecutionExceptionHandler(Failures::explain);
         try {
@@ -56,5 +59,19 @@ public final class Main {
             err.println("twister: " + EngineFailure.outOfMemory());
             return BAD_INPUT;
         }
+    }
+
+    // Help holds nothing of the user's, but the colors of terminals.
+    private static int execute(ParseResult parsed, PrintWriter out) {
+        Integer helped = CommandLine.executeHelpRequest(parsed);
+        if (helped != null) {
+            return helped;
+        }
+        parsed.commandSpec().commandLine().setOut(printable(out));
+        return new RunLast().execute(parsed);
+    }
+
+    private static PrintWriter printable(PrintWriter writer) {
+        return new PrintWriter(new PrintableWriter(writer), true);
     }
 }

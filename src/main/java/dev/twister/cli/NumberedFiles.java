@@ -2,30 +2,61 @@ package dev.twister.cli;
 
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
-/** Names for frames: {@code fall.png} becomes {@code fall-0000.png} and so on, which sort as they were drawn. */
+/**
+ * Names for frames, which sort as they were drawn. The number's place is {@code %04d} or {@code ####} in the file's name; where
+ * there is none, {@code fall.png} becomes {@code fall-0000.png} and so on.
+ */
 final class NumberedFiles {
     private static final int MIN_DIGITS = 4;
+    private static final Pattern PLACE = Pattern.compile("%(?:0(?<width>[1-9]))?d|#+");
 
     private final Path file;
+    private final String start;
     private final int digits;
+    private final String end;
+
+    private NumberedFiles(Path file, String start, int digits, String end) {
+        this.file = file;
+        this.start = start;
+        this.digits = digits;
+        this.end = end;
+    }
 
     /**
      * Names for so many files.
      *
      * @param file has an ending
+     * @throws BadInputException where the name has two places for a number
      */
-    NumberedFiles(Path file, int count) {
-        this.file = file;
-        digits = Math.max(MIN_DIGITS, Integer.toString(count - 1).length());
+    static NumberedFiles of(Path file, int count) {
+        String name = file.getFileName().toString();
+        Matcher place = PLACE.matcher(name);
+        if (!place.find()) {
+            int ending = name.lastIndexOf('.');
+            int digits = Math.max(MIN_DIGITS, Integer.toString(count - 1).length());
+            return new NumberedFiles(file, name.substring(0, ending) + "-", digits, name.substring(ending));
+        }
+        NumberedFiles files =
+                new NumberedFiles(file, name.substring(0, place.start()), digits(place), name.substring(place.end()));
+        if (place.find()) {
+            throw new BadInputException(
+                    "--output is " + file + ", but must have one pattern for the frame number, such as %04d or ####");
+        }
+        return files;
     }
 
-    /** The file of a number, from 0. */
+    private static int digits(Matcher place) {
+        if (place.group().startsWith("#")) {
+            return place.group().length();
+        }
+        return place.group("width") == null ? 1 : Integer.parseInt(place.group("width"));
+    }
+
+    /** The file of a number, from 0; larger numbers than its place takes make the name longer. */
     Path file(int number) {
-        String name = file.getFileName().toString();
-        int ending = name.lastIndexOf('.');
-        String numbered = String.format(
-                Locale.ROOT, "%s-%0" + digits + "d%s", name.substring(0, ending), number, name.substring(ending));
-        return file.resolveSibling(numbered);
+        return file.resolveSibling(start + String.format(Locale.ROOT, "%0" + digits + "d", number) + end);
     }
 }

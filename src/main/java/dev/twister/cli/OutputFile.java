@@ -25,6 +25,9 @@ final class OutputFile {
         if (!writable) {
             throw new BadInputException(option + " is " + file + ", but there is no permission to write there");
         }
+        if (replaced) {
+            WholeFile.deleteLeftovers(folder);
+        }
     }
 
     /** The one that is written in: behind links, where the file is one. */

@@ -4,9 +4,7 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
 import dev.twister.engine.auto.FastestEngine;
 import dev.twister.image.Frame;
-import dev.twister.image.HdrWriter;
 import dev.twister.image.PictureSize;
-import dev.twister.image.PngWriter;
 import dev.twister.physics.Simulation;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
@@ -19,6 +17,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -37,12 +36,10 @@ import picocli.CommandLine.Spec;
             "  twister render my-scene.json -o large.png --size 4k --samples 16 --tone-map aces --srgb",
             "  twister render mirrors -o mirrors.hdr --engine tornado",
             "  twister render benchmark -o left.png --camera -12,-6,-10 --yaw 40 --fov 60",
-            "  twister render pour-1000 -o pour.png --physics --frames 600 --fps 30",
+            "  twister render pour-1000 -o pour-####.png --physics --frames 600 --fps 30",
             "  twister render pour-1000 -o heap.png --physics --start 12"
         })
 final class RenderCommand implements Callable<Integer> {
-    private static final String PNG = ".png";
-    private static final String HDR = ".hdr";
     private static final double NANOS_PER_MILLI = 1e6;
 
     @Spec
@@ -58,7 +55,7 @@ final class RenderCommand implements Callable<Integer> {
             names = {"-o", "--output"},
             required = true,
             paramLabel = "FILE",
-            description = "The picture: .png, or .hdr for linear radiance.")
+            description = "The picture: .png, or .hdr for linear radiance; - writes a PNG to standard output.")
     private Path output;
 
     @Option(
@@ -100,58 +97,50 @@ final class RenderCommand implements Callable<Integer> {
     @Option(
             names = "--frames",
             paramLabel = "N",
-            description = "With --physics: so many pictures, numbered: FILE-0000.png and so on.")
+            description = "With --physics: render N frames to FILE-0000.png, FILE-0001.png, ...;"
+                    + " %%04d or #### in FILE is the place of the number.")
     private Optional<Integer> frames = Optional.empty();
+
+    @Option(names = "--overwrite", description = "With --frames: replace the frames of an earlier run.")
+    private boolean overwrite;
 
     @Override
     public Integer call() throws IOException {
-        boolean linear = isLinear();
         motion.check(frames);
-        OutputFile.check("--output", output);
+        PictureOutput pictures = PictureOutput.of(output, frames, overwrite);
         Path file = SceneFiles.find(sceneName);
         Scene scene = SceneReader.read(file);
         Path sky = skybox.orElse(scene.skybox());
-        checkKeeps(file, sky);
+        pictures.checkKeeps(file, sky);
         RenderSettings settings = settings(scene.settings());
-        PictureMemory.check(new PictureSize(settings.width(), settings.height()), BandedDrawing.bytesPerPixel(linear));
+        PictureMemory.check(
+                new PictureSize(settings.width(), settings.height()), BandedDrawing.bytesPerPixel(pictures.isLinear()));
         World world = World.of(scene, SkyFiles.read(sky, spec.commandLine().getErr()));
         world.setCamera(camera.over(scene.camera()));
         world.setSettings(settings);
         if (motion.isOn()) {
-            drawMoving(scene, world, linear);
+            drawMoving(scene, world, pictures);
         } else {
-            draw(world, linear);
+            draw(world, pictures);
         }
         return Main.OK;
     }
 
-    private void checkKeeps(Path... inputs) throws IOException {
-        if (frames.isEmpty()) {
-            OutputFile.checkKeeps("--output", output, inputs);
-        } else {
-            NumberedFiles files = new NumberedFiles(output, frames.get());
-            for (int number = 0; number < frames.get(); number++) {
-                OutputFile.checkKeeps("--output", files.file(number), inputs);
-            }
-        }
-    }
-
-    private void drawMoving(Scene scene, World world, boolean linear) throws IOException {
+    private void drawMoving(Scene scene, World world, PictureOutput pictures) throws IOException {
         // A typing error in the name should not come out after minutes of motion.
         Engines.offer(engineId).check();
         try (Simulation simulation = Simulation.of(scene)) {
             motion.begin(simulation, spec.commandLine().getErr());
             simulation.place(world);
             if (frames.isEmpty()) {
-                draw(world, linear);
+                draw(world, pictures);
             } else {
-                drawFrames(simulation, world, linear, frames.get());
+                drawFrames(simulation, world, pictures, frames.get());
             }
         }
     }
 
-    private void drawFrames(Simulation simulation, World world, boolean linear, int count) throws IOException {
-        NumberedFiles files = new NumberedFiles(output, count);
+    private void drawFrames(Simulation simulation, World world, PictureOutput pictures, int count) throws IOException {
         long start = System.nanoTime();
         try (Engine engine = Engines.open(engineId);
                 ProgressLine progress = ProgressLine.start(spec.commandLine().getErr(), engine.id(), count)) {
@@ -162,62 +151,50 @@ final class RenderCommand implements Callable<Integer> {
                         engine,
                         world.snapshot(),
                         world.settings().samplesPerPixel(),
-                        linear,
+                        pictures.isLinear(),
                         new PrintWriter(Writer.nullWriter()));
-                write(files.file(number), picture, linear);
+                pictures.write(number, picture);
                 simulation.advance(motion.secondsPerFrame());
                 progress.step();
             }
         }
-        spec.commandLine()
-                .getOut()
+        summaryWriter(pictures)
                 .printf(
                         Locale.ROOT,
-                        "%s to %s: %d frames of %d x %d, %.1f ms each%n",
-                        files.file(0),
-                        files.file(count - 1),
+                        "%s: %d frames of %d x %d, %.1f ms each%n",
+                        pictures.name(),
                         count,
                         world.settings().width(),
                         world.settings().height(),
                         (System.nanoTime() - start) / NANOS_PER_MILLI / count);
     }
 
-    private static void write(Path file, Frame picture, boolean linear) throws IOException {
-        if (linear) {
-            HdrWriter.write(file, picture.width(), picture.height(), picture.radiance());
-        } else {
-            PngWriter.write(file, picture.width(), picture.height(), picture.argb());
-        }
-    }
-
-    private void draw(World world, boolean linear) throws IOException {
-        PrintWriter out = spec.commandLine().getOut();
+    private void draw(World world, PictureOutput pictures) throws IOException {
         try (Engine engine = Engines.open(engineId)) {
             Frame picture = BandedDrawing.draw(
                     engine,
                     world.snapshot(),
                     world.settings().samplesPerPixel(),
-                    linear,
+                    pictures.isLinear(),
                     spec.commandLine().getErr());
-            write(output, picture, linear);
-            out.printf(
-                    Locale.ROOT,
-                    "%s: %d x %d, %s (%s), %.1f ms%n",
-                    output,
-                    picture.width(),
-                    picture.height(),
-                    (engineId.equals(FastestEngine.AUTO) ? "auto took " : "") + engine.id(),
-                    engine.device(),
-                    picture.times().totalNanos() / NANOS_PER_MILLI);
+            pictures.write(0, picture);
+            summaryWriter(pictures)
+                    .printf(
+                            Locale.ROOT,
+                            "%s: %d x %d, %s (%s), %.1f ms%n",
+                            pictures.name(),
+                            picture.width(),
+                            picture.height(),
+                            (engineId.equals(FastestEngine.AUTO) ? "auto took " : "") + engine.id(),
+                            engine.device(),
+                            picture.times().totalNanos() / NANOS_PER_MILLI);
         }
     }
 
-    private boolean isLinear() {
-        boolean linear = OutputFile.endsIn(output, HDR);
-        if (!linear && !OutputFile.endsIn(output, PNG)) {
-            throw new BadInputException("--output is " + output + ", but must end in " + PNG + " or " + HDR);
-        }
-        return linear;
+    // What is said must not end up in a picture.
+    private PrintWriter summaryWriter(PictureOutput pictures) {
+        CommandLine command = spec.commandLine();
+        return pictures.isStandardOutput() ? command.getErr() : command.getOut();
     }
 
     private RenderSettings settings(RenderSettings usual) {

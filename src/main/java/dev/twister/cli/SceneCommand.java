@@ -1,5 +1,6 @@
 package dev.twister.cli;
 
+import dev.twister.files.PrintableText;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneGenerator;
 import dev.twister.scene.SceneReader;
@@ -71,7 +72,7 @@ final class SceneCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         String done = task.checked.isPresent() ? check(task.checked.get()) : generate(task.generation);
-        spec.commandLine().getOut().println(done);
+        spec.commandLine().getOut().println(PrintableText.line(done));
         return Main.OK;
     }
 

@@ -1,5 +1,6 @@
 package dev.twister.cli;
 
+import dev.twister.files.PrintableText;
 import dev.twister.image.HdrWriter;
 import dev.twister.image.PictureSize;
 import dev.twister.sky.Daylight;
@@ -98,7 +99,9 @@ final class SkyCommand implements Callable<Integer> {
         PictureMemory.check(size, BYTES_PER_TEXEL);
         Skybox sky = DaylightSky.panorama(size.width(), size.height(), daylight);
         HdrWriter.write(output, sky.width(), sky.height(), sky.radiance());
-        spec.commandLine().getOut().println(output + ": " + sky.width() + " x " + sky.height());
+        spec.commandLine()
+                .getOut()
+                .println(PrintableText.line(output.toString()) + ": " + sky.width() + " x " + sky.height());
         return Main.OK;
     }
 

@@ -29,7 +29,7 @@ public enum UserFolder {
 
     /** Twister's own folder there for whoever runs this program; it need not exist yet. */
     public Optional<Path> ofThisUser() {
-        return find(System.getProperty("os.name", ""), System.getProperty("user.home", ""), System.getenv());
+        return find(System.getProperty("os.name", ""), UserHome.ofThisUser(), System.getenv());
     }
 
     /**

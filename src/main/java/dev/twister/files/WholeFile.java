@@ -3,15 +3,13 @@ package dev.twister.files;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.io.RandomAccessFile;
+import java.nio.channels.Channels;
+import java.nio.channels.FileChannel;
 import java.nio.file.AccessDeniedException;
-import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
 
 /** Writes a file whole or not at all: whoever looks at its path sees the old content or the new, never a part. */
 public final class WholeFile {
@@ -66,25 +64,34 @@ public final class WholeFile {
 
     /**
      * Streams the content into a temporary file in the target's own folder, waits until it is safely on the disk, and
-     * moves it into place, replacing what was there. A failure of any kind, and the end of the process, leaves the target
-     * as it was and no temporary file behind. A symbolic link stays, and the file it leads to is replaced, or made where
-     * it was not there.
+     * moves it into place, replacing what was there, with the same permissions. A failure of any kind, and the end of the
+     * process, leaves the target as it was and no temporary file behind; a process that is killed without a word leaves
+     * one ({@link #deleteLeftovers}). While the process ends, only {@link LastWrites} are begun. A symbolic link stays, and
+     * the file it leads to is replaced, or made where it was not there.
      *
      * @param target no folder or device
      * @throws IOException whatever the disk or the content reported
      */
     public static void replace(Path target, Content content) throws IOException {
         Path place = behindLinks(target);
-        // Moved away when it is closed, unless something failed.
-        try (TemporaryFile temporary = TemporaryFile.beside(place)) {
-            try (OutputStream out = new BufferedOutputStream(
-                    Files.newOutputStream(temporary.path(), StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),
-                    BUFFER_BYTES)) {
+        try (TemporaryFile temporary = TemporaryFile.of(place)) {
+            try (FileChannel channel = temporary.create()) {
+                OutputStream out = new BufferedOutputStream(Channels.newOutputStream(channel), BUFFER_BYTES);
                 content.writeTo(out);
+                out.flush();
+                // Else a power cut soon after could leave the new name with nothing under it.
+                channel.force(true);
             }
-            synchronise(temporary.path());
-            moveIntoPlace(temporary.path(), place);
+            temporary.moveIntoPlace();
         }
+    }
+
+    /**
+     * Deletes temporary files that killed processes have left in a folder. What a living process writes, on this machine or
+     * another one, stays; so does what cannot be deleted.
+     */
+    public static void deleteLeftovers(Path folder) {
+        TemporaryFile.deleteLeftovers(folder);
     }
 
     /**
@@ -101,20 +108,5 @@ public final class WholeFile {
             place = place.resolveSibling(Files.readSymbolicLink(place));
         }
         return place;
-    }
-
-    /** Else a power cut soon after could leave the new name with nothing under it. */
-    private static void synchronise(Path file) throws IOException {
-        try (RandomAccessFile written = new RandomAccessFile(file.toFile(), "rw")) {
-            written.getFD().sync();
-        }
-    }
-
-    private static void moveIntoPlace(Path temporary, Path place) throws IOException {
-        try {
-            Files.move(temporary, place, StandardCopyOption.ATOMIC_MOVE);
-        } catch (AtomicMoveNotSupportedException notHere) {
-            Files.move(temporary, place, StandardCopyOption.REPLACE_EXISTING);
-        }
     }
 }

@@ -7,6 +7,7 @@ import java.awt.image.DirectColorModel;
 import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
@@ -30,6 +31,30 @@ public final class PngWriter {
      * @throws IOException as {@link WholeFile#write}
      */
     public static void write(Path file, int width, int height, int[] argb) throws IOException {
+        BufferedImage image = image(width, height, argb);
+        WholeFile.write(file, out -> write(out, image));
+    }
+
+    /**
+     * Writes the same to a stream, which stays open.
+     *
+     * @throws IOException whatever the stream reported
+     */
+    public static void write(OutputStream out, int width, int height, int[] argb) throws IOException {
+        write(out, image(width, height, argb));
+        out.flush();
+    }
+
+    private static void write(OutputStream out, BufferedImage image) throws IOException {
+        // Not ImageIO's stream of choice, which spools the picture through a file in the temporary folder.
+        try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
+            if (!ImageIO.write(image, "png", stream)) {
+                throw new IOException("this Java runtime has no PNG writer");
+            }
+        }
+    }
+
+    private static BufferedImage image(int width, int height, int[] argb) {
         if (width < 1 || height < 1 || argb.length != (long) width * height) {
             throw new IllegalArgumentException("a picture of " + width + " x " + height + " pixels needs "
                     + (long) width * height + " ints, not " + argb.length);
@@ -41,15 +66,6 @@ public final class PngWriter {
                 width,
                 new int[] {RED_MASK, GREEN_MASK, BLUE_MASK},
                 null);
-        BufferedImage image =
-                new BufferedImage(new DirectColorModel(24, RED_MASK, GREEN_MASK, BLUE_MASK), raster, false, null);
-        WholeFile.write(file, out -> {
-            // Not ImageIO's stream of choice, which spools the picture through a file in the temporary folder.
-            try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
-                if (!ImageIO.write(image, "png", stream)) {
-                    throw new IOException("this Java runtime has no PNG writer");
-                }
-            }
-        });
+        return new BufferedImage(new DirectColorModel(24, RED_MASK, GREEN_MASK, BLUE_MASK), raster, false, null);
     }
 }

@@ -34,6 +34,8 @@ class BadInputTest {
                 "render benchmark -o FOLDER/a.jpg | must end in .png or .hdr",
                 "render benchmark -o FOLDER/missing/a.png | there is no folder",
                 "render benchmark -o FOLDER | must end in",
+                "render benchmark -o FOLDER/a.png --overwrite | --overwrite requires --frames",
+                "render benchmark -o FOLDER/a%d-#.png --physics --frames 2 | one pattern for the frame number",
                 "render benchmrk -o FOLDER/a.png | shipped are: benchmark",
                 "render missing.json -o FOLDER/a.png | missing.json",
                 "render FOLDER -o FOLDER/a.png | FOLDER",
@@ -122,6 +124,34 @@ class BadInputTest {
         assertThat(outcome.err()).contains("name", "empty").doesNotContain("Exception");
         assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
         assertThat(folder).isEmptyDirectory();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "render|NAME.json|-o|FOLDER/a.png",
+                "render|NAME|-o|FOLDER/a.png",
+                "render|benchmark|-o|FOLDER/NAME/a.png",
+                "render|benchmark|-o|FOLDER/NAME",
+                "render|benchmark|-o|FOLDER/a.png|--skybox|NAME.hdr",
+                "render|benchmark|-o|FOLDER/a.png|--engine|NAME",
+                "render|benchmark|-o|FOLDER/a.png|--size|NAME",
+                "render|benchmark|-o|FOLDER/a.png|--NAME",
+                "scene|--check|NAME.json",
+                "benchmark|NAME.json",
+                "NAME"
+            })
+    void noTextOfTheUsersControlsTheTerminal(String line) {
+        String name = "a\u001b[31m\u0007\u009b2J\u202egnp\n\rb";
+        String[] arguments =
+                line.replace("FOLDER", folder.toString()).replace("NAME", name).split("\\|");
+
+        Outcome outcome = Outcome.of(arguments);
+
+        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.err()).contains("a\\u001b[31m\\u0007\\u009b2J\\u202egnp\\u000a\\u000db");
+        assertThat(outcome.err().lines().count()).isLessThanOrEqualTo(MOST_LINES);
+        assertThat(outcome.out()).isEmpty();
     }
 
     /** On Linux only this character is in no file's name; Windows has more, and so has a JVM that takes names for ASCII. */

@@ -2,14 +2,20 @@ package dev.twister.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.ChildJvm;
 import java.awt.image.BufferedImage;
+import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class RenderCommandTest {
     @TempDir
@@ -73,6 +79,74 @@ class RenderCommandTest {
                 "1.1");
         assertThat(one.exitCode()).isZero();
         assertThat(alone).hasSameBinaryContentAs(last);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "fall-%04d.png, fall-0001.png",
+        "fall.####.png, fall.0001.png",
+        "#.png, 1.png",
+        "%d fall.png, 1 fall.png",
+        "%02d-100%.png, 01-100%.png",
+        "100%.png, 100%-0001.png"
+    })
+    void framesHaveTheirNumberWhereTheNameSays(String name, String second) {
+        Outcome outcome = drawFrames(folder.resolve(name));
+
+        assertThat(outcome.err()).isEmpty();
+        assertThat(outcome.exitCode()).isZero();
+        assertThat(folder.resolve(second)).isRegularFile();
+    }
+
+    @Test
+    void framesOfAnEarlierRunAreReplacedOnDemandOnly() throws IOException {
+        Path file = folder.resolve("fall.png");
+        Path second = Files.writeString(folder.resolve("fall-0001.png"), "older");
+
+        Outcome refused = drawFrames(file);
+        assertThat(refused.exitCode()).isEqualTo(2);
+        assertThat(refused.err())
+                .startsWith("twister: " + second + " already exists")
+                .contains("--overwrite")
+                .hasLineCount(1);
+        assertThat(second).hasContent("older");
+        assertThat(folder.resolve("fall-0000.png")).doesNotExist();
+
+        assertThat(drawFrames(file, "--overwrite").exitCode()).isZero();
+        assertThat(ImageIO.read(second.toFile())).isNotNull();
+    }
+
+    @Test
+    void aMinusWritesThePictureToTheStandardOutput() throws IOException, InterruptedException {
+        Process java = ChildJvm.start(ChildJvm.of(
+                        Main.class,
+                        "render",
+                        "benchmark",
+                        "-o",
+                        "-",
+                        "--size",
+                        "48x27",
+                        "--shadow-samples",
+                        "1",
+                        "--engine",
+                        "sequential")
+                .directory(folder.toFile()));
+        byte[] written = java.getInputStream().readAllBytes();
+        try (BufferedReader err = java.errorReader(StandardCharsets.UTF_8)) {
+            assertThat(err.readAllAsString()).startsWith("standard output: 48 x 27, sequential ");
+        }
+
+        assertThat(java.waitFor()).isZero();
+        assertThat(folder).isEmptyDirectory();
+        assertThat(written)
+                .isEqualTo(bytes("same.png", "--size", "48x27", "--shadow-samples", "1", "--engine", "sequential"));
+    }
+
+    private Outcome drawFrames(Path file, String... more) {
+        List<String> options = new ArrayList<>(List.of(
+                "--size", "8x8", "--engine", "sequential", "--shadow-samples", "1", "--physics", "--frames", "2"));
+        options.addAll(List.of(more));
+        return render("benchmark", file, options.toArray(String[]::new));
     }
 
     @Test

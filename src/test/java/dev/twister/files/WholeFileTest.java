@@ -75,7 +75,7 @@ class WholeFileTest {
 
         public static void main(String[] arguments) throws IOException {
             Path folder = Path.of(arguments[0]);
-            Runtime.getRuntime().addShutdownHook(new Thread(() -> writeUnfinished(folder)));
+            Runtime.getRuntime().addShutdownHook(new Thread(() -> LastWrites.run(() -> writeUnfinished(folder))));
             WholeFile.write(folder.resolve("picture.png"), out -> {
                 out.write(1);
                 System.out.println("writing");
@@ -91,6 +91,48 @@ class WholeFileTest {
             } catch (IOException problem) {
                 throw new UncheckedIOException(problem);
             }
+        }
+    }
+
+    @Test
+    void noFileIsBegunWhileTheProcessEnds() throws IOException, InterruptedException {
+        Process java = ChildJvm.start(
+                ChildJvm.of(LateMain.class, folder.toString()).redirectError(ProcessBuilder.Redirect.INHERIT));
+        try (BufferedReader output = java.inputReader(StandardCharsets.UTF_8)) {
+            assertThat(output.readLine())
+                    .isEqualTo("cannot write " + folder.resolve("late.png") + ": the process is ending");
+        }
+        java.waitFor();
+        assertThat(names()).isEmpty();
+    }
+
+    /** Begins a file after its end has begun. */
+    static final class LateMain {
+        private LateMain() {}
+
+        public static void main(String[] arguments) {
+            Path folder = Path.of(arguments[0]);
+            Runtime.getRuntime().addShutdownHook(new Thread(() -> write(folder.resolve("late.png"))));
+        }
+
+        private static void write(Path file) {
+            try {
+                WholeFile.write(file, out -> out.write(1));
+            } catch (IOException problem) {
+                System.out.println(problem.getMessage());
+            }
+        }
+    }
+
+    @Test
+    void whatIsReplacedKeepsItsPermissions() throws IOException {
+        Assumptions.assumeTrue(Files.getFileStore(folder).supportsFileAttributeView("posix"));
+        for (String permissions : List.of("rw-------", "rw-rw-rw-", "rwxr-x---")) {
+            Path file = Files.writeString(folder.resolve("mine.png"), "old");
+            Files.setPosixFilePermissions(file, PosixFilePermissions.fromString(permissions));
+            WholeFile.write(file, out -> out.write(1));
+            assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file)))
+                    .isEqualTo(permissions);
         }
     }
 

@@ -1,6 +1,5 @@
 package dev.twister.engine.tornado;
 
-import com.google.auto.service.AutoService;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.EngineProvider;
 import dev.twister.engine.MissingTornado;
@@ -14,7 +13,6 @@ import uk.ac.manchester.tornado.api.common.TornadoDevice;
 import uk.ac.manchester.tornado.api.runtime.TornadoRuntimeProvider;
 
 /** An engine for each device of each backend that TornadoVM finds here. */
-@AutoService(EngineProvider.class)
 public final class TornadoEngines implements EngineProvider {
     private static final String DRIVER =
             "Install a driver (OpenCL: your GPU's, or PoCL for the CPU: apt install pocl-opencl-icd)";

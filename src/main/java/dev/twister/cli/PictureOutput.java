@@ -1,0 +1,124 @@
+package dev.twister.cli;
+
+import dev.twister.files.PrintableText;
+import dev.twister.image.Frame;
+import dev.twister.image.HdrWriter;
+import dev.twister.image.PngWriter;
+import java.io.BufferedOutputStream;
+import java.io.Console;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+
+/** Where pictures go: one to a file, numbered ones to files, or all of them to the standard output, one after the other. */
+final class PictureOutput {
+    private static final String OPTION = "--output";
+    private static final Path STANDARD_OUTPUT = Path.of("-");
+    private static final String PNG = ".png";
+    private static final String HDR = ".hdr";
+
+    private final Path output;
+    private final Optional<NumberedFiles> numbered;
+    private final int count;
+    private final boolean overwrite;
+
+    private PictureOutput(Path output, Optional<NumberedFiles> numbered, int count, boolean overwrite) {
+        this.output = output;
+        this.numbered = numbered;
+        this.count = count;
+        this.overwrite = overwrite;
+    }
+
+    /**
+     * Looks where pictures are to go before they are drawn.
+     *
+     * @param frames how many, where they are numbered
+     * @param overwrite whether those may replace frames of an earlier run
+     * @throws BadInputException where they cannot go there
+     */
+    static PictureOutput of(Path output, Optional<Integer> frames, boolean overwrite) {
+        if (overwrite && frames.isEmpty()) {
+            throw new BadInputException("--overwrite requires --frames; a single picture always replaces its file");
+        }
+        if (output.equals(STANDARD_OUTPUT)) {
+            checkNoTerminal();
+            return new PictureOutput(output, Optional.empty(), frames.orElse(1), overwrite);
+        }
+        if (!OutputFile.endsIn(output, HDR) && !OutputFile.endsIn(output, PNG)) {
+            throw new BadInputException(
+                    OPTION + " is " + output + ", but must end in " + PNG + " or " + HDR + ", or be - for a PNG");
+        }
+        PictureOutput pictures = new PictureOutput(
+                output, frames.map(count -> NumberedFiles.of(output, count)), frames.orElse(1), overwrite);
+        OutputFile.check(OPTION, pictures.file(0));
+        return pictures;
+    }
+
+    private static void checkNoTerminal() {
+        if (Optional.ofNullable(System.console()).map(Console::isTerminal).orElse(false)) {
+            throw new BadInputException(
+                    OPTION + " is -, but standard output is a terminal; redirect it to a file or a program");
+        }
+    }
+
+    /**
+     * Keeps what the pictures are made from, and frames of an earlier run.
+     *
+     * @param inputs files that are there
+     * @throws BadInputException where a picture would replace one of them
+     */
+    void checkKeeps(Path... inputs) throws IOException {
+        if (isStandardOutput()) {
+            return;
+        }
+        for (int number = 0; number < count; number++) {
+            Path file = file(number);
+            OutputFile.checkKeeps(OPTION, file, inputs);
+            if (numbered.isPresent() && !overwrite && Files.exists(file)) {
+                throw new BadInputException(file
+                        + " already exists; use --overwrite to replace the frames of an earlier run, or another name");
+            }
+        }
+    }
+
+    boolean isStandardOutput() {
+        return output.equals(STANDARD_OUTPUT);
+    }
+
+    /** Whether linear radiance is wanted, not pixels. */
+    boolean isLinear() {
+        return OutputFile.endsIn(output, HDR);
+    }
+
+    /** Where the pictures are, for people. */
+    String name() {
+        if (isStandardOutput()) {
+            return "standard output";
+        }
+        String first = PrintableText.line(file(0).toString());
+        return numbered.isEmpty()
+                ? first
+                : first + " to " + PrintableText.line(file(count - 1).toString());
+    }
+
+    /** Writes the picture of a number, from 0. */
+    void write(int number, Frame picture) throws IOException {
+        if (isStandardOutput()) {
+            // Not System.out, which keeps errors to itself; it is not closed, as others may be written to it.
+            OutputStream out = new FileOutputStream(FileDescriptor.out);
+            PngWriter.write(new BufferedOutputStream(out), picture.width(), picture.height(), picture.argb());
+        } else if (isLinear()) {
+            HdrWriter.write(file(number), picture.width(), picture.height(), picture.radiance());
+        } else {
+            PngWriter.write(file(number), picture.width(), picture.height(), picture.argb());
+        }
+    }
+
+    private Path file(int number) {
+        return numbered.map(files -> files.file(number)).orElse(output);
+    }
+}
