@@ -2,7 +2,9 @@ package dev.twister.kernel;
 
 /** From linear color, exposure applied, to what a pixel shows. */
 public final class Tone {
+    /** Numbers of tone maps, in the order of {@code scene.ToneMap}. */
     public static final int CLAMP = 0;
+
     public static final int REINHARD = 1;
     public static final int ACES = 2;
 

@@ -1,7 +1,6 @@
 package dev.twister.world;
 
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.Tone;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
 import dev.twister.scene.Plane;
@@ -9,7 +8,6 @@ import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
-import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
 import java.util.List;
@@ -137,19 +135,11 @@ public final class World {
         properties[Layout.BOUNCES] = settings.bounces();
         properties[Layout.PIXEL_SAMPLES] = settings.samplesPerPixel();
         properties[Layout.EXPOSURE_SCALE] = (float) Math.pow(2, settings.exposure());
-        properties[Layout.TONE_MAP] = toneMapNumber(settings.toneMap());
+        properties[Layout.TONE_MAP] = settings.toneMap().ordinal();
         properties[Layout.SRGB] = settings.srgb() ? 1 : 0;
         properties[Layout.AMBIENT] = (float) ambient;
         putColor(properties, Layout.PLANE_ODD_COLOR, planeOddColor);
         return properties;
-    }
-
-    private static int toneMapNumber(ToneMap toneMap) {
-        return switch (toneMap) {
-            case CLAMP -> Tone.CLAMP;
-            case REINHARD -> Tone.REINHARD;
-            case ACES -> Tone.ACES;
-        };
     }
 
     private void put(int body, Vector3 position, double size, Rgb color, double reflectivity) {

@@ -11,6 +11,9 @@ public final class Declined {
     /** Each point that is shaded is tested against every declined sphere: with more of them, the whole frame is declined. */
     private static final int MOST_OCCLUDERS = 256;
 
+    /** The looks that lanes know are the first so many. */
+    private static final int KNOWN_LOOKS = Layout.LOOK_REFLECTIVITY + 1;
+
     private final IntPredicate bodies;
     private final BodyList occluders = new BodyList();
     private boolean[] declined = {};
@@ -22,7 +25,7 @@ public final class Declined {
     /**
      * Declines nothing until a frame is taken.
      *
-     * @param bodies tells which of a frame's bodies lanes do not know
+     * @param bodies tells which bodies are declined beside those that have looks other than color and reflectivity
      */
     public Declined(IntPredicate bodies) {
         this.bodies = bodies;
@@ -47,12 +50,20 @@ public final class Declined {
         occluders.clear();
         any = false;
         for (int body = 0; body < count; body++) {
-            declined[body] = bodies.test(body);
+            declined[body] = bodies.test(body) || hasUnknownLooks(body);
             any |= declined[body];
             if (declined[body] && body >= Layout.FIRST_SPHERE) {
                 occluders.add(body);
             }
         }
+    }
+
+    private boolean hasUnknownLooks(int body) {
+        boolean unknown = false;
+        for (int look = KNOWN_LOOKS; look < Layout.LOOK_STRIDE; look++) {
+            unknown |= looks[Layout.LOOK_STRIDE * body + look] != 0f;
+        }
+        return unknown;
     }
 
     /** Whether all of the frame is. */

@@ -1,0 +1,26 @@
+package dev.twister.oracle;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.twister.kernel.Tone;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.ToneMap;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** The kernel knows every tone map that a scene may ask for. */
+class ToneMapsTest {
+    @ParameterizedTest
+    @EnumSource
+    void kernelMapsAsTheOracleDoes(ToneMap toneMap) {
+        OracleTone oracle = new OracleTone(RenderSettings.DEFAULT.withTone(0, toneMap, false));
+        for (int step = 0; step < 400; step++) {
+            float gray = step * 0.01f;
+            int level = oracle.argb(new Color(gray, gray, gray)) & 0xFF;
+            assertThat(Tone.quantized(gray, 1f, toneMap.ordinal(), 0f))
+                    .as("radiance %s", gray)
+                    .isCloseTo(level, within(1));
+        }
+    }
+}
