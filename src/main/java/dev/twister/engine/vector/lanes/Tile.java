@@ -196,6 +196,12 @@ public final class Tile {
         }
     }
 
+    /** To another tile's place. */
+    public void moveTo(Tile other) {
+        left = other.left;
+        top = other.top;
+    }
+
     /** In [0, {@link #SIDE}), of a pixel in the tile's order. */
     public static int column(int pixel) {
         int block = pixel / BLOCK;

@@ -1,12 +1,12 @@
 package dev.twister.engine.vector.shortcut;
 
-import dev.twister.engine.vector.lanes.ShadowColumns;
 import dev.twister.engine.vector.frame.BodyColumns;
 import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.frame.Shortcut;
 import dev.twister.engine.vector.lanes.BodyList;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.PacketList;
+import dev.twister.engine.vector.lanes.ShadowColumns;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.engine.vector.step.CameraLanes;
 import dev.twister.kernel.Layout;

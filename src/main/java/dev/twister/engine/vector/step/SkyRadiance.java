@@ -20,7 +20,7 @@ public final class SkyRadiance {
     private SkyRadiance() {}
 
     /** Adds the radiance at their columns and rows to the scattered packets. */
-    public static void lookUp(Tile tile, PaddedSky sky) {
+    public static void lookUp(PaddedSky sky, Tile tile) {
         listPixels(tile);
         findTexels(tile, sky);
         fetch(tile, sky);
