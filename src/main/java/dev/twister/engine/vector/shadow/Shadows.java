@@ -18,9 +18,6 @@ public final class Shadows {
     /** Fewer points than these are better off one by one from the start. */
     private static final int FEWEST_TOGETHER = 1 + Lanes.COUNT / 4;
 
-    /** Where more are near, each point looks for its own. */
-    static final int MOST_NEAR = 256;
-
     /** Where its lines meet more leaves, they are not even looked into. */
     private static final int MOST_LEAVES = 36;
 
@@ -77,12 +74,12 @@ public final class Shadows {
             Drawing drawing, Tile tile, ShadowBench bench, int number, int open, float radius) {
         int at = tile.shadows.places[number];
         SphereColumns near = bench.near;
-        int count = MOST_NEAR + 1;
+        int count = ShadowBench.MOST_NEAR + 1;
         if (Integer.bitCount(open) >= FEWEST_TOGETHER) {
             bench.walks.beam.holdLines(tile, drawing, number, radius);
             count = findNear(drawing.hierarchy, bench);
         }
-        if (count > MOST_NEAR) {
+        if (count > ShadowBench.MOST_NEAR) {
             tile.lonely.add(at, open);
         } else if (count > ShadowColumns.MOST_TOGETHER) {
             LoneShadows.findAmong(near, count, tile, at, drawing, bench);
@@ -91,15 +88,15 @@ public final class Shadows {
         }
     }
 
-    /** Lists the spheres that the beam may meet; returns how many, more than {@link #MOST_NEAR} standing for any number. */
+    /** Lists the spheres that the beam may meet; returns how many: above {@link ShadowBench#MOST_NEAR} any number. */
     private static int findNear(WideHierarchy hierarchy, ShadowBench bench) {
         Leaves leaves = bench.walks.leaves;
         SphereColumns spheres = hierarchy.spheres;
-        int count = leaves.find(hierarchy, bench.walks.beam, MOST_LEAVES) ? 0 : MOST_NEAR + 1;
-        for (int k = leaves.first; k < leaves.end && count <= MOST_NEAR; k++) {
+        int count = leaves.find(hierarchy, bench.walks.beam, MOST_LEAVES) ? 0 : ShadowBench.MOST_NEAR + 1;
+        for (int k = leaves.first; k < leaves.end && count <= ShadowBench.MOST_NEAR; k++) {
             int leaf = leaves.links[k];
             int first = WideHierarchy.firstBlock(leaf);
-            for (int left = WideHierarchy.blocks(leaf); left > 0 && count <= MOST_NEAR; left--) {
+            for (int left = WideHierarchy.blocks(leaf); left > 0 && count <= ShadowBench.MOST_NEAR; left--) {
                 long met = bench.walks.beam.meeting(spheres, first);
                 bench.near.copy(SphereColumns.FIRST + count, spheres, first, met);
                 count += Long.bitCount(met);
