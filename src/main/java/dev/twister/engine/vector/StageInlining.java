@@ -24,7 +24,7 @@ final class StageInlining {
     /** What takes or returns vectors, and lists: always inlined. */
     static final List<String> ALWAYS = List.of(PACKAGE + "lanes/*.*");
 
-    /** What has a tile's or a shadow's columns as its first parameter: each has an inlining budget of its own. */
+    /** What has a tile's or a shadow's columns as its first parameter, and so works on them; and what runs once a tile. */
     static final List<String> NEVER = List.of(
             PACKAGE + "*.*(L" + PACKAGE + "lanes/Tile;",
             PACKAGE + "*.*(L" + PACKAGE + "lanes/ShadowColumns;",

@@ -43,8 +43,8 @@ final class TileRenderer {
         bench.wholeTiles.rehearse(drawing);
         Choices.Way way = bench.choices.choose(tile, drawing);
         switch (way) {
-            case SKY -> TileOutput.finish(bench.wholeTiles.addSky(tile, drawing), drawing);
-            case OPEN_GROUND -> TileOutput.finish(bench.wholeTiles.addOpenGround(tile, drawing), drawing);
+            case SKY -> TileOutput.finish(drawing, bench.wholeTiles.addSky(tile, drawing));
+            case OPEN_GROUND -> TileOutput.finish(drawing, bench.wholeTiles.addOpenGround(tile, drawing));
             case LIT_GROUND, GROUND, ANY -> drawSamples(drawing, way);
         }
     }
@@ -55,13 +55,13 @@ final class TileRenderer {
         for (int sample = 0; sample < drawing.pixelSamples; sample++) {
             startSample(drawing, sample);
             switch (way) {
-                case LIT_GROUND -> OpenGround.addAndLeave(tile, drawing);
+                case LIT_GROUND -> OpenGround.addAndLeave(drawing, tile);
                 case GROUND -> shadeGround(drawing);
-                default -> CameraLanes.startRays(tile, drawing);
+                default -> CameraLanes.startRays(drawing, tile);
             }
             follow(drawing, way == Choices.Way.ANY ? 0 : 1);
         }
-        TileOutput.finish(tile, drawing);
+        TileOutput.finish(drawing, tile);
     }
 
     private void startSample(Drawing drawing, int sample) {
@@ -70,7 +70,7 @@ final class TileRenderer {
             // Following the last sample's rays has changed both.
             CameraLanes.listInside(tile, drawing);
             if (!drawing.crowded) {
-                bench.choices.cullViewRays(tile, drawing);
+                bench.choices.cullViewRays(drawing, tile);
             }
         }
     }
@@ -91,10 +91,10 @@ final class TileRenderer {
                 addSky(drawing, bounce == 0 || offPlane, offPlane);
             }
             if (tile.grounds.count > 0) {
-                GroundSurface.find(tile, drawing);
+                GroundSurface.find(drawing, tile);
             }
             if (tile.spheres.count > 0) {
-                SphereSurface.find(tile, drawing);
+                SphereSurface.find(drawing, tile);
             }
             if (tile.surfaces.count > 0) {
                 shade(drawing, bounce);
@@ -127,20 +127,20 @@ final class TileRenderer {
         if (ofViewRays && bench.sky.pays(tile, drawing)) {
             bench.sky.addCharted(tile, drawing, mirrored);
         } else {
-            SkyDirection.find(tile, drawing.sky);
+            SkyDirection.find(drawing.sky, tile);
             TileSky.add(tile, drawing);
         }
     }
 
     /** Adds what the surfaces send towards the eye, and starts the rays that go on. */
     private void shade(Drawing drawing, int bounce) {
-        LightDirection.find(tile, drawing);
+        LightDirection.find(drawing, tile);
         if (drawing.declined.isAnyBody()) {
             bench.handover.endInShadows(tile, drawing, bounce);
         }
         Shadows.find(tile, drawing, bench.shadows);
         Highlight.find(tile);
-        ScatterLanes.scatter(tile, drawing);
+        ScatterLanes.scatter(drawing, tile);
     }
 
     /** The same from the view rays on, which all meet the ground. */

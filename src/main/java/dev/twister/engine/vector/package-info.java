@@ -7,7 +7,7 @@
  * .shadow}, {@code .crowd}) and each shortcut ({@code .shortcut}) is some short loops over the tile's packets, each a method, which
  * reads and writes {@code float[]} columns of the {@link dev.twister.engine.vector.lanes.Tile} and holds vectors in local variables
  * only. That is on purpose: past some 60 vector operations, or 325 bytecodes, a method is no longer inlined whole, and vectors become
- * objects. So the compiler is told to inline none of them, and all of {@code .lanes} always ({@link
+ * objects. So the compiler is told to inline none that has columns as its first parameter, and all of {@code .lanes} always ({@link
  * dev.twister.engine.vector.StageInlining}). For the same reason nothing outside {@code Lanes} takes or returns a vector. A step
  * is not run for an empty list of packets, as the compiler makes objects in a loop that hardly any call comes to.
  *

@@ -42,25 +42,25 @@ public final class PacketHits {
             tile.lonely.add(at, goesOn & ~together);
         }
         if (tile.together.count > 0) {
-            walkTogether(tile, drawing, walks);
+            walkTogether(drawing, tile, walks);
         }
         for (int from = 0; from < tile.lonely.count; from += Lanes.COUNT) {
-            walkAlone(tile, drawing, walks, from, Math.min(Lanes.COUNT, tile.lonely.count - from));
+            walkAlone(drawing, tile, walks, from, Math.min(Lanes.COUNT, tile.lonely.count - from));
         }
     }
 
-    private static void walkTogether(Tile tile, Drawing drawing, Walks walks) {
+    private static void walkTogether(Drawing drawing, Tile tile, Walks walks) {
         walks.beam.holdRays(tile, 0, tile.together.count);
         walks.beam.endAt(Beam.EVERYWHERE);
         if (walks.entrance.find(drawing.hierarchy, walks.beam)) {
             for (int k = 0; k < tile.together.count; k++) {
-                walkTogether(tile, drawing, walks, k);
+                walkTogether(drawing, tile, walks, k);
             }
         }
     }
 
     /** One packet, from where all begin. */
-    private static void walkTogether(Tile tile, Drawing drawing, Walks walks, int number) {
+    private static void walkTogether(Drawing drawing, Tile tile, Walks walks, int number) {
         int at = tile.together.places[number];
         Beam beam = walks.beam;
         Descent descent = walks.descent;
@@ -93,7 +93,7 @@ public final class PacketHits {
     }
 
     /** So many of the rays on their own, from that one of them on. */
-    private static void walkAlone(Tile tile, Drawing drawing, Walks walks, int first, int count) {
+    private static void walkAlone(Drawing drawing, Tile tile, Walks walks, int first, int count) {
         PacketLeaves leaves = walks.packetLeaves;
         walks.packetBeams.holdRays(tile.values, tile.lonely.pixels, first);
         boolean found = leaves.find(drawing.hierarchy, walks.packetBeams, count);
@@ -102,13 +102,13 @@ public final class PacketHits {
                     tile, walks.packetBeams, drawing.hierarchy, first, leaves.links, leaves.first, leaves.end);
         } else {
             for (int beam = 0; beam < count; beam++) {
-                descend(tile, drawing, walks, first, beam);
+                descend(drawing, tile, walks, first, beam);
             }
         }
     }
 
     /** One ray and the spheres of the leaves that it meets before a hit, the nearest first. */
-    private static void descend(Tile tile, Drawing drawing, Walks walks, int first, int number) {
+    private static void descend(Drawing drawing, Tile tile, Walks walks, int first, int number) {
         float[] t = tile.values;
         int pixel = tile.lonely.pixels[first + number];
         Beam beam = walks.beam;

@@ -17,6 +17,9 @@ public final class Lanes {
     public static final VectorSpecies<Float> FLOATS = species(Integer.getInteger(BITS_PROPERTY, 0));
     public static final VectorSpecies<Integer> INTS = FLOATS.withLanes(int.class);
 
+    /** A packet lies in one of a tile's blocks. */
+    private static final int MOST = 16;
+
     /** Pixels a packet: 4, 8 or 16, which divides a tile's block. */
     public static final int COUNT = FLOATS.length();
 
@@ -44,9 +47,7 @@ public final class Lanes {
     private static VectorSpecies<Float> species(int bits) {
         return switch (bits) {
             case 0 ->
-                FloatVector.SPECIES_PREFERRED.length() > Tile.BLOCK
-                        ? FloatVector.SPECIES_512
-                        : FloatVector.SPECIES_PREFERRED;
+                FloatVector.SPECIES_PREFERRED.length() > MOST ? FloatVector.SPECIES_512 : FloatVector.SPECIES_PREFERRED;
             case 128 -> FloatVector.SPECIES_128;
             case 256 -> FloatVector.SPECIES_256;
             case 512 -> FloatVector.SPECIES_512;

@@ -3,9 +3,14 @@ package dev.twister.engine.vector.lanes;
 /** Some of a tile's packets, each by the place of its first pixel. */
 public final class PacketList {
     /** The places; only the first {@link #count} hold. */
-    public final int[] places = new int[Tile.SIZE / Lanes.COUNT];
+    public final int[] places;
 
     public int count;
+
+    /** With room for so many. */
+    PacketList(int most) {
+        places = new int[most];
+    }
 
     /** All packets of a tile. */
     public void addAll() {

@@ -3,9 +3,14 @@ package dev.twister.engine.vector.lanes;
 /** Some of a tile's pixels, each by its number. */
 public final class PixelList {
     /** The numbers; only the first {@link #count} hold, and as many more as there are lanes may be written. */
-    public final int[] pixels = new int[Tile.SIZE + Lanes.COUNT];
+    public final int[] pixels;
 
     public int count;
+
+    /** With room for so many. */
+    PixelList(int most) {
+        pixels = new int[most + Lanes.COUNT];
+    }
 
     public void clear() {
         count = 0;

@@ -16,6 +16,8 @@ public final class Tile {
 
     public static final int SIZE = SIDE * SIDE;
 
+    private static final int PACKETS = SIZE / Lanes.COUNT;
+
     /** Pixels along a block's side. */
     public static final int BLOCK_SIDE = 4;
 
@@ -133,7 +135,7 @@ public final class Tile {
     public final int[] pixels = new int[SIZE];
 
     /** The pixels that go a way of their own: to the sky, to what they meet of a crowd, or to the light. */
-    public final PixelList lonely = new PixelList();
+    public final PixelList lonely = new PixelList(SIZE);
 
     /** Of the spheres that are copied next, where they begin in {@code BodyColumns.surfaces}. */
     public final int[] surfacePlaces = new int[SIZE];
@@ -151,25 +153,25 @@ public final class Tile {
     public final int[] argb = new int[Lanes.BORDER + SIZE];
 
     /** Packets, by the place of their first pixel: those whose paths go on, and those that met the sky, and so on. */
-    public final PacketList live = new PacketList();
+    public final PacketList live = new PacketList(PACKETS);
 
-    public final PacketList skies = new PacketList();
-    public final PatchList skyPatches = new PatchList();
-    public final PacketList scatteredSkies = new PacketList();
-    public final PacketList lights = new PacketList();
-    public final PacketList grounds = new PacketList();
-    public final PacketList spheres = new PacketList();
-    public final PacketList surfaces = new PacketList();
-    public final PacketList shadows = new PacketList();
+    public final PacketList skies = new PacketList(PACKETS);
+    public final PatchList skyPatches = new PatchList(PACKETS);
+    public final PacketList scatteredSkies = new PacketList(PACKETS);
+    public final PacketList lights = new PacketList(PACKETS);
+    public final PacketList grounds = new PacketList(PACKETS);
+    public final PacketList spheres = new PacketList(PACKETS);
+    public final PacketList surfaces = new PacketList(PACKETS);
+    public final PacketList shadows = new PacketList(PACKETS);
 
     /** Those with rays {@link #TOGETHER}. */
-    public final PacketList together = new PacketList();
+    public final PacketList together = new PacketList(PACKETS);
 
     /** Those where anything shines: all that does to one whole power, to whole powers, and to any. */
-    public final PacketList onePower = new PacketList();
+    public final PacketList onePower = new PacketList(PACKETS);
 
-    public final PacketList wholePowers = new PacketList();
-    public final PacketList fractionPowers = new PacketList();
+    public final PacketList wholePowers = new PacketList(PACKETS);
+    public final PacketList fractionPowers = new PacketList(PACKETS);
 
     /** Of a packet in {@link #onePower}, by the packet's number. */
     public final float[] powers = new float[SIZE / Lanes.COUNT];
@@ -194,6 +196,12 @@ public final class Tile {
             values[PLACE_Y + pixel] = row(pixel);
             pixels[pixel] = pixel;
         }
+    }
+
+    /** To another tile's place. */
+    public void moveTo(Tile other) {
+        left = other.left;
+        top = other.top;
     }
 
     /** In [0, {@link #SIDE}), of a pixel in the tile's order. */

@@ -31,13 +31,13 @@ public final class LoneShadows {
     }
 
     /** The same at the points of {@link Tile#lonely}, by way of the whole hierarchy. */
-    static void find(Tile tile, Drawing drawing, ShadowBench bench) {
+    static void find(Drawing drawing, Tile tile, ShadowBench bench) {
         for (int first = 0; first < tile.lonely.count; first += Lanes.COUNT) {
-            find(tile, drawing, bench, first, Math.min(Lanes.COUNT, tile.lonely.count - first));
+            find(drawing, tile, bench, first, Math.min(Lanes.COUNT, tile.lonely.count - first));
         }
     }
 
-    private static void find(Tile tile, Drawing drawing, ShadowBench bench, int first, int count) {
+    private static void find(Drawing drawing, Tile tile, ShadowBench bench, int first, int count) {
         float[] t = tile.values;
         int[] pixels = tile.lonely.pixels;
         LoneCandidates candidates = bench.lone;

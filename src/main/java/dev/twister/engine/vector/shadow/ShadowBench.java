@@ -9,6 +9,9 @@ import dev.twister.engine.vector.shortcut.Hull;
 
 /** One thread's tools for shadows. */
 public final class ShadowBench {
+    /** Where more are near, each point looks for its own. */
+    static final int MOST_NEAR = 256;
+
     public final ShadowColumns columns = new ShadowColumns();
 
     /** The region between some points and the light. */
@@ -32,6 +35,6 @@ public final class ShadowBench {
     /** Makes room for a frame. */
     public void start(Drawing drawing) {
         columns.reserveBodies(drawing.input.bodyCount());
-        near.reserveList(Shadows.MOST_NEAR + Lanes.COUNT);
+        near.reserveList(MOST_NEAR + Lanes.COUNT);
     }
 }

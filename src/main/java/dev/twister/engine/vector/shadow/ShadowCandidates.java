@@ -64,13 +64,13 @@ public final class ShadowCandidates {
         for (int sphere = 0; sphere < count; sphere++) {
             long between = scratch.betweens[sphere];
             if (between != 0) {
-                judge(tile, drawing, bench, at, (int) near.values[bodies + sphere], between);
+                judge(drawing, tile, bench, at, (int) near.values[bodies + sphere], between);
             }
         }
         return finish(tile, at, bench.columns) != 0;
     }
 
-    private static void judge(Tile tile, Drawing drawing, ShadowBench bench, int at, int body, long between) {
+    private static void judge(Drawing drawing, Tile tile, ShadowBench bench, int at, int body, long between) {
         long shaded = between & isOutside(tile, at, drawing.bodies, body);
         if (shaded != 0) {
             bench.columns.add(body, shaded, hidesDisc(tile, at, drawing.bodies, body));

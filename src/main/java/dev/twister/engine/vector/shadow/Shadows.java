@@ -18,9 +18,6 @@ public final class Shadows {
     /** Fewer points than these are better off one by one from the start. */
     private static final int FEWEST_TOGETHER = 1 + Lanes.COUNT / 4;
 
-    /** Where more are near, each point looks for its own. */
-    static final int MOST_NEAR = 256;
-
     /** Where its lines meet more leaves, they are not even looked into. */
     private static final int MOST_LEAVES = 36;
 
@@ -30,11 +27,11 @@ public final class Shadows {
         if (tile.shadows.count > 0) {
             if (drawing.crowded) {
                 ShadowCandidates.findDiscs(tile, drawing);
-                sampleInCrowd(tile, drawing, bench);
+                sampleInCrowd(drawing, tile, bench);
             } else {
                 Hull hull = bench.hull;
                 hull.startAround(tile, tile.shadows, Tile.POINT_X, Tile.SHADOW_OPEN);
-                sampleAmongFew(tile, drawing, bench, hull);
+                sampleAmongFew(drawing, tile, bench, hull);
             }
         }
     }
@@ -42,20 +39,20 @@ public final class Shadows {
     /** The same for a tile of {@code GroundAlone}. */
     public static void findOnGround(Tile tile, Drawing drawing, ShadowBench bench, Hull ground) {
         if (tile.shadows.count > 0) {
-            sampleAmongFew(tile, drawing, bench, ground);
+            sampleAmongFew(drawing, tile, bench, ground);
         }
     }
 
-    private static void sampleAmongFew(Tile tile, Drawing drawing, ShadowBench bench, Hull hull) {
+    private static void sampleAmongFew(Drawing drawing, Tile tile, ShadowBench bench, Hull hull) {
         hull.listTowardsLight(bench.columns, drawing);
         if (bench.columns.tileCandidates.count > 0) {
             ShadowCandidates.findDiscs(tile, drawing);
-            sample(tile, drawing, bench);
+            sample(drawing, tile, bench);
         }
     }
 
     /** Points on the ground and on spheres are looked at apart: between them there are many spheres that shade neither. */
-    private static void sampleInCrowd(Tile tile, Drawing drawing, ShadowBench bench) {
+    private static void sampleInCrowd(Drawing drawing, Tile tile, ShadowBench bench) {
         float radius = drawing.discRadius * drawing.rim;
         tile.lonely.clear();
         for (int k = 0; k < tile.shadows.count; k++) {
@@ -64,42 +61,42 @@ public final class Shadows {
             int ground = (int) ShadowCandidates.openOnGround(tile, at);
             if (ground != 0 && ground != open) {
                 ShadowCandidates.narrow(tile, at, ground);
-                sampleInCrowd(tile, drawing, bench, k, ground, radius);
+                sampleInCrowd(drawing, tile, bench, k, ground, radius);
                 open &= ~ground;
                 ShadowCandidates.narrow(tile, at, open);
             }
-            sampleInCrowd(tile, drawing, bench, k, open, radius);
+            sampleInCrowd(drawing, tile, bench, k, open, radius);
         }
-        LoneShadows.find(tile, drawing, bench);
+        LoneShadows.find(drawing, tile, bench);
     }
 
     private static void sampleInCrowd(
-            Tile tile, Drawing drawing, ShadowBench bench, int number, int open, float radius) {
+            Drawing drawing, Tile tile, ShadowBench bench, int number, int open, float radius) {
         int at = tile.shadows.places[number];
         SphereColumns near = bench.near;
-        int count = MOST_NEAR + 1;
+        int count = ShadowBench.MOST_NEAR + 1;
         if (Integer.bitCount(open) >= FEWEST_TOGETHER) {
             bench.walks.beam.holdLines(tile, drawing, number, radius);
             count = findNear(drawing.hierarchy, bench);
         }
-        if (count > MOST_NEAR) {
+        if (count > ShadowBench.MOST_NEAR) {
             tile.lonely.add(at, open);
         } else if (count > ShadowColumns.MOST_TOGETHER) {
             LoneShadows.findAmong(near, count, tile, at, drawing, bench);
         } else if (count > 0 && ShadowCandidates.findAmong(near, count, tile, at, drawing, bench)) {
-            sample(tile, drawing, bench, at);
+            sample(drawing, tile, bench, at);
         }
     }
 
-    /** Lists the spheres that the beam may meet; returns how many, more than {@link #MOST_NEAR} standing for any number. */
+    /** Lists the spheres that the beam may meet; returns how many: above {@link ShadowBench#MOST_NEAR} any number. */
     private static int findNear(WideHierarchy hierarchy, ShadowBench bench) {
         Leaves leaves = bench.walks.leaves;
         SphereColumns spheres = hierarchy.spheres;
-        int count = leaves.find(hierarchy, bench.walks.beam, MOST_LEAVES) ? 0 : MOST_NEAR + 1;
-        for (int k = leaves.first; k < leaves.end && count <= MOST_NEAR; k++) {
+        int count = leaves.find(hierarchy, bench.walks.beam, MOST_LEAVES) ? 0 : ShadowBench.MOST_NEAR + 1;
+        for (int k = leaves.first; k < leaves.end && count <= ShadowBench.MOST_NEAR; k++) {
             int leaf = leaves.links[k];
             int first = WideHierarchy.firstBlock(leaf);
-            for (int left = WideHierarchy.blocks(leaf); left > 0 && count <= MOST_NEAR; left--) {
+            for (int left = WideHierarchy.blocks(leaf); left > 0 && count <= ShadowBench.MOST_NEAR; left--) {
                 long met = bench.walks.beam.meeting(spheres, first);
                 bench.near.copy(SphereColumns.FIRST + count, spheres, first, met);
                 count += Long.bitCount(met);
@@ -109,17 +106,17 @@ public final class Shadows {
         return count;
     }
 
-    private static void sample(Tile tile, Drawing drawing, ShadowBench bench) {
+    private static void sample(Drawing drawing, Tile tile, ShadowBench bench) {
         for (int k = 0; k < tile.shadows.count; k++) {
             int at = tile.shadows.places[k];
             if (ShadowCandidates.find(tile, at, drawing.bodies, bench.columns)) {
-                sample(tile, drawing, bench, at);
+                sample(drawing, tile, bench, at);
             }
         }
     }
 
     /** Counts samples for a packet with lanes neither in the light nor in the dark. */
-    private static void sample(Tile tile, Drawing drawing, ShadowBench bench, int at) {
+    private static void sample(Drawing drawing, Tile tile, ShadowBench bench, int at) {
         ShadowFrame.findAxes(tile, at, drawing, bench.columns);
         ShadowFrame.placeAll(tile, at, drawing.bodies, bench.columns);
         ShadowFrame.limitAll(tile, at, drawing.bodies, bench.columns);

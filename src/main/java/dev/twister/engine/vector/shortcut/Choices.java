@@ -55,7 +55,7 @@ public final class Choices {
     public Way choose(Tile tile, Drawing drawing) {
         Way way = Way.ANY;
         if (!drawing.crowded) {
-            cullViewRays(tile, drawing);
+            cullViewRays(drawing, tile);
             if (drawing.shortcuts.take(Shortcut.CULLING) && tile.candidates.count == 0) {
                 way = chooseWithoutBodies(drawing, tile);
             }
@@ -64,7 +64,7 @@ public final class Choices {
     }
 
     /** Lists what the tile's view rays may meet. */
-    public void cullViewRays(Tile tile, Drawing drawing) {
+    public void cullViewRays(Drawing drawing, Tile tile) {
         rays.holdViewRays(tile, drawing);
         rays.cull(tile, drawing);
     }

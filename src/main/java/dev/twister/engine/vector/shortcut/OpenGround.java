@@ -44,7 +44,7 @@ public final class OpenGround {
     }
 
     /** Adds what the ground of a whole tile sends towards the eye. */
-    public static void add(Tile tile, Drawing drawing) {
+    public static void add(Drawing drawing, Tile tile) {
         meet(tile, drawing);
         findCosines(tile, drawing);
         if (power(drawing) % 2 > 0) {
@@ -149,8 +149,8 @@ public final class OpenGround {
     }
 
     /** Adds the same, and starts the live rays that the ground mirrors. */
-    public static void addAndLeave(Tile tile, Drawing drawing) {
-        add(tile, drawing);
+    public static void addAndLeave(Drawing drawing, Tile tile) {
+        add(drawing, tile);
         CameraLanes.aim(tile, drawing);
         mirror(tile, drawing);
     }

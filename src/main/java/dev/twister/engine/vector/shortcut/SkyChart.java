@@ -132,7 +132,7 @@ public final class SkyChart {
             nodes.left = left;
             nodes.top = tile.top;
             CameraLanes.aim(nodes, drawing);
-            SkyDirection.find(nodes, drawing.sky);
+            SkyDirection.find(drawing.sky, nodes);
             exact = judge(drawing.sky.width);
             if (exact) {
                 findFactors(Tile.SKY_TO_RIGHT, columnFactors);
@@ -227,11 +227,11 @@ public final class SkyChart {
     /** Works out what the pixels of a column of a covered tile share. */
     void spread(Tile tile, Drawing drawing) {
         for (int k = 0; k < factorsOfBoth.length; k++) {
-            spread(tile, drawing, factorsOfBoth[k], acrossOfBoth[k]);
+            spread(drawing, tile, factorsOfBoth[k], acrossOfBoth[k]);
         }
     }
 
-    private void spread(Tile tile, Drawing drawing, float[] factors, float[] to) {
+    private void spread(Drawing drawing, Tile tile, float[] factors, float[] to) {
         float[] offsets = drawing.input.view().pixelOffsets();
         float inverse = 1f / stepAcross();
         float from = (tile.left - nodes.left + offsets[2 * tile.sample] - offsets[0]) * inverse;

@@ -74,7 +74,7 @@ public final class TileSky {
             }
         }
         if (tile.scatteredSkies.count > 0) {
-            SkyRadiance.lookUp(tile, drawing.sky);
+            SkyRadiance.lookUp(drawing.sky, tile);
         }
     }
 

@@ -34,7 +34,8 @@ public final class WholeTiles {
 
     /** The same tile of the frame, whose view rays meet nothing. */
     public Tile addSky(Tile tile, Drawing drawing) {
-        start(clear, tile);
+        clear.moveTo(tile);
+        CameraLanes.blacken(clear);
         for (int sample = 0; sample < drawing.pixelSamples; sample++) {
             clear.sample = sample;
             sky.addCharted(clear, drawing, false);
@@ -44,20 +45,15 @@ public final class WholeTiles {
 
     /** The same tile of the frame, whose view rays meet lit ground that mirrors the sky alone, or nothing. */
     public Tile addOpenGround(Tile tile, Drawing drawing) {
-        start(open, tile);
+        open.moveTo(tile);
+        CameraLanes.blacken(open);
         for (int sample = 0; sample < drawing.pixelSamples; sample++) {
             open.sample = sample;
-            OpenGround.add(open, drawing);
+            OpenGround.add(drawing, open);
             if (OpenGround.mirrors(drawing)) {
                 sky.addCharted(open, drawing, true);
             }
         }
         return open;
-    }
-
-    private static void start(Tile whole, Tile tile) {
-        whole.left = tile.left;
-        whole.top = tile.top;
-        CameraLanes.blacken(whole);
     }
 }

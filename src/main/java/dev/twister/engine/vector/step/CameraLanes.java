@@ -25,7 +25,7 @@ public final class CameraLanes {
     }
 
     /** Starts the live rays at the camera. */
-    public static void startRays(Tile tile, Drawing drawing) {
+    public static void startRays(Drawing drawing, Tile tile) {
         aim(tile, drawing);
         place(tile, drawing.input.view().camera());
     }

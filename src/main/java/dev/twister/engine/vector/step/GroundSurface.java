@@ -13,7 +13,7 @@ import jdk.incubator.vector.VectorOperators;
 public final class GroundSurface {
     private GroundSurface() {}
 
-    public static void find(Tile tile, Drawing drawing) {
+    public static void find(Drawing drawing, Tile tile) {
         findPoints(tile, drawing);
         findColors(tile, drawing);
     }

@@ -14,7 +14,7 @@ public final class LightDirection {
     private LightDirection() {}
 
     /** Writes how the surfaces see the light, and lists where shadows would show. */
-    public static void find(Tile tile, Drawing drawing) {
+    public static void find(Drawing drawing, Tile tile) {
         findDirections(tile, drawing.bodies);
         sort(tile, drawing.ambient);
     }

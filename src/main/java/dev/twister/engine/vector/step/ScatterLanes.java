@@ -14,7 +14,7 @@ public final class ScatterLanes {
     private ScatterLanes() {}
 
     /** Adds what the surfaces send towards the eye, and starts the rays that go on. */
-    public static void scatter(Tile tile, Drawing drawing) {
+    public static void scatter(Drawing drawing, Tile tile) {
         shade(tile, drawing);
         reflect(tile);
         leave(tile);

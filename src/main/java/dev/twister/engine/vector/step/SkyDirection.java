@@ -19,7 +19,7 @@ public final class SkyDirection {
     private SkyDirection() {}
 
     /** Writes the columns and rows of the padded sky that the packets that met it look at. */
-    public static void find(Tile tile, PaddedSky sky) {
+    public static void find(PaddedSky sky, Tile tile) {
         findRatios(tile);
         findArcTangents(tile, Tile.SKY_TO_RIGHT);
         findArcTangents(tile, Tile.SKY_TO_BOTTOM);

@@ -20,7 +20,7 @@ public final class SkyRadiance {
     private SkyRadiance() {}
 
     /** Adds the radiance at their columns and rows to the scattered packets. */
-    public static void lookUp(Tile tile, PaddedSky sky) {
+    public static void lookUp(PaddedSky sky, Tile tile) {
         listPixels(tile);
         findTexels(tile, sky);
         fetch(tile, sky);
@@ -106,12 +106,12 @@ public final class SkyRadiance {
     static void unpack(Tile tile, PaddedSky sky) {
         if (sky.isShared()) {
             for (int corner = 0; corner < Tile.CORNERS * Tile.SIZE; corner += Tile.SIZE) {
-                unpack(tile, corner);
+                unpack(corner, tile);
             }
         }
     }
 
-    private static void unpack(Tile tile, int corner) {
+    private static void unpack(int corner, Tile tile) {
         int[] from = tile.corners;
         float[] to = tile.cornerNumbers;
         for (int k = 0; k < tile.scatteredSkies.count; k++) {
@@ -135,11 +135,11 @@ public final class SkyRadiance {
     /** Adds the radiance between the texels to the lanes that met nothing. */
     static void add(Tile tile) {
         for (int channel = 0; channel < PaddedSky.NUMBERS_A_TEXEL; channel++) {
-            add(tile, Tile.RED + channel * Tile.SIZE, Tile.CORNERS * channel * Tile.SIZE);
+            add(Tile.RED + channel * Tile.SIZE, Tile.CORNERS * channel * Tile.SIZE, tile);
         }
     }
 
-    private static void add(Tile tile, int color, int column) {
+    private static void add(int color, int column, Tile tile) {
         float[] t = tile.values;
         float[] corners = tile.cornerNumbers;
         for (int k = 0; k < tile.scatteredSkies.count; k++) {

@@ -14,7 +14,7 @@ public final class SphereSurface {
     private SphereSurface() {}
 
     /** Writes the spheres met, the points and the normals. */
-    public static void find(Tile tile, Drawing drawing) {
+    public static void find(Drawing drawing, Tile tile) {
         fetch(tile, drawing);
         findOffsets(tile);
         findPoints(tile);

@@ -26,7 +26,7 @@ public final class TileOutput {
     private TileOutput() {}
 
     /** Maps the tile's colors to pixels, where the frame is of pixels, and writes them. */
-    public static void finish(Tile tile, Drawing drawing) {
+    public static void finish(Drawing drawing, Tile tile) {
         if (drawing.frame.isLinear()) {
             writeLinear(tile, drawing.frame, 1f / drawing.pixelSamples);
         } else {

@@ -92,7 +92,7 @@ final class SkyChartTest {
 
     private void look(double yaw, double pitch, double fieldOfView, int width, int height) {
         World world = World.of(SCENE, SKY);
-        world.setCamera(new Camera(new Vector3(0, 1, 0), yaw, pitch, fieldOfView));
+        world.setCamera(Camera.of(new Vector3(0, 1, 0), yaw, pitch, fieldOfView));
         world.setSettings(world.settings().withSize(width, height).withSamplesPerPixel(3));
         FrameInput input = world.snapshot();
         drawing.take(input, Frame.ofPixels(1, 1), false);
