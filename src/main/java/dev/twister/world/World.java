@@ -129,6 +129,7 @@ public final class World {
         return dimensions;
     }
 
+    @SuppressWarnings("EnumOrdinal") // a test holds the kernel's numbers to the constants' order
     private float[] properties() {
         float[] properties = new float[Layout.PROPERTIES_LENGTH];
         properties[Layout.SHADOW_SAMPLES] = settings.shadowSamples();

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /** The kernel knows every tone map that a scene may ask for. */
 class ToneMapsTest {
+    @SuppressWarnings("EnumOrdinal") // it is what engines are given
     @ParameterizedTest
     @EnumSource
     void kernelMapsAsTheOracleDoes(ToneMap toneMap) {
