@@ -58,6 +58,9 @@ final class BodyStore {
     /** Where the centres were one step ago: 3 for each body. */
     final double[] before;
 
+    /** For how many sub-steps a body counts as held up by others: above 0 where it lay on them a moment ago. */
+    final byte[] held;
+
     final byte[] state;
 
     /** 1 above the plane, -1 below it: kept while over or under the square, so that no force presses a body through. */
@@ -85,6 +88,7 @@ final class BodyStore {
         int room = FIRST_SPHERE + spheres.size();
         numbers = new double[STRIDE * room];
         before = new double[3 * room];
+        held = new byte[room];
         reach = new double[room];
         state = new byte[room];
         side = new byte[room];

@@ -38,8 +38,15 @@ final class Bracing {
         each(search, contacts -> {
             for (int index = 0; index < contacts.unbalancedCount; index++) {
                 int contact = contacts.unbalanced[index];
-                load(contacts.first[contact], contacts.impulses, contact, 1);
-                load(contacts.second[contact], contacts.impulses, contact, -1);
+                int first = contacts.first[contact];
+                int second = contacts.second[contact];
+                boolean firm = contacts.impulses[Contacts.IMPULSES * contact + Contacts.BUILT] < 0;
+                if (!firm || isHeavier(first, second)) {
+                    load(first, contacts.impulses, contact, 1);
+                }
+                if (!firm || isHeavier(second, first)) {
+                    load(second, contacts.impulses, contact, -1);
+                }
             }
         });
     }
@@ -62,6 +69,11 @@ final class Bracing {
         for (int list = 0; list < search.lists(); list++) {
             work.accept(search.contacts(list));
         }
+    }
+
+    private boolean isHeavier(int body, int other) {
+        double[] n = bodies.numbers;
+        return n[BodyStore.STRIDE * body + BodyStore.RADIUS] > n[BodyStore.STRIDE * other + BodyStore.RADIUS];
     }
 
     private void clear(int body) {

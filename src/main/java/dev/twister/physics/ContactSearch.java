@@ -7,6 +7,18 @@ final class ContactSearch {
 
     private static final int BODIES_AT_ONCE = 4096;
 
+    /**
+     * The most pairs of a body that are looked for with bodies after it. A dozen touch it; only where hundreds lie in one
+     * another are there more, and their number would grow with the square of theirs.
+     */
+    private static final int MOST_SEEN = 4096;
+
+    /** The most of those pairs that are kept, where there is room for all bodies', and the fewest where there is not. */
+    private static final int MOST_KEPT = 64;
+
+    private static final int FEWEST_KEPT = 16;
+    private static final int ROOM = 1 << 22;
+
     private final BodyStore bodies;
     private final Surroundings surroundings;
     private final Team team;
@@ -131,15 +143,37 @@ final class ContactSearch {
             for (int index = columns.start(column); index < columns.end(column); index++) {
                 int slot = columns.slot(index);
                 int start = list.count;
+                list.limit(MOST_SEEN);
                 grid.addPairs(slot, list);
+                thin(grid.body[slot], list, start);
                 finish(grid.body[slot], row, start);
             }
             ends[column] = list.count;
         }
     }
 
+    private void thin(int body, Contacts list, int start) {
+        int most = Math.clamp(ROOM / bodies.count, FEWEST_KEPT, MOST_KEPT);
+        if (list.count - start > most) {
+            list.keepLeast(start, most, other -> nearness(body, other));
+        }
+    }
+
+    /** The square of how far apart two bodies' centers are, in the sum of their radii. */
+    private double nearness(int one, int other) {
+        double[] n = bodies.numbers;
+        int a = BodyStore.STRIDE * one;
+        int b = BodyStore.STRIDE * other;
+        double dx = n[a] - n[b];
+        double dy = n[a + 1] - n[b + 1];
+        double dz = n[a + 2] - n[b + 2];
+        double radii = n[a + BodyStore.RADIUS] + n[b + BodyStore.RADIUS];
+        return (dx * dx + dy * dy + dz * dz) / (radii * radii);
+    }
+
     private void searchGiants() {
         Contacts list = giantsContacts();
+        list.unlimited();
         for (int slot = 0; slot < grid.slots; slot++) {
             if (grid.isGiant(slot)) {
                 int start = list.count;

@@ -36,6 +36,9 @@ final class ContactSolver {
     /** Below it, relative to the pair's radii, centres are taken to be one point. */
     private static final double COINCIDENT = 1e-9;
 
+    /** From so many times the radius on, whether the lighter body gives way to the heavier one depends on its backing. */
+    private static final double UNEQUAL_RADII = 3;
+
     /**
      * Contacts of one body follow each other in a list; taken as far apart as this, two that follow have nothing in
      * common, and the processor works on both at once.
@@ -45,6 +48,7 @@ final class ContactSolver {
     private final BodyStore bodies;
     private final double[] numbers;
     private final Surroundings surroundings;
+    private final Backing backing;
     private double gravityX;
     private double gravityY;
     private double gravityZ;
@@ -60,6 +64,7 @@ final class ContactSolver {
         pushShare = bracing ? 0 : PUSH_SHARE;
         this.bodies = bodies;
         this.surroundings = surroundings;
+        backing = new Backing(bodies, surroundings);
         numbers = bodies.numbers;
         friction = surroundings.friction();
     }
@@ -171,10 +176,15 @@ final class ContactSolver {
             nx = px * inverse;
             ny = py * inverse;
             nz = pz * inverse;
+            if (Math.max(n[a + BodyStore.RADIUS], n[b + BodyStore.RADIUS])
+                            > UNEQUAL_RADII * Math.min(n[a + BodyStore.RADIUS], n[b + BodyStore.RADIUS])
+                    && solveUnequal(impulses, at, one, two, nx, ny, nz, distance, radii, outside)) {
+                return;
+            }
             // What loads that were carried on move a body by is no fall: its other contacts take it back.
             if (!loaded
                     && -closing * inverse > impactSpeed + n[a + BodyStore.CARRIED] + n[b + BodyStore.CARRIED]
-                    && impact(impulses, at, a, b, px, py, pz, outside, closing, dx * dx + dy * dy + dz * dz)) {
+                    && impact(impulses, at, a, b, false, px, py, pz, outside, closing, dx * dx + dy * dy + dz * dz)) {
                 return;
             }
         } else {
@@ -188,6 +198,124 @@ final class ContactSolver {
         double most = 2 * MOST_PUSH * Math.min(n[a + BodyStore.RADIUS], n[b + BodyStore.RADIUS]);
         double push = Math.max(0, Math.min(pushShare * (-gap - SLOP * radii), most));
         hold(impulses, at, a, b, wa, wb, ofLighter, nx, ny, nz, dx, dy, dz, gap, push);
+    }
+
+    /**
+     * Solves a contact of a heavy body with a light one, where that cannot give way.
+     *
+     * @param nx and the other two: the normal, towards the first body
+     * @return false where the light body is free to move: the contact is as any other
+     */
+    private boolean solveUnequal(
+            double[] impulses,
+            int at,
+            int one,
+            int two,
+            double nx,
+            double ny,
+            double nz,
+            double distance,
+            double radii,
+            double outside) {
+        boolean firstIsHeavy =
+                numbers[BodyStore.STRIDE * one + BodyStore.RADIUS] > numbers[BodyStore.STRIDE * two + BodyStore.RADIUS];
+        int light = firstIsHeavy ? two : one;
+        double sign = firstIsHeavy ? 1 : -1;
+        int a = BodyStore.STRIDE * (firstIsHeavy ? one : two);
+        int b = BodyStore.STRIDE * light;
+        boolean firm = numbers[a + BodyStore.INVERSE_MASS] > 0
+                && (numbers[b + BodyStore.INVERSE_MASS] == 0
+                        || backing.holds(light, -sign * nx, -sign * ny, -sign * nz));
+        if (firm) {
+            turn(impulses, at, sign);
+            solveBacked(impulses, at, a, b, sign * nx, sign * ny, sign * nz, distance, radii, outside);
+            turn(impulses, at, sign);
+        } else if (impulses[at + Contacts.BUILT] < 0) {
+            // The light one bore it as a part of what it lay on; alone it would be shot away.
+            clear(impulses, at);
+        }
+        return firm;
+    }
+
+    /** Turns a contact's impulses so that they act on the heavy body, where that is the second one, and back. */
+    private static void turn(double[] impulses, int at, double sign) {
+        impulses[at] *= sign;
+        impulses[at + 1] *= sign;
+        impulses[at + 2] *= sign;
+    }
+
+    /**
+     * Lets a heavy body meet a light one that cannot give way, as if that were part of the ground.
+     *
+     * @param nx and the other two: the normal, towards the heavy body
+     */
+    private void solveBacked(
+            double[] impulses,
+            int at,
+            int heavy,
+            int light,
+            double nx,
+            double ny,
+            double nz,
+            double distance,
+            double radii,
+            double outside) {
+        double[] n = numbers;
+        boolean asleep = n[light + BodyStore.INVERSE_MASS] == 0;
+        if (!asleep) {
+            // It has no way out, and no mass to lift the heavy one by.
+            changeMove(light, -Math.max(0, along(light, nx, ny, nz)), nx, ny, nz);
+        }
+        double dx = n[heavy + BodyStore.MOVE] - n[light + BodyStore.MOVE];
+        double dy = n[heavy + BodyStore.MOVE + 1] - n[light + BodyStore.MOVE + 1];
+        double dz = n[heavy + BodyStore.MOVE + 2] - n[light + BodyStore.MOVE + 2];
+        double path = dx * dx + dy * dy + dz * dz;
+        double parting = dx * nx + dy * ny + dz * nz;
+        double px = distance * nx;
+        double py = distance * ny;
+        double pz = distance * nz;
+        double gap = distance - radii;
+        backing.touch(heavy / BodyStore.STRIDE, nx, ny, nz, gap / n[light + BodyStore.RADIUS]);
+        boolean fast = impulses[at + Contacts.BUILT] == 0 && -parting > impactSpeed + n[heavy + BodyStore.CARRIED];
+        if (!(fast && impact(impulses, at, heavy, light, true, px, py, pz, outside, parting * distance, path))) {
+            double diameter = 2 * n[light + BodyStore.RADIUS];
+            double lift = push(-gap - SLOP * (radii - diameter), diameter);
+            if (!asleep) {
+                changePlace(light, -push(-gap, diameter), nx, ny, nz);
+                // Pushed against the ground it lifts the heavy one; pushed by its neighbors it does not.
+                lift = push(Math.min(backing.sunk(light / BodyStore.STRIDE, -nx, -ny, -nz), -gap), diameter);
+            }
+            double weight = n[heavy + BodyStore.INVERSE_MASS];
+            impulses[at + Contacts.BUILT] = Math.abs(impulses[at + Contacts.BUILT]);
+            hold(impulses, at, heavy, light, weight, 0, weight, nx, ny, nz, dx, dy, dz, gap, lift);
+            impulses[at + Contacts.BUILT] = -impulses[at + Contacts.BUILT];
+        }
+        if (!asleep) {
+            double left = along(heavy, nx, ny, nz) - along(light, nx, ny, nz) + Math.max(0, gap);
+            changeMove(light, Math.min(0, left), nx, ny, nz);
+        }
+    }
+
+    private double along(int at, double nx, double ny, double nz) {
+        return numbers[at + BodyStore.MOVE] * nx
+                + numbers[at + BodyStore.MOVE + 1] * ny
+                + numbers[at + BodyStore.MOVE + 2] * nz;
+    }
+
+    private double push(double overlap, double diameter) {
+        return Math.max(0, Math.min(pushShare * (overlap - SLOP * diameter), MOST_PUSH * diameter));
+    }
+
+    private void changePlace(int at, double length, double nx, double ny, double nz) {
+        numbers[at] += length * nx;
+        numbers[at + 1] += length * ny;
+        numbers[at + 2] += length * nz;
+    }
+
+    private void changeMove(int at, double length, double nx, double ny, double nz) {
+        numbers[at + BodyStore.MOVE] += length * nx;
+        numbers[at + BodyStore.MOVE + 1] += length * ny;
+        numbers[at + BodyStore.MOVE + 2] += length * nz;
     }
 
     /**
@@ -262,6 +390,7 @@ final class ContactSolver {
     /**
      * Settles an impact at the place where the paths of this sub-step meet; where they met before it, a little back.
      *
+     * @param firm whether the second body is as firm as the ground
      * @return false where the bodies do not meet within the sub-step's paths
      */
     private boolean impact(
@@ -269,6 +398,7 @@ final class ContactSolver {
             int at,
             int a,
             int b,
+            boolean firm,
             double px,
             double py,
             double pz,
@@ -303,7 +433,7 @@ final class ContactSolver {
             return false;
         }
         double wa = inverseMassWhenHit(a);
-        double wb = inverseMassWhenHit(b);
+        double wb = firm ? 0 : inverseMassWhenHit(b);
         double both = wa + wb;
         double impulse = -(1 + surroundings.elasticity()) * along / both;
         double tx = along * nx - dx;

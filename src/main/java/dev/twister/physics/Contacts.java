@@ -2,13 +2,14 @@ package dev.twister.physics;
 
 import java.util.Arrays;
 import java.util.function.IntPredicate;
+import java.util.function.IntToDoubleFunction;
 
 /** A growing list of pairs that touch or may come to touch, with the impulses that they have built up. */
 final class Contacts {
     /** Impulses for each contact: the whole one in x, y, z, then its share along the normal. */
     static final int IMPULSES = 4;
 
-    /** Where among them that share is. */
+    /** Where among them that share is: below 0 where the lighter body is as firm as the ground, and bears nothing of it. */
     static final int BUILT = 3;
 
     private static final int LEAST_ROOM = 64;
@@ -27,6 +28,9 @@ final class Contacts {
 
     int count;
 
+    /** Where no more are looked for. */
+    private int limit = Integer.MAX_VALUE;
+
     /** The contacts of bodies that have just woken. */
     int[] unbalanced = NO_BODIES;
 
@@ -38,6 +42,19 @@ final class Contacts {
     void clear() {
         count = 0;
         unbalancedCount = 0;
+    }
+
+    /** Says how many more may be looked for. */
+    void limit(int more) {
+        limit = count + more;
+    }
+
+    void unlimited() {
+        limit = Integer.MAX_VALUE;
+    }
+
+    boolean isFull() {
+        return count >= limit;
     }
 
     /** Adds a contact; its first body and its impulses are to be set. */
@@ -104,6 +121,30 @@ final class Contacts {
             }
         }
         count = kept;
+    }
+
+    /**
+     * Keeps the pairs from one on that are smallest by a measure, at most so many, in the order in which they are.
+     *
+     * @param measure of the other body, at least 0
+     */
+    void keepLeast(int from, int most, IntToDoubleFunction measure) {
+        long[] least = new long[count - from];
+        for (int index = 0; index < least.length; index++) {
+            float size = (float) measure.applyAsDouble(second[from + index]);
+            // Floats that are not below 0 sort as their bits do.
+            least[index] = (long) Float.floatToRawIntBits(size) << Integer.SIZE | index;
+        }
+        Arrays.sort(least);
+        int[] kept = new int[Math.min(most, least.length)];
+        for (int index = 0; index < kept.length; index++) {
+            kept[index] = (int) least[index];
+        }
+        Arrays.sort(kept);
+        for (int index = 0; index < kept.length; index++) {
+            second[from + index] = second[from + kept[index]];
+        }
+        count = from + kept.length;
     }
 
     private void reserve(int more) {

@@ -24,10 +24,18 @@ final class Integrator {
     private double gravityZ;
     private double longestMove;
     private double mostSupport;
+    private double weight;
+    private final double upX;
+    private final double upY;
+    private final double upZ;
 
     Integrator(BodyStore bodies, Surroundings surroundings) {
         this.bodies = bodies;
         this.surroundings = surroundings;
+        Vector3 up = surroundings.up();
+        upX = up.x();
+        upY = up.y();
+        upZ = up.z();
     }
 
     /** Says how long the sub-steps are from now on, in seconds. */
@@ -41,7 +49,8 @@ final class Integrator {
         gravityY = gravity.y() * square;
         gravityZ = gravity.z() * square;
         longestMove = Simulation.MAX_SPEED * seconds;
-        mostSupport = MOST_SUPPORT * surroundings.gravityStrength() * seconds * seconds;
+        weight = surroundings.gravityStrength() * seconds * seconds;
+        mostSupport = MOST_SUPPORT * weight;
     }
 
     /** What a body moves before its first sub-step so that it starts with a velocity, on one axis. */
@@ -83,6 +92,8 @@ final class Integrator {
                 double support = n[by] * n[by] + n[by + 1] * n[by + 1] + n[by + 2] * n[by + 2];
                 double length = Math.sqrt(support);
                 n[at - BodyStore.MOVE + BodyStore.CARRIED] = length;
+                boolean held = Backing.holdsUp(n[by] * upX + n[by + 1] * upY + n[by + 2] * upZ, length, weight);
+                bodies.held[body] = (byte) (held ? Backing.MOMENT : Math.max(0, bodies.held[body] - 1));
                 // What has just woken is braced at once.
                 double carried = length > mostSupport && !bodies.isJustWoken(body) ? mostSupport / length : 1;
                 double x = kept * n[at] + gravityX + carried * n[by];
@@ -106,6 +117,7 @@ final class Integrator {
                 n[at] = 0;
                 n[at + 1] = 0;
                 n[at + 2] = 0;
+                bodies.held[body] = 0;
             }
         }
     }

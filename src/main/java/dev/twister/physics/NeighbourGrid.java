@@ -20,6 +20,9 @@ final class NeighbourGrid {
     private static final int MIN_BUCKETS = 1 << 10;
     private static final int BUCKETS_FOR_A_BODY = 4;
 
+    /** More than any bucket holds, but where bodies lie in one another. */
+    private static final int SLOTS_AT_ONCE = 1024;
+
     /** What floats may lose of a reach, of coordinates and of squares of both: more is added, so that no pair is lost. */
     private static final double ROUNDED_REACH = 1 + 0x1p-20;
 
@@ -333,9 +336,19 @@ final class NeighbourGrid {
         scan(slot, starts[bucket], starts[bucket + 1], wanted, 0, contacts);
     }
 
+    private void scan(int slot, int start, int end, int firstKey, int span, Contacts contacts) {
+        if (end - start <= SLOTS_AT_ONCE) {
+            scanSome(slot, start, end, firstKey, span, contacts);
+        } else {
+            for (int first = start; first < end && !contacts.isFull(); first += SLOTS_AT_ONCE) {
+                scanSome(slot, first, Math.min(end, first + SLOTS_AT_ONCE), firstKey, span, contacts);
+            }
+        }
+    }
+
     // Buckets hold other cells' bodies too: the keys tell. Without a branch for the distance, which nothing could
     // predict.
-    private void scan(int slot, int start, int end, int firstKey, int span, Contacts contacts) {
+    private void scanSome(int slot, int start, int end, int firstKey, int span, Contacts contacts) {
         if ((slot & wideSlots) == wideSlots) {
             WideScan.scan(this, slot, start, end, firstKey, span, contacts);
             return;

@@ -37,6 +37,14 @@ record Surroundings(
         return Math.sqrt(gravity.x() * gravity.x() + gravity.y() * gravity.y() + gravity.z() * gravity.z());
     }
 
+    /** The unit vector against gravity; 0 where there is none. */
+    Vector3 up() {
+        double strength = gravityStrength();
+        return strength == 0
+                ? new Vector3(0, 0, 0)
+                : new Vector3(-gravity.x() / strength, -gravity.y() / strength, -gravity.z() / strength);
+    }
+
     boolean isOver(double x, double z) {
         return Math.abs(x) <= halfSide && Math.abs(z) <= halfSide;
     }
