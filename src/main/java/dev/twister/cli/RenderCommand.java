@@ -35,7 +35,7 @@ import picocli.CommandLine.Spec;
             "",
             "Examples:",
             "  twister render benchmark -o benchmark.png",
-            "  twister render my-scene.json -o large.png --size 4k --samples 16 --tone-map aces --srgb",
+            "  twister render my-scene.json -o large.png --size 4k --samples 16 --tone-map aces",
             "  twister render mirrors -o mirrors.hdr --engine tornado",
             "  twister render benchmark -o left.png --camera -12,-6,-10 --yaw 40 --fov 60",
             "  twister render pour-1000 -o pour.png --physics --frames 600 --fps 30",
@@ -92,8 +92,8 @@ final class RenderCommand implements Callable<Integer> {
     @Mixin
     private CameraOptions camera;
 
-    @Option(names = "--skybox", paramLabel = "FILE", description = "Another panorama: .hdr, .png or .jpg.")
-    private Optional<Path> skybox = Optional.empty();
+    @Mixin
+    private SkyOptions sky;
 
     @Mixin
     private MotionOptions motion;
@@ -110,12 +110,11 @@ final class RenderCommand implements Callable<Integer> {
         motion.check(frames);
         OutputFile.check("--output", output);
         Path file = SceneFiles.find(sceneName);
-        Scene scene = SceneReader.read(file);
-        Path sky = skybox.orElse(scene.skybox());
-        checkKeeps(file, sky);
+        Scene scene = sky.over(SceneReader.read(file));
+        checkKeeps(file, scene.skybox());
         RenderSettings settings = settings(scene.settings());
         PictureMemory.check(new PictureSize(settings.width(), settings.height()), BandedDrawing.bytesPerPixel(linear));
-        World world = World.of(scene, SkyboxReader.read(sky));
+        World world = World.of(scene, SkyboxReader.read(scene.skybox()));
         world.setCamera(camera.over(scene.camera()));
         world.setSettings(settings);
         if (motion.isOn()) {
@@ -165,7 +164,7 @@ final class RenderCommand implements Callable<Integer> {
                         world.settings().samplesPerPixel(),
                         linear,
                         new PrintWriter(Writer.nullWriter()));
-                write(files.file(number), picture, linear);
+                write(files.file(number), picture, world.settings().srgb());
                 simulation.advance(motion.secondsPerFrame());
                 progress.step();
             }
@@ -183,11 +182,11 @@ final class RenderCommand implements Callable<Integer> {
                         (System.nanoTime() - start) / NANOS_PER_MILLI / count);
     }
 
-    private static void write(Path file, Frame picture, boolean linear) throws IOException {
-        if (linear) {
+    private static void write(Path file, Frame picture, boolean srgb) throws IOException {
+        if (picture.isLinear()) {
             HdrWriter.write(file, picture.width(), picture.height(), picture.radiance());
         } else {
-            PngWriter.write(file, picture.width(), picture.height(), picture.argb());
+            PngWriter.write(file, picture.width(), picture.height(), picture.argb(), srgb);
         }
     }
 
@@ -200,7 +199,7 @@ final class RenderCommand implements Callable<Integer> {
                     world.settings().samplesPerPixel(),
                     linear,
                     spec.commandLine().getErr());
-            write(output, picture, linear);
+            write(output, picture, world.settings().srgb());
             out.printf(
                     Locale.ROOT,
                     "%s: %d x %d, %s (%s), %.1f ms%n",

@@ -23,7 +23,7 @@ final class ToneOptions {
     @Option(
             names = "--srgb",
             negatable = true,
-            description = "Apply the sRGB curve after the tone map, or with --no-srgb not.")
+            description = "Apply the sRGB transfer function after tone mapping.")
     private Optional<Boolean> srgb = Optional.empty();
 
     RenderSettings over(RenderSettings settings) {

@@ -8,7 +8,14 @@ import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Iterator;
+import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
+import javax.imageio.ImageTypeSpecifier;
+import javax.imageio.ImageWriter;
+import javax.imageio.metadata.IIOMetadata;
+import javax.imageio.metadata.IIOMetadataNode;
+import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /** Writes 8-bit pixels as a PNG file. */
@@ -16,6 +23,11 @@ public final class PngWriter {
     private static final int RED_MASK = 0xff0000;
     private static final int GREEN_MASK = 0x00ff00;
     private static final int BLUE_MASK = 0x0000ff;
+
+    private static final String FORMAT = "javax_imageio_png_1.0";
+
+    /** 1.0, in units of 1/100,000. */
+    private static final String LINEAR_GAMMA = "100000";
 
     private PngWriter() {}
 
@@ -26,10 +38,11 @@ public final class PngWriter {
      * @param width pixels in a row, 1 or more
      * @param height rows, 1 or more
      * @param argb {@code width * height} ints, 0xAARRGGBB, row by row from the top; alpha is ignored
+     * @param srgb whether the channels are sRGB-encoded; linear ones are marked by a gAMA chunk of 1.0
      * @throws IllegalArgumentException where the array does not have that length
      * @throws IOException as {@link WholeFile#write}
      */
-    public static void write(Path file, int width, int height, int[] argb) throws IOException {
+    public static void write(Path file, int width, int height, int[] argb, boolean srgb) throws IOException {
         if (width < 1 || height < 1 || argb.length != (long) width * height) {
             throw new IllegalArgumentException("a picture of " + width + " x " + height + " pixels needs "
                     + (long) width * height + " ints, not " + argb.length);
@@ -46,10 +59,35 @@ public final class PngWriter {
         WholeFile.write(file, out -> {
             // Not ImageIO's stream of choice, which spools the picture through a file in the temporary folder.
             try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
-                if (!ImageIO.write(image, "png", stream)) {
-                    throw new IOException("this Java runtime has no PNG writer");
-                }
+                write(image, srgb, stream);
             }
         });
+    }
+
+    private static void write(BufferedImage image, boolean srgb, ImageOutputStream stream) throws IOException {
+        ImageTypeSpecifier type = ImageTypeSpecifier.createFromRenderedImage(image);
+        Iterator<ImageWriter> writers = ImageIO.getImageWriters(type, "png");
+        if (!writers.hasNext()) {
+            throw new IOException("this Java runtime has no PNG writer");
+        }
+        ImageWriter writer = writers.next();
+        try {
+            writer.setOutput(stream);
+            IIOMetadata metadata = writer.getDefaultImageMetadata(type, null);
+            if (!srgb) {
+                metadata.mergeTree(FORMAT, linearGamma());
+            }
+            writer.write(new IIOImage(image, null, metadata));
+        } finally {
+            writer.dispose();
+        }
+    }
+
+    private static IIOMetadataNode linearGamma() {
+        IIOMetadataNode gamma = new IIOMetadataNode("gAMA");
+        gamma.setAttribute("value", LINEAR_GAMMA);
+        IIOMetadataNode root = new IIOMetadataNode(FORMAT);
+        root.appendChild(gamma);
+        return root;
     }
 }

@@ -2,6 +2,9 @@ package dev.twister.oracle;
 
 /** The checkered square ground. */
 record PlaneBody(double size, double height, Color evenColor, Color oddColor, double reflectivity) implements Body {
+    /** Keeps the checks' edges off round numbers, where rounding alone decides. */
+    private static final double CHECKER_SHIFT = 0x1p-10;
+
     @Override
     public double distance(Ray ray) {
         if (ray.direction().y() == 0) {
@@ -20,7 +23,7 @@ record PlaneBody(double size, double height, Color evenColor, Color oddColor, do
 
     @Override
     public Color albedo(Vector point) {
-        double squares = Math.floor(point.x()) + Math.floor(point.z());
+        double squares = Math.floor(point.x() + CHECKER_SHIFT) + Math.floor(point.z() + CHECKER_SHIFT);
         return squares % 2 == 0 ? evenColor : oddColor;
     }
 }

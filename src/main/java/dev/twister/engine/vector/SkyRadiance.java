@@ -121,13 +121,13 @@ final class SkyRadiance {
     }
 
     /** Adds the radiance between the texels to the lanes that met nothing. */
-    static void add(Tile tile) {
+    static void add(Tile tile, PaddedSky sky) {
         for (int channel = 0; channel < PaddedSky.NUMBERS_A_TEXEL; channel++) {
-            add(tile, Tile.RED + channel * Tile.SIZE, Tile.CORNERS * channel * Tile.SIZE);
+            add(tile, sky.strength, Tile.RED + channel * Tile.SIZE, Tile.CORNERS * channel * Tile.SIZE);
         }
     }
 
-    private static void add(Tile tile, int color, int column) {
+    private static void add(Tile tile, float strength, int color, int column) {
         float[] t = tile.values;
         float[] corners = tile.cornerNumbers;
         for (int k = 0; k < tile.scatteredSkies.count; k++) {
@@ -142,7 +142,7 @@ final class SkyRadiance {
             FloatVector radiance = Lanes.fma(lower.sub(upper), Lanes.load(t, at + Tile.SKY_TO_BOTTOM), upper);
             FloatVector before = Lanes.load(t, at + color);
             VectorMask<Float> met = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.NOTHING);
-            before.blend(Lanes.fma(Lanes.load(t, at + Tile.THROUGHPUT), radiance, before), met)
+            before.blend(Lanes.fma(Lanes.load(t, at + Tile.THROUGHPUT).mul(strength), radiance, before), met)
                     .intoArray(t, at + color);
         }
     }

@@ -116,8 +116,8 @@ final class Stages {
         SkyRadiance.unpack(tile, drawing.sky);
     }
 
-    static void addScattered(Tile tile) {
-        SkyRadiance.add(tile);
+    static void addScattered(Tile tile, Drawing drawing) {
+        SkyRadiance.add(tile, drawing.sky);
     }
 
     static void findGroundPoints(Tile tile, Drawing drawing) {

@@ -337,7 +337,7 @@ final class TileRenderer {
             Stages.findScatteredTexels(tile, drawing);
             Stages.fetchScattered(tile, drawing);
             Stages.unpackScattered(tile, drawing);
-            Stages.addScattered(tile);
+            Stages.addScattered(tile, drawing);
         }
     }
 

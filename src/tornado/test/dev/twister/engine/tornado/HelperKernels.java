@@ -141,7 +141,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         for (@Parallel int i = 0; i < count; i++) {
             int width = (int) in[5 * i + 3];
             int height = (int) in[5 * i + 4];
-            float column = Sky.column(in[5 * i], in[5 * i + 2], width);
+            float column = Sky.column(in[5 * i], in[5 * i + 2], 0f, width);
             float row = Sky.row(in[5 * i], in[5 * i + 1], in[5 * i + 2], height);
             out[5 * i] = column;
             out[5 * i + 1] = row;
