@@ -58,6 +58,22 @@ class OracleTest {
         assertThat(middle(DOWN, 1, 128).green()).isCloseTo(0.5 * cosine + highlight, within(1e-6));
     }
 
+    /** From below, the sphere's underside is in the plane's shadow; from beside the plane it is lit. */
+    @Test
+    void planeHidesALightOnTheOtherSide() {
+        Camera down = Camera.of(new Vector3(0, 5, 0), 0, 90, 60);
+        Sphere sphere = sphere(0, -3, 0, 1, MATTE);
+        assertThat(middle(down.withPosition(new Vector3(0, -0.5, 0)), 0, MATTE, sphere).red())
+                .isCloseTo(0.5 * 0.1, within(1e-7));
+        assertThat(new Oracle(
+                                scene(down.withPosition(new Vector3(0, -0.5, 0)), 0, MATTE, sphere)
+                                        .withPlane(Plane.of(20, -10, new Rgb(0, 0, 0), new Rgb(0, 0, 0), MATTE)),
+                                SKY)
+                        .radiance(0, 0)
+                        .red())
+                .isCloseTo(0.5, within(1e-7));
+    }
+
     @Test
     void lightIsItsOwnColour() {
         Camera below = Camera.of(new Vector3(0, 5, 0), 0, -90, 60);

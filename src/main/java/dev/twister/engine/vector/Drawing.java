@@ -2,6 +2,7 @@ package dev.twister.engine.vector;
 
 import dev.twister.image.Frame;
 import dev.twister.kernel.Camera;
+import dev.twister.kernel.Intersection;
 import dev.twister.kernel.Layout;
 import dev.twister.world.FrameInput;
 
@@ -68,7 +69,8 @@ final class Drawing {
         ambient = properties[Layout.AMBIENT];
         viewportStep = Camera.step(width, newInput.height());
         planeHeight = newInput.bodies().places()[Layout.PLACE_STRIDE * Layout.PLANE + 1];
-        planeHalfSide = 0.5f * newInput.bodies().places()[Layout.PLACE_STRIDE * Layout.PLANE + Layout.PLACE_SIZE];
+        planeHalfSide = Intersection.PLANE_REACH
+                * newInput.bodies().places()[Layout.PLACE_STRIDE * Layout.PLANE + Layout.PLACE_SIZE];
         discRadius = 2f * newInput.bodies().places()[Layout.PLACE_STRIDE * Layout.LIGHT + Layout.PLACE_SIZE];
         takeDisc(newInput.view().shadowDisc());
         float rimX = newInput.view().shadowDisc()[2 * shadowSamples - 2];

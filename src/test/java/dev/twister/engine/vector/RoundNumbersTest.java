@@ -16,6 +16,8 @@ import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
 import dev.twister.world.World;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -30,6 +32,7 @@ import org.junit.jupiter.api.TestInstance.Lifecycle;
 final class RoundNumbersTest {
     private static final int WIDTH = 320;
     private static final int HEIGHT = 180;
+    private static final int SKY = 0xFF0000FF;
     private static final double HALF = 0.5;
     private static final Rgb BRIGHT = new Rgb(0.8, 0.8, 0.8);
     private static final Rgb DARK = new Rgb(0.2, 0.2, 0.2);
@@ -67,7 +70,11 @@ final class RoundNumbersTest {
         for (int height : new int[] {1, 2, 5, 149}) {
             for (int divisor : new int[] {3, 5, 9, 15, 45}) {
                 for (int yaw = 0; yaw < 360; yaw += 90) {
-                    assertSame(new Vector3(0, height, 0), yaw, 0, 90, 2.0 * height * HEIGHT / divisor);
+                    int[] argb = assertSame(new Vector3(0, height, 0), yaw, 0, 90, 2.0 * height * HEIGHT / divisor);
+                    int first = WIDTH * (HEIGHT + divisor - 1) / 2;
+                    assertThat(IntStream.range(first, first + WIDTH).filter(pixel -> argb[pixel] == SKY))
+                            .as("pixels of the sky, height %s, divisor %s, yaw %s", height, divisor, yaw)
+                            .hasSize(WIDTH - HEIGHT);
                 }
             }
         }
@@ -78,12 +85,16 @@ final class RoundNumbersTest {
     void columnsOnThePlanesBorderAreOnThePlane() {
         for (int size = 21; size <= 141; size += 20) {
             for (int yaw = 0; yaw < 360; yaw += 90) {
-                assertSame(new Vector3(0, HALF * HEIGHT, 0), yaw, 90, 90, size);
+                int[] argb = assertSame(new Vector3(0, HALF * HEIGHT, 0), yaw, 90, 90, size);
+                assertThat(Arrays.stream(argb).filter(pixel -> pixel != SKY))
+                        .as("pixels of the plane, %s m, yaw %s", size, yaw)
+                        .hasSize((size + 1) * (size + 1));
             }
         }
     }
 
-    private void assertSame(Vector3 position, double yaw, double pitch, double fieldOfView, double size) {
+    /** The picture that both draw. */
+    private int[] assertSame(Vector3 position, double yaw, double pitch, double fieldOfView, double size) {
         Scene scene = Scene.under(Path.of("none.hdr"))
                 .withCamera(Camera.of(position, yaw, pitch, fieldOfView))
                 .withLight(Light.of(new Vector3(3, 170, -3), 0.5, new Rgb(1, 1, 1)))
@@ -92,11 +103,12 @@ final class RoundNumbersTest {
                         .withSize(WIDTH, HEIGHT)
                         .withShadows(1)
                         .withBounces(1));
-        PictureDifference difference =
-                PictureDifference.between(argb(vector, scene), argb(sequential, scene));
+        int[] argb = argb(sequential, scene);
+        PictureDifference difference = PictureDifference.between(argb(vector, scene), argb);
         assertThat(difference)
                 .as("at %s, yaw %s, pitch %s, %s degrees, %s m of plane", position, yaw, pitch, fieldOfView, size)
                 .matches(PictureDifference::isWithinBound, "is within the design's bound");
+        return argb;
     }
 
     private static int[] argb(Engine engine, Scene scene) {

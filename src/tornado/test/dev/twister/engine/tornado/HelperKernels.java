@@ -171,7 +171,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         for (@Parallel int i = 0; i < count; i++) {
             float[] path = new float[Layout.PATH_LENGTH];
             float[] scratch = new float[Layout.SCRATCH_LENGTH];
-            float[] places = new float[Layout.PLACE_STRIDE];
+            float[] places = new float[2 * Layout.PLACE_STRIDE];
             float[] properties = new float[Layout.PROPERTIES_LENGTH];
             path[Layout.POINT] = in[11 * i];
             path[Layout.POINT + 1] = in[11 * i + 1];
