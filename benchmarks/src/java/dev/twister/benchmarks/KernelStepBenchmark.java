@@ -142,7 +142,7 @@ public class KernelStepBenchmark {
         int height = input.panorama().dimensions()[Layout.SKY_HEIGHT];
         float sum = 0;
         for (int i = 0; i < CALLS; i++) {
-            float column = Sky.column(directionX[i], directionZ[i], width);
+            float column = Sky.column(directionX[i], directionZ[i], 0f, width);
             float row = Sky.row(directionX[i], directionY[i], directionZ[i], height);
             for (int channel = 0; channel < 3; channel++) {
                 sum += Sky.radiance(input.panorama().texels(), width, height, column, row, channel);

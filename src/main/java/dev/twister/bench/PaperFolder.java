@@ -47,17 +47,18 @@ public final class PaperFolder {
      * measured now are gone then.
      *
      * @param folder must be there
+     * @param srgb whether the pictures are sRGB-encoded
      * @return the page
      * @throws IOException as {@link WholeFile#write}, or where this system has no fonts to draw plots with
      */
-    public static Path write(BenchmarkReport report, Path folder) throws IOException {
+    public static Path write(BenchmarkReport report, Path folder, boolean srgb) throws IOException {
         Map<Setting, byte[]> pictures = new HashMap<>();
         for (Map.Entry<Setting, Frame> picture : report.pictures().entrySet()) {
             Setting setting = picture.getKey();
             Frame frame = picture.getValue();
             Path file = folder.resolve(
                     "picture-" + setting.shadowSamples() + "-samples-" + setting.bounces() + "-bounces.png");
-            PngWriter.write(file, frame.width(), frame.height(), frame.argb());
+            PngWriter.write(file, frame.width(), frame.height(), frame.argb(), srgb);
             pictures.put(setting, Files.readAllBytes(file));
         }
         Map<String, String> plots = plots(report, folder);

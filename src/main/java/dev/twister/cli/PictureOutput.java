@@ -105,16 +105,20 @@ final class PictureOutput {
                 : first + " to " + PrintableText.line(file(count - 1).toString());
     }
 
-    /** Writes the picture of a number, from 0. */
-    void write(int number, Frame picture) throws IOException {
+    /**
+     * Writes the picture of a number, from 0.
+     *
+     * @param srgb whether its pixels are sRGB-encoded
+     */
+    void write(int number, Frame picture, boolean srgb) throws IOException {
         if (isStandardOutput()) {
             // Not System.out, which keeps errors to itself; it is not closed, as others may be written to it.
             OutputStream out = new FileOutputStream(FileDescriptor.out);
-            PngWriter.write(new BufferedOutputStream(out), picture.width(), picture.height(), picture.argb());
+            PngWriter.write(new BufferedOutputStream(out), picture.width(), picture.height(), picture.argb(), srgb);
         } else if (isLinear()) {
             HdrWriter.write(file(number), picture.width(), picture.height(), picture.radiance());
         } else {
-            PngWriter.write(file(number), picture.width(), picture.height(), picture.argb());
+            PngWriter.write(file(number), picture.width(), picture.height(), picture.argb(), srgb);
         }
     }
 

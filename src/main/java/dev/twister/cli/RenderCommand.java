@@ -33,7 +33,7 @@ import picocli.CommandLine.Spec;
             "",
             "Examples:",
             "  twister render benchmark -o benchmark.png",
-            "  twister render my-scene.json -o large.png --size 4k --samples 16 --tone-map aces --srgb",
+            "  twister render my-scene.json -o large.png --size 4k --samples 16 --tone-map aces",
             "  twister render mirrors -o mirrors.hdr --engine tornado",
             "  twister render benchmark -o left.png --camera -12,-6,-10 --yaw 40 --fov 60",
             "  twister render pour-1000 -o pour-####.png --physics --frames 600 --fps 30",
@@ -88,8 +88,8 @@ final class RenderCommand implements Callable<Integer> {
     @Mixin
     private CameraOptions camera;
 
-    @Option(names = "--skybox", paramLabel = "FILE", description = "Another panorama: .hdr, .png or .jpg.")
-    private Optional<Path> skybox = Optional.empty();
+    @Mixin
+    private SkyOptions sky;
 
     @Mixin
     private MotionOptions motion;
@@ -109,13 +109,13 @@ final class RenderCommand implements Callable<Integer> {
         motion.check(frames);
         PictureOutput pictures = PictureOutput.of(output, frames, overwrite);
         Path file = SceneFiles.find(sceneName);
-        Scene scene = SceneReader.read(file);
-        Path sky = skybox.orElse(scene.skybox());
-        pictures.checkKeeps(file, sky);
+        Scene scene = sky.over(SceneReader.read(file));
+        pictures.checkKeeps(file, scene.skybox());
         RenderSettings settings = settings(scene.settings());
         PictureMemory.check(
                 new PictureSize(settings.width(), settings.height()), BandedDrawing.bytesPerPixel(pictures.isLinear()));
-        World world = World.of(scene, SkyFiles.read(sky, spec.commandLine().getErr()));
+        World world =
+                World.of(scene, SkyFiles.read(scene.skybox(), spec.commandLine().getErr()));
         world.setCamera(camera.over(scene.camera()));
         world.setSettings(settings);
         if (motion.isOn()) {
@@ -153,7 +153,7 @@ final class RenderCommand implements Callable<Integer> {
                         world.settings().samplesPerPixel(),
                         pictures.isLinear(),
                         new PrintWriter(Writer.nullWriter()));
-                pictures.write(number, picture);
+                pictures.write(number, picture, world.settings().srgb());
                 simulation.advance(motion.secondsPerFrame());
                 progress.step();
             }
@@ -177,7 +177,7 @@ final class RenderCommand implements Callable<Integer> {
                     world.settings().samplesPerPixel(),
                     pictures.isLinear(),
                     spec.commandLine().getErr());
-            pictures.write(0, picture);
+            pictures.write(0, picture, world.settings().srgb());
             summaryWriter(pictures)
                     .printf(
                             Locale.ROOT,

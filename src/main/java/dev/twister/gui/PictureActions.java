@@ -54,7 +54,9 @@ final class PictureActions implements AutoCloseable {
         Frame frame = shown.get().frame();
         int[] argb = frame.argb().clone();
         // What is seen as one samples it: the frame's own samples, or those gathered since.
-        FrameInput input = shown.get().input().withSamples(0, shown.get().samples());
+        FrameInput own = shown.get().input();
+        int samples = shown.get().samples();
+        FrameInput input = samples == own.samplesPerPixel() ? own : own.withSamples(0, samples);
         CompletableFuture<Optional<float[]>> gathered = studio.radiance(shown.get());
         choice.toSavePicture(lastFolder.resolve(PictureFile.freeName(lastFolder)))
                 .ifPresent(file -> {
@@ -138,7 +140,11 @@ final class PictureActions implements AutoCloseable {
 
     private static void record(FrameRecorder running, DrawnPicture picture) {
         Frame frame = picture.frame();
-        running.offer(frame.width(), frame.height(), IntBuffer.wrap(frame.argb()));
+        running.offer(
+                frame.width(),
+                frame.height(),
+                IntBuffer.wrap(frame.argb()),
+                picture.input().srgb());
     }
 
     private static String describe(String what, FrameRecorder.Progress progress) {
@@ -155,7 +161,7 @@ final class PictureActions implements AutoCloseable {
             CompletableFuture<Optional<float[]>> gathered)
             throws IOException {
         if (!PictureFile.isLinear(file)) {
-            PngWriter.write(file, width, height, argb);
+            PngWriter.write(file, width, height, argb, input.srgb());
             return;
         }
         HdrWriter.write(file, width, height, gathered.join().orElseGet(() -> draw(input, width, height)));

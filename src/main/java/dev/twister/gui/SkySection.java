@@ -1,15 +1,18 @@
 package dev.twister.gui;
 
 import dev.twister.gui.ChoiceRow.Look;
+import dev.twister.gui.model.SceneNumbers;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javafx.scene.control.Button;
 
 /** What is behind everything. */
 final class SkySection {
     private final Studio studio;
     private final ChoiceRow<Path> sky;
+    private final List<NumberRow> numbers;
     private final Button other = new Button("Other…");
     private List<Path> known = List.of();
 
@@ -26,6 +29,9 @@ final class SkySection {
         other.setTooltip(PanelRow.tooltip("Chooses a panorama's file: .hdr, .png or .jpg."));
         other.setOnAction(_ -> files.chooseSky());
         sky.addControl(other);
+        numbers = List.of(
+                NumberRow.ofScene(SceneNumbers.SKY_ROTATION, "Alt+D", studio),
+                NumberRow.ofScene(SceneNumbers.SKY_STRENGTH, "Alt+O", studio));
         studio.sceneProperty().subscribe(_ -> refresh());
         studio.originalProperty().subscribe(_ -> refresh());
     }
@@ -37,12 +43,13 @@ final class SkySection {
     }
 
     List<PanelRow> rows() {
-        return List.of(sky);
+        return Stream.concat(Stream.of(sky), numbers.stream()).toList();
     }
 
     private void refresh() {
         Path used = studio.scene().skybox();
         Path own = studio.original().skybox();
         sky.show(SkyList.with(known, own, used), used, own);
+        numbers.forEach(row -> row.show(studio.scene(), studio.original()));
     }
 }

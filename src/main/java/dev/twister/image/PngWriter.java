@@ -9,7 +9,14 @@ import java.awt.image.WritableRaster;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
+import java.util.Iterator;
+import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
+import javax.imageio.ImageTypeSpecifier;
+import javax.imageio.ImageWriter;
+import javax.imageio.metadata.IIOMetadata;
+import javax.imageio.metadata.IIOMetadataNode;
+import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /** Writes 8-bit pixels as a PNG file. */
@@ -17,6 +24,11 @@ public final class PngWriter {
     private static final int RED_MASK = 0xff0000;
     private static final int GREEN_MASK = 0x00ff00;
     private static final int BLUE_MASK = 0x0000ff;
+
+    private static final String FORMAT = "javax_imageio_png_1.0";
+
+    /** 1.0, in units of 1/100,000. */
+    private static final String LINEAR_GAMMA = "100000";
 
     private PngWriter() {}
 
@@ -27,12 +39,13 @@ public final class PngWriter {
      * @param width pixels in a row, 1 or more
      * @param height rows, 1 or more
      * @param argb {@code width * height} ints, 0xAARRGGBB, row by row from the top; alpha is ignored
+     * @param srgb whether the channels are sRGB-encoded; linear ones are marked by a gAMA chunk of 1.0
      * @throws IllegalArgumentException where the array does not have that length
      * @throws IOException as {@link WholeFile#write}
      */
-    public static void write(Path file, int width, int height, int[] argb) throws IOException {
+    public static void write(Path file, int width, int height, int[] argb, boolean srgb) throws IOException {
         BufferedImage image = image(width, height, argb);
-        WholeFile.write(file, out -> write(out, image));
+        WholeFile.write(file, out -> write(out, image, srgb));
     }
 
     /**
@@ -40,17 +53,15 @@ public final class PngWriter {
      *
      * @throws IOException whatever the stream reported
      */
-    public static void write(OutputStream out, int width, int height, int[] argb) throws IOException {
-        write(out, image(width, height, argb));
+    public static void write(OutputStream out, int width, int height, int[] argb, boolean srgb) throws IOException {
+        write(out, image(width, height, argb), srgb);
         out.flush();
     }
 
-    private static void write(OutputStream out, BufferedImage image) throws IOException {
+    private static void write(OutputStream out, BufferedImage image, boolean srgb) throws IOException {
         // Not ImageIO's stream of choice, which spools the picture through a file in the temporary folder.
         try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
-            if (!ImageIO.write(image, "png", stream)) {
-                throw new IOException("this Java runtime has no PNG writer");
-            }
+            write(image, srgb, stream);
         }
     }
 
@@ -67,5 +78,32 @@ public final class PngWriter {
                 new int[] {RED_MASK, GREEN_MASK, BLUE_MASK},
                 null);
         return new BufferedImage(new DirectColorModel(24, RED_MASK, GREEN_MASK, BLUE_MASK), raster, false, null);
+    }
+
+    private static void write(BufferedImage image, boolean srgb, ImageOutputStream stream) throws IOException {
+        ImageTypeSpecifier type = ImageTypeSpecifier.createFromRenderedImage(image);
+        Iterator<ImageWriter> writers = ImageIO.getImageWriters(type, "png");
+        if (!writers.hasNext()) {
+            throw new IOException("this Java runtime has no PNG writer");
+        }
+        ImageWriter writer = writers.next();
+        try {
+            writer.setOutput(stream);
+            IIOMetadata metadata = writer.getDefaultImageMetadata(type, null);
+            if (!srgb) {
+                metadata.mergeTree(FORMAT, linearGamma());
+            }
+            writer.write(new IIOImage(image, null, metadata));
+        } finally {
+            writer.dispose();
+        }
+    }
+
+    private static IIOMetadataNode linearGamma() {
+        IIOMetadataNode gamma = new IIOMetadataNode("gAMA");
+        gamma.setAttribute("value", LINEAR_GAMMA);
+        IIOMetadataNode root = new IIOMetadataNode(FORMAT);
+        root.appendChild(gamma);
+        return root;
     }
 }

@@ -5,6 +5,12 @@ public final class Intersection {
     /** The distance of what is not hit. */
     public static final float MISS = 3.0e38f;
 
+    /**
+     * Of the plane's side, how far the square reaches from its middle: a little beyond the half, so that no border is at a
+     * round number, where rounding alone decides.
+     */
+    public static final float PLANE_REACH = 0.5f + 0x1p-17f;
+
     private Intersection() {}
 
     /**
@@ -47,12 +53,16 @@ public final class Intersection {
         float distance = MISS;
         if (directionY != 0f) {
             float along = (height - originY) / directionY;
-            float reach = 0.5f * size;
-            int inside = (Math.abs(originX + along * directionX) <= reach ? 1 : 0)
-                    & (Math.abs(originZ + along * directionZ) <= reach ? 1 : 0)
-                    & (along > 0f ? 1 : 0);
+            int inside =
+                    isOnSquare(originX + along * directionX, originZ + along * directionZ, size) & (along > 0f ? 1 : 0);
             distance = inside != 0 ? along : MISS;
         }
         return distance;
+    }
+
+    /** 1 where a point of the plane lies on its square of that side, else 0. */
+    static int isOnSquare(float x, float z, float size) {
+        float reach = PLANE_REACH * size;
+        return (Math.abs(x) <= reach ? 1 : 0) & (Math.abs(z) <= reach ? 1 : 0);
     }
 }

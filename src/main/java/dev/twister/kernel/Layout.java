@@ -46,7 +46,13 @@ public final class Layout {
     /** The plane's second color (three floats); its first is the body's own. */
     public static final int PLANE_ODD_COLOR = 7;
 
-    public static final int PROPERTIES_LENGTH = 10;
+    /** How far the panorama is turned to the right, in whole turns, in [0, 1). */
+    public static final int SKY_TURN = 10;
+
+    /** What the panorama's radiance is multiplied by, 0 or more. */
+    public static final int SKY_STRENGTH = 11;
+
+    public static final int PROPERTIES_LENGTH = 12;
 
     /** Indices of bodies. */
     public static final int LIGHT = 0;

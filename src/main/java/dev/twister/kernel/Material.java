@@ -2,6 +2,9 @@ package dev.twister.kernel;
 
 /** What a body is made of at a point of its surface. */
 public final class Material {
+    /** What checks are moved by, in meters, so that no edge is at a round number, where rounding alone decides. */
+    public static final float CHECKER_SHIFT = 0x1p-10f;
+
     private Material() {}
 
     /**
@@ -29,8 +32,8 @@ public final class Material {
         path[Layout.REFLECTIVITY] = looks[look + Layout.LOOK_REFLECTIVITY];
     }
 
-    /** 1 where {@code floor(x) + floor(z)} is even (the plane's first color), else 0. */
+    /** 1 where {@code floor(x + s) + floor(z + s)} is even (the plane's first color), else 0; s is {@link #CHECKER_SHIFT}. */
     public static int isEvenSquare(float x, float z) {
-        return 1 - ((KernelMath.floor(x) + KernelMath.floor(z)) & 1);
+        return 1 - ((KernelMath.floor(x + CHECKER_SHIFT) + KernelMath.floor(z + CHECKER_SHIFT)) & 1);
     }
 }

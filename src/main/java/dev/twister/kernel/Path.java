@@ -31,7 +31,7 @@ public final class Path {
         for (int bounce = firstBounce; bounce <= bounces && goesOn != 0; bounce++) {
             int body = Hit.find(path, places, hierarchy, bodies, scratch, search);
             if (body == Layout.NOTHING) {
-                Sky.add(path, sky, skyDimensions);
+                Sky.add(path, sky, skyDimensions, properties);
             }
             if (body == Layout.LIGHT) {
                 Light.add(path, looks);

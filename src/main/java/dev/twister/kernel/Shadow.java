@@ -10,7 +10,8 @@ package dev.twister.kernel;
  * that is {@code (p y' - q x')^2 + p^2 + q^2 <= radius^2 * (1 + x'^2 + y'^2)}: no square root, and small differences of
  * large numbers only where they cancel exactly.
  *
- * <p>Spheres that cannot meet the cone from the point to the disc are left out first; most points have none left.
+ * <p>Spheres that cannot meet the cone from the point to the disc are left out first; most points have none left. So is the
+ * plane, see {@link PlaneShadow}.
  */
 public final class Shadow {
     /** What {@link #judge} says of a sphere. */
@@ -62,10 +63,13 @@ public final class Shadow {
             int samples = (int) properties[Layout.SHADOW_SAMPLES];
             float discRadius = 2f * places[Layout.PLACE_STRIDE * Layout.LIGHT + Layout.PLACE_SIZE];
             float sampleScale = face(path, discRadius, samples, shadowDisc);
+            int plane = PlaneShadow.mayBlock(path, own, discRadius, places);
             int count = candidates(path, own, hierarchy, root, scratch);
             visible = count == ALL_HIDDEN ? 0f : 1f;
-            if (count > 0) {
-                int blocked = blocked(path, own, count, samples, sampleScale, shadowDisc, hierarchy, root, scratch);
+            int inDoubt = (count > 0 ? 1 : 0) | ((count == 0 ? 1 : 0) & plane);
+            if (inDoubt != 0) {
+                int blocked = blocked(
+                        path, own, plane, count, samples, sampleScale, places, shadowDisc, hierarchy, root, scratch);
                 visible = 1f - (float) blocked / samples;
             }
         }
@@ -101,26 +105,32 @@ public final class Shadow {
         return sampleScale;
     }
 
-    /** How many samples are blocked, by the candidates in the scratch or, where there are more, by any sphere. */
+    /**
+     * How many samples are blocked, by the plane, by the candidates in the scratch or, where there are more, by any sphere.
+     *
+     * @param plane whether it may block any
+     */
     private static int blocked(
             float[] path,
             int own,
+            int plane,
             int count,
             int samples,
             float sampleScale,
+            float[] places,
             float[] shadowDisc,
             float[] hierarchy,
             int root,
             float[] scratch) {
         float distance = path[Layout.LIGHT_DISTANCE];
         int remembered = Math.min(count, Layout.MOST_CANDIDATES);
-        int alone = count == 1 ? liesBetween(scratch, distance) : 0;
+        int alone = ((count == 1 ? 1 : 0) & (1 - plane)) != 0 ? liesBetween(scratch, distance) : 0;
         int blocked = alone != 0 ? blockedByOne(scratch, shadowDisc, sampleScale, samples) : 0;
         int firstSample = alone != 0 ? samples : 0;
         for (int sample = firstSample; sample < samples; sample++) {
             float x = shadowDisc[2 * sample] * sampleScale;
             float y = shadowDisc[2 * sample + 1] * sampleScale;
-            int hit = 0;
+            int hit = plane != 0 ? PlaneShadow.blocks(path, x, y, places) : 0;
             for (int candidate = 0; candidate < remembered && hit == 0; candidate++) {
                 hit = blocks(
                         scratch[Layout.CANDIDATE_STRIDE * candidate],

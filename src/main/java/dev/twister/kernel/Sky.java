@@ -13,21 +13,29 @@ public final class Sky {
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param sky three floats a texel: linear radiance, row by row from the top
      * @param skyDimensions width and height in texels
+     * @param properties {@link Layout#PROPERTIES_LENGTH} floats
      */
-    public static void add(float[] path, float[] sky, int[] skyDimensions) {
+    public static void add(float[] path, float[] sky, int[] skyDimensions, float[] properties) {
         int width = skyDimensions[Layout.SKY_WIDTH];
         int height = skyDimensions[Layout.SKY_HEIGHT];
-        float column = column(path[Layout.DIRECTION], path[Layout.DIRECTION + 2], width);
+        float column = column(path[Layout.DIRECTION], path[Layout.DIRECTION + 2], properties[Layout.SKY_TURN], width);
         float row = row(path[Layout.DIRECTION], path[Layout.DIRECTION + 1], path[Layout.DIRECTION + 2], height);
+        float weight = path[Layout.THROUGHPUT] * properties[Layout.SKY_STRENGTH];
         for (int channel = 0; channel < 3; channel++) {
-            path[Layout.RADIANCE + channel] = path[Layout.RADIANCE + channel]
-                    + path[Layout.THROUGHPUT] * radiance(sky, width, height, column, row, channel);
+            path[Layout.RADIANCE + channel] =
+                    path[Layout.RADIANCE + channel] + weight * radiance(sky, width, height, column, row, channel);
         }
     }
 
-    /** Columns from the first texel's center, in [-0.5, width - 0.5]: {@code (0.5 + atan2(z, x) / 2 pi) * width - 0.5}. */
-    public static float column(float x, float z, int width) {
-        return (0.5f + KernelMath.atan2(z, x) * TURNS_PER_RADIAN) * width - 0.5f;
+    /**
+     * Columns from the first texel's center, in [-0.5, width - 0.5]: {@code (0.5 + atan2(x, z) / 2 pi - turn) * width - 0.5},
+     * wrapped.
+     *
+     * @param turn how far the panorama is turned to the right, in whole turns, in [0, 1)
+     */
+    public static float column(float x, float z, float turn, int width) {
+        float u = 0.5f + KernelMath.atan2(x, z) * TURNS_PER_RADIAN - turn;
+        return (u < 0f ? u + 1f : u) * width - 0.5f;
     }
 
     /**

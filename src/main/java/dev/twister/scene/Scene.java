@@ -12,6 +12,8 @@ import java.util.stream.Stream;
  * @param description a sentence for a person, may be empty
  * @param spheres those that are there from the start
  * @param skybox the panorama's file, already resolved against the scene file's folder
+ * @param skyRotationDegrees how far the panorama is turned to the right, about the y axis
+ * @param skyStrength what its radiance is multiplied by, 0 or more
  * @param ambient the ambient strength a in [0, 1], {@value #DEFAULT_AMBIENT} where the file is silent
  * @param physics how bodies move, where they do
  * @param pour spheres that come one after the other while bodies move
@@ -24,6 +26,8 @@ public record Scene(
         Plane plane,
         List<Sphere> spheres,
         Path skybox,
+        double skyRotationDegrees,
+        double skyStrength,
         double ambient,
         RenderSettings settings,
         Physics physics,
@@ -47,6 +51,8 @@ public record Scene(
                 Plane.DEFAULT,
                 List.of(),
                 skybox,
+                0,
+                1,
                 DEFAULT_AMBIENT,
                 RenderSettings.DEFAULT,
                 Physics.DEFAULT,
@@ -61,43 +67,207 @@ public record Scene(
     }
 
     public Scene withName(String newName) {
-        return new Scene(newName, description, camera, light, plane, spheres, skybox, ambient, settings, physics, pour);
+        return new Scene(
+                newName,
+                description,
+                camera,
+                light,
+                plane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
     }
 
     public Scene withDescription(String newDescription) {
-        return new Scene(name, newDescription, camera, light, plane, spheres, skybox, ambient, settings, physics, pour);
+        return new Scene(
+                name,
+                newDescription,
+                camera,
+                light,
+                plane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
     }
 
     public Scene withCamera(Camera newCamera) {
-        return new Scene(name, description, newCamera, light, plane, spheres, skybox, ambient, settings, physics, pour);
+        return new Scene(
+                name,
+                description,
+                newCamera,
+                light,
+                plane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
     }
 
     public Scene withLight(Light newLight) {
-        return new Scene(name, description, camera, newLight, plane, spheres, skybox, ambient, settings, physics, pour);
+        return new Scene(
+                name,
+                description,
+                camera,
+                newLight,
+                plane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
     }
 
     public Scene withPlane(Plane newPlane) {
-        return new Scene(name, description, camera, light, newPlane, spheres, skybox, ambient, settings, physics, pour);
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                newPlane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
     }
 
     public Scene withSpheres(List<Sphere> newSpheres) {
-        return new Scene(name, description, camera, light, plane, newSpheres, skybox, ambient, settings, physics, pour);
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                plane,
+                newSpheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
     }
 
     public Scene withSkybox(Path newSkybox) {
-        return new Scene(name, description, camera, light, plane, spheres, newSkybox, ambient, settings, physics, pour);
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                plane,
+                spheres,
+                newSkybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
+    }
+
+    public Scene withSkyRotation(double newSkyRotationDegrees) {
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                plane,
+                spheres,
+                skybox,
+                newSkyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
+    }
+
+    public Scene withSkyStrength(double newSkyStrength) {
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                plane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                newSkyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
     }
 
     public Scene withAmbient(double newAmbient) {
-        return new Scene(name, description, camera, light, plane, spheres, skybox, newAmbient, settings, physics, pour);
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                plane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                newAmbient,
+                settings,
+                physics,
+                pour);
     }
 
     public Scene withSettings(RenderSettings newSettings) {
-        return new Scene(name, description, camera, light, plane, spheres, skybox, ambient, newSettings, physics, pour);
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                plane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                newSettings,
+                physics,
+                pour);
     }
 
     public Scene withPhysics(Physics newPhysics) {
-        return new Scene(name, description, camera, light, plane, spheres, skybox, ambient, settings, newPhysics, pour);
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                plane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                newPhysics,
+                pour);
     }
 
     public Scene withPour(Pour newPour) {
@@ -109,6 +279,8 @@ public record Scene(
                 plane,
                 spheres,
                 skybox,
+                skyRotationDegrees,
+                skyStrength,
                 ambient,
                 settings,
                 physics,

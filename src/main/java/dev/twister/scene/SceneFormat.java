@@ -168,6 +168,16 @@ final class SceneFormat {
                             new FilePath(new Text(1, SceneLimits.MAX_PATH_LENGTH)),
                             Scene::skybox,
                             Scene::withSkybox),
+                    sparse(
+                            "skyRotation",
+                            new Decimal(SceneLimits.SKY_ROTATION),
+                            Scene::skyRotationDegrees,
+                            Scene::withSkyRotation),
+                    sparse(
+                            "skyStrength",
+                            new Decimal(SceneLimits.SKY_STRENGTH),
+                            Scene::skyStrength,
+                            Scene::withSkyStrength),
                     written("shading", SHADING, Scene::ambient, Scene::withAmbient),
                     written("rendering", RENDERING, Scene::settings, Scene::withSettings),
                     sparse("physics", PHYSICS, Scene::physics, Scene::withPhysics),

@@ -15,6 +15,8 @@ public final class SceneLimits {
     public static final Range RADIANCE = new Range(0, 1e6);
     public static final Range REFLECTIVITY = new Range(0, 128);
     public static final Range AMBIENT = new Range(0, 1);
+    public static final Range SKY_ROTATION = YAW;
+    public static final Range SKY_STRENGTH = new Range(0, 1e6);
     public static final Range SIDE = new Range(1, RenderSettings.MAX_SIDE, "pixels");
     public static final Range SHADOW_SAMPLES = new Range(1, RenderSettings.MAX_SHADOW_SAMPLES);
     public static final Range BOUNCES = new Range(0, RenderSettings.MAX_BOUNCES);

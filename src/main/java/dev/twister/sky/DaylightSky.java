@@ -55,7 +55,7 @@ public final class DaylightSky {
         for (int column = 0; column < width; column++) {
             double longitude = Equirectangular.longitude(column, width);
             Direction direction =
-                    new Direction(horizontal * StrictMath.cos(longitude), up, horizontal * StrictMath.sin(longitude));
+                    new Direction(horizontal * StrictMath.sin(longitude), up, horizontal * StrictMath.cos(longitude));
             Colour light = model.radiance(direction).times(scale);
             int target = 3 * (row * width + column);
             radiance[target] = (float) light.red();

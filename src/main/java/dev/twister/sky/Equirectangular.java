@@ -1,13 +1,13 @@
 package dev.twister.sky;
 
 /**
- * Where directions lie in a panorama: {@code u = 0.5 + atan2(z, x) / (2 pi)}, {@code v = 0.5 - asin(y) / pi}, a texel's
+ * Where directions lie in a panorama: {@code u = 0.5 + atan2(x, z) / (2 pi)}, {@code v = 0.5 - asin(y) / pi}, a texel's
  * centre at {@code ((column + 0.5) / width, (row + 0.5) / height)}.
  */
 final class Equirectangular {
     private Equirectangular() {}
 
-    /** The angle {@code atan2(z, x)} at a column's centre, in radians. */
+    /** The angle {@code atan2(x, z)} at a column's centre, in radians. */
     static double longitude(int column, int width) {
         return 2 * Math.PI * ((column + 0.5) / width - 0.5);
     }
@@ -18,7 +18,7 @@ final class Equirectangular {
     }
 
     static int column(Direction direction, int width) {
-        double u = 0.5 + StrictMath.atan2(direction.z(), direction.x()) / (2 * Math.PI);
+        double u = 0.5 + StrictMath.atan2(direction.x(), direction.z()) / (2 * Math.PI);
         return Math.min((int) (u * width), width - 1);
     }
 

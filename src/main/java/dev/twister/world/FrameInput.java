@@ -43,6 +43,11 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
         return (int) view.properties()[Layout.PIXEL_SAMPLES];
     }
 
+    /** Whether 8-bit pixels are sRGB-encoded. */
+    public boolean srgb() {
+        return view.properties()[Layout.SRGB] > 0;
+    }
+
     /**
      * The same picture by way of another hierarchy over the same spheres, such as one of a single leaf.
      *
@@ -81,7 +86,8 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
 
     /**
      * The same picture by other samples: as many of the sequence that a pixel's samples are taken from, beginning with
-     * that one. Runs that follow each other, each weighed by its samples, come to the picture with as many samples in one.
+     * that one; number 0 is the pixel's center. Runs that follow each other, each weighed by its samples, come to one run of as
+     * many.
      *
      * @throws IllegalArgumentException where there is no sample, or a place below 0
      */

@@ -8,9 +8,9 @@ import dev.twister.kernel.Layout;
  * @param dimensions {@code int[5]}: width and height of the picture in pixels, first row and number of rows to draw, bodies that
  *     are there
  * @param camera {@code float[13]}: position, right, up, forward, eye distance
- * @param properties {@code float[10]}
+ * @param properties {@code float[12]}
  * @param shadowDisc {@code float[2 * shadowSamples]}: the unit sunflower's points, {@code sqrt(i / n)} from the center
- * @param pixelOffsets {@code float[2 * samplesPerPixel]}: the samples' places in a pixel, x and y in [0, 1)
+ * @param pixelOffsets {@code float[2 * samplesPerPixel]}: the samples' places in a pixel, x and y in (0, 1)
  */
 @SuppressWarnings("ArrayRecordComponent") // identity is what counts, see FrameInput
 public record View(int[] dimensions, float[] camera, float[] properties, float[] shadowDisc, float[] pixelOffsets) {

@@ -16,10 +16,14 @@ import java.util.List;
  * The living state between frames: what a scene said, as it is now. Used by one thread; engines see snapshots.
  */
 public final class World {
+    private static final double DEGREES_PER_TURN = 360;
+
     private final Panorama panorama;
     private final float[] looks;
     private final Rgb planeOddColor;
     private final double ambient;
+    private final double skyTurn;
+    private final double skyStrength;
     private float[] places;
     private int bodies;
     private float[] hierarchy = {};
@@ -45,6 +49,8 @@ public final class World {
         }
         planeOddColor = plane.oddColor();
         ambient = scene.ambient();
+        skyTurn = scene.skyRotationDegrees() / DEGREES_PER_TURN;
+        skyStrength = scene.skyStrength();
         int[] skyDimensions = new int[Layout.SKY_DIMENSIONS_LENGTH];
         skyDimensions[Layout.SKY_WIDTH] = sky.width();
         skyDimensions[Layout.SKY_HEIGHT] = sky.height();
@@ -139,6 +145,8 @@ public final class World {
         properties[Layout.TONE_MAP] = settings.toneMap().ordinal();
         properties[Layout.SRGB] = settings.srgb() ? 1 : 0;
         properties[Layout.AMBIENT] = (float) ambient;
+        properties[Layout.SKY_TURN] = (float) (skyTurn - Math.floor(skyTurn)) % 1f;
+        properties[Layout.SKY_STRENGTH] = (float) skyStrength;
         putColor(properties, Layout.PLANE_ODD_COLOR, planeOddColor);
         return properties;
     }

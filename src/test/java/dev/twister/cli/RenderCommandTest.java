@@ -177,6 +177,10 @@ class RenderCommandTest {
                 "--tone-map",
                 "aces",
                 "--srgb",
+                "--sky-rotation",
+                "-90",
+                "--sky-strength",
+                "0.5",
                 "--camera",
                 "-1,-5,-15",
                 "--yaw",
@@ -197,6 +201,9 @@ class RenderCommandTest {
         assertThat(bytes("exposed.png", "--exposure", "1")).isNotEqualTo(plain);
         assertThat(bytes("curved.png", "--srgb")).isNotEqualTo(plain);
         assertThat(bytes("turned.png", "--yaw", "20")).isNotEqualTo(plain);
+        assertThat(bytes("sky.png", "--sky-rotation", "20")).isNotEqualTo(plain);
+        assertThat(bytes("sky-again.png", "--sky-rotation", "360")).isEqualTo(plain);
+        assertThat(bytes("dark.png", "--sky-strength", "0")).isNotEqualTo(plain);
         assertThat(bytes("same.png", "--no-srgb")).isEqualTo(plain);
     }
 

@@ -63,7 +63,7 @@ public final class PlainPicture {
             int body = Hit.find(path, places, input.bodies().hierarchy(), input.bodyCount(), new float[0], Hit.ALL);
             goesOn = body >= Layout.PLANE;
             if (body == Layout.NOTHING) {
-                Sky.add(path, input.panorama().texels(), input.panorama().dimensions());
+                Sky.add(path, input.panorama().texels(), input.panorama().dimensions(), properties);
             } else if (body == Layout.LIGHT) {
                 Light.add(path, looks);
             } else {

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Random;
 import javax.imageio.ImageIO;
@@ -12,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class PngWriterTest {
     @TempDir
@@ -22,7 +25,7 @@ class PngWriterTest {
     void readsBackOpaqueAndEqual(int width, int height) throws IOException {
         int[] pixels = new Random(width).ints((long) width * height).toArray();
         Path file = folder.resolve("picture.png");
-        PngWriter.write(file, width, height, pixels);
+        PngWriter.write(file, width, height, pixels, true);
 
         BufferedImage image = ImageIO.read(file.toFile());
         assertThat(image.getWidth()).isEqualTo(width);
@@ -34,10 +37,23 @@ class PngWriterTest {
         }
     }
 
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void onlyLinearPixelsCarryAGammaOfOne(boolean srgb) throws IOException {
+        Path file = folder.resolve("picture.png");
+        PngWriter.write(file, 1, 1, new int[] {0x102030}, srgb);
+
+        byte[] chunk = {0, 0, 0, 4, 'g', 'A', 'M', 'A', 0, 1, (byte) 0x86, (byte) 0xA0};
+        String bytes = new String(Files.readAllBytes(file), StandardCharsets.ISO_8859_1);
+        assertThat(bytes.contains(new String(chunk, StandardCharsets.ISO_8859_1)))
+                .isEqualTo(!srgb);
+        assertThat(bytes.contains("gAMA")).isEqualTo(!srgb);
+    }
+
     @Test
     void refusesAnArrayOfAnotherSize() {
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> PngWriter.write(folder.resolve("x.png"), 4, 4, new int[15]))
+                .isThrownBy(() -> PngWriter.write(folder.resolve("x.png"), 4, 4, new int[15], true))
                 .withMessage("a picture of 4 x 4 pixels needs 16 ints, not 15");
     }
 }

@@ -2,7 +2,7 @@ package dev.twister.kernel;
 
 /**
  * Soft shadows by the equations alone: every sample's place by sine and cosine, every sphere by its quadratic's near
- * root. The shortcuts of {@link Shadow} are held to it.
+ * root, the plane by the sides that point and sample are on. The shortcuts of {@link Shadow} are held to it.
  */
 public final class PlainShadow {
     /** {@code pi * (3 - sqrt 5)} radians. */
@@ -39,7 +39,7 @@ public final class PlainShadow {
             float toZ = places[light + 2] + uZ * x + wZ * y - pointZ;
             float length = (float) Math.sqrt(toX * toX + toY * toY + toZ * toZ);
             float inverseLength = length > 0f ? 1f / length : 0f;
-            int hit = 0;
+            int hit = own != Layout.PLANE ? hitsPlane(pointX, pointY, pointZ, toX, toY, toZ, places) : 0;
             for (int body = Layout.FIRST_SPHERE; body < bodies && hit == 0; body++) {
                 if (body != own) {
                     int place = Layout.PLACE_STRIDE * body;
@@ -57,5 +57,16 @@ public final class PlainShadow {
             blocked = blocked + hit;
         }
         return 1f - (float) blocked / samples;
+    }
+
+    private static int hitsPlane(float x, float y, float z, float toX, float toY, float toZ, float[] places) {
+        int plane = Layout.PLACE_STRIDE * Layout.PLANE;
+        float above = y - places[plane + 1];
+        int hit = 0;
+        if (above * (above + toY) < 0f) {
+            float part = -above / toY;
+            hit = Intersection.isOnSquare(x + part * toX, z + part * toZ, places[plane + Layout.PLACE_SIZE]);
+        }
+        return hit;
     }
 }

@@ -44,6 +44,65 @@ class ShadowTest {
         assertThat(plain(places, 0, 0, 0, Layout.PLANE, SAMPLES)).as(where).isEqualTo(visible);
     }
 
+    /** A point of a sphere far away; a light's center as high as the plane is lit. */
+    @ParameterizedTest
+    @CsvSource({
+        "light below, 0, 2, -10, 0",
+        "point below, 0, -2, 10, 0",
+        "both above, 0, 2, 10, 1",
+        "both below, 0, -2, -10, 1",
+        "past the border, 5.1, 2, -10, 1",
+        "just inside the border, 4, 2, -10, 0",
+        "point on the plane, 0, 0, -10, 1"
+    })
+    void planeHidesTheLightOnTheOtherSide(String where, float x, float y, float lightHeight, float visible) {
+        float[] places = {x, lightHeight, 0, 0.01f, 0, 0, 0, 10, 100, 100, 100, 1};
+        assertThat(soft(places, x, y, 0, Layout.FIRST_SPHERE, SAMPLES))
+                .as(where)
+                .isEqualTo(visible);
+        assertThat(plain(places, x, y, 0, Layout.FIRST_SPHERE, SAMPLES))
+                .as(where)
+                .isEqualTo(visible);
+        assertThat(soft(places, x, y, 0, Layout.PLANE, SAMPLES)).as(where).isEqualTo(1f);
+    }
+
+    @Test
+    void planeHidesThePartOfTheDiscThatIsBelow() {
+        float[] places = {3, 0, 0, 1, 0, 0, 0, 10, 100, 100, 100, 1};
+        assertThat(soft(places, 0, 2, 0.5f, Layout.FIRST_SPHERE, 500))
+                .isEqualTo(plain(places, 0, 2, 0.5f, Layout.FIRST_SPHERE, 500))
+                .isBetween(0.45f, 0.55f);
+        assertThat(soft(places, 0, 2, 0.5f, Layout.FIRST_SPHERE, 1)).isEqualTo(1f);
+    }
+
+    /** Points, lights and small spheres on either side, near the border and far from it. */
+    @Test
+    void planeAndSpheresHideWhatThePlainEquationsHide() {
+        Random random = new Random(10);
+        int samples = 64;
+        int points = 4000;
+        double disagreeing = 0;
+        double partlySeen = 0;
+        for (int i = 0; i < points; i++) {
+            float[] places = new float[4 * Layout.PLACE_STRIDE];
+            for (int at = 0; at < places.length; at++) {
+                places[at] = 4 * random.nextFloat() - 2;
+            }
+            places[Layout.PLACE_SIZE] = 0.5f * random.nextFloat();
+            places[Layout.PLACE_STRIDE * Layout.PLANE + Layout.PLACE_SIZE] = 3 * random.nextFloat();
+            places[Layout.PLACE_STRIDE * 2 + Layout.PLACE_SIZE] = 0.3f * random.nextFloat();
+            places[Layout.PLACE_STRIDE * 3 + Layout.PLACE_SIZE] = 0.3f * random.nextFloat();
+            float x = 4 * random.nextFloat() - 2;
+            float y = 4 * random.nextFloat() - 2;
+            float z = 4 * random.nextFloat() - 2;
+            float visible = soft(places, x, y, z, Layout.FIRST_SPHERE, samples);
+            disagreeing += Math.abs(visible - plain(places, x, y, z, Layout.FIRST_SPHERE, samples)) * samples;
+            partlySeen += visible > 0 && visible < 1 ? 1 : 0;
+        }
+        assertThat(partlySeen).isGreaterThan(points / 20.0);
+        assertThat(disagreeing).isLessThan(1e-4 * samples * points);
+    }
+
     @Test
     void ownBodyCastsNoShadowOnItself() {
         float[] places = {0, 10, 0, 0.5f, 0, 0, 0, 10, 0, 4, 0, 1};

@@ -11,12 +11,14 @@ import org.junit.jupiter.params.provider.CsvSource;
 class SkyTest {
     private static final int[][] SIZES = {{1, 1}, {2, 1}, {1, 2}, {3, 2}, {7, 5}, {64, 32}};
 
+    private static final float[] TURNS = {0, 0.25f, 0.7f};
+
     @Test
     void everyDirectionIsTheBilinearInDoubles() {
         Random random = new Random(5);
         for (int[] size : SIZES) {
             float[] sky = noise(random, size[0], size[1]);
-            for (int i = 0; i < 20_000; i++) {
+            for (int i = 0; i < 7000; i++) {
                 assertLookup(sky, size, random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
             }
         }
@@ -28,7 +30,7 @@ class SkyTest {
         for (int[] size : SIZES) {
             float[] sky = noise(random, size[0], size[1]);
             for (double z : new double[] {0, 1e-9, -1e-9, 1e-3, -1e-3, 0.2, -0.2}) {
-                assertLookup(sky, size, -1, random.nextGaussian(), z);
+                assertLookup(sky, size, z, random.nextGaussian(), -1);
             }
         }
     }
@@ -47,29 +49,52 @@ class SkyTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"1, 0, 0, 2", "0, 0, 1, 3", "-1, 0, 0, 0", "0, 0, -1, 1"})
+    @CsvSource({"0, 0, 1, 2", "1, 0, 0, 3", "0, 0, -1, 0", "-1, 0, 0, 1"})
     void axesAreQuartersOfThePanorama(float x, float y, float z, float quarters) {
-        assertThat(Sky.column(x, z, 4) + 0.5f).isCloseTo(quarters == 0 ? 4 : quarters, within(1e-6f));
+        assertThat(Sky.column(x, z, 0f, 4) + 0.5f).isCloseTo(quarters == 0 ? 4 : quarters, within(1e-6f));
         assertThat(Sky.row(x, y, z, 4)).isCloseTo(1.5f, within(1e-6f));
     }
 
+    @ParameterizedTest
+    @CsvSource({"0.25, 1, 0, 2", "0.5, 0, -1, 2", "0.75, -1, 0, 2", "0.25, 0, 1, 1"})
+    void turnMovesThePanoramaToTheRight(float turn, float x, float z, float quarters) {
+        assertThat(Sky.column(x, z, turn, 4) + 0.5f).isCloseTo(quarters, within(1e-6f));
+    }
+
+    @Test
+    void strengthMultipliesTheRadiance() {
+        float[] path = Paths.ray(new float[3], new float[] {0, 0, 1}, Layout.NOTHING);
+        path[Layout.THROUGHPUT] = 0.5f;
+        float[] properties = new float[Layout.PROPERTIES_LENGTH];
+        properties[Layout.SKY_STRENGTH] = 3f;
+        Sky.add(path, new float[] {1, 2, 4}, new int[] {1, 1}, properties);
+        assertThat(path[Layout.RADIANCE]).isEqualTo(1.5f);
+        assertThat(path[Layout.RADIANCE + 2]).isEqualTo(6f);
+    }
+
     private static void assertLookup(float[] sky, int[] size, double x, double y, double z) {
+        for (float turn : TURNS) {
+            assertLookup(sky, size, turn, x, y, z);
+        }
+    }
+
+    private static void assertLookup(float[] sky, int[] size, float turn, double x, double y, double z) {
         double length = Math.sqrt(x * x + y * y + z * z);
         float directionX = (float) (x / length);
         float directionY = (float) (y / length);
         float directionZ = (float) (z / length);
-        float column = Sky.column(directionX, directionZ, size[0]);
+        float column = Sky.column(directionX, directionZ, turn, size[0]);
         float row = Sky.row(directionX, directionY, directionZ, size[1]);
         for (int channel = 0; channel < 3; channel++) {
             assertThat((double) Sky.radiance(sky, size[0], size[1], column, row, channel))
                     .as("%s x %s towards (%s, %s, %s)", size[0], size[1], x, y, z)
-                    .isCloseTo(bilinear(sky, size, directionX, directionY, directionZ, channel), within(1e-4));
+                    .isCloseTo(bilinear(sky, size, turn, directionX, directionY, directionZ, channel), within(1e-4));
         }
     }
 
     /** Straight up the elevation is taken as an arc tangent, as a rounded unit vector's arc sine has lost its digits. */
-    private static double bilinear(float[] sky, int[] size, double x, double y, double z, int channel) {
-        double column = (0.5 + Math.atan2(z, x) / (2 * Math.PI)) * size[0] - 0.5;
+    private static double bilinear(float[] sky, int[] size, float turn, double x, double y, double z, int channel) {
+        double column = (0.5 + Math.atan2(x, z) / (2 * Math.PI) - turn) * size[0] - 0.5;
         double row = (0.5 - Math.atan2(y, Math.hypot(x, z)) / Math.PI) * size[1] - 0.5;
         double toRight = column - Math.floor(column);
         double toBottom = row - Math.floor(row);

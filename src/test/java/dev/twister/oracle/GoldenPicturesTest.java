@@ -69,6 +69,6 @@ class GoldenPicturesTest {
 
     private static void write(Path file, RenderSettings settings, int[] argb) throws IOException {
         Files.createDirectories(file.getParent());
-        PngWriter.write(file, settings.width(), settings.height(), argb);
+        PngWriter.write(file, settings.width(), settings.height(), argb, settings.srgb());
     }
 }

@@ -116,21 +116,23 @@ public final class Oracle {
         return sum.times(1.0 / samplesPerPixel);
     }
 
-    /** One sample is the pixel's corner, more lie where the R2 sequence has them, rounded as engines are given them. */
+    /** Points of the R2 sequence and their mirror images through the center, and the center where the number is odd. */
     private List<Ray> viewRays(double column, double row) {
-        if (samplesPerPixel == 1) {
-            return List.of(camera.ray(column, row));
-        }
         List<Ray> rays = new ArrayList<>();
-        for (int i = 0; i < samplesPerPixel; i++) {
-            double x = (float) fraction(0.5 + i / PLASTIC);
-            double y = (float) fraction(0.5 + i / (PLASTIC * PLASTIC));
+        if (samplesPerPixel % 2 == 1) {
+            rays.add(camera.ray(column + 0.5, row + 0.5));
+        }
+        for (int point = 1; point <= samplesPerPixel / 2; point++) {
+            double x = rounded(0.5 + point / PLASTIC);
+            double y = rounded(0.5 + point / (PLASTIC * PLASTIC));
             rays.add(camera.ray(column + x, row + y));
+            rays.add(camera.ray(column + (1 - x), row + (1 - y)));
         }
         return rays;
     }
 
-    private static double fraction(double value) {
-        return value - Math.floor(value);
+    /** The fraction, as engines are given it. */
+    private static double rounded(double value) {
+        return Math.rint((value - Math.floor(value)) * 0x1p24) / 0x1p24;
     }
 }

@@ -2,7 +2,7 @@ package dev.twister.oracle;
 
 import java.util.List;
 
-/** The visible part of the light: each of the sunflower's points, and each sphere in its way. */
+/** The visible part of the light: each of the sunflower's points, and each sphere, or the plane, in its way. */
 final class OracleShadow {
     private static final double GOLDEN_ANGLE_RADIANS = Math.PI * (3 - Math.sqrt(5));
 
@@ -42,8 +42,11 @@ final class OracleShadow {
         Ray shadowRay = new Ray(point, toSample.normalized());
         double distance = toSample.length();
         for (Body body : bodies) {
-            boolean casts = body instanceof SphereBody && body != light && body != own;
-            if (casts && body.distance(shadowRay) < distance) {
+            boolean blocks = switch (body) {
+                case PlaneBody plane -> plane.separates(point, sample);
+                case SphereBody sphere -> sphere != light && sphere.distance(shadowRay) < distance;
+            };
+            if (blocks && body != own) {
                 return true;
             }
         }

@@ -5,13 +5,17 @@ import dev.twister.sky.Skybox;
 /** The panorama in a direction. */
 final class OracleSky {
     private final Skybox sky;
+    private final double turn;
+    private final double strength;
 
-    OracleSky(Skybox sky) {
+    OracleSky(Skybox sky, double rotationDegrees, double strength) {
         this.sky = sky;
+        turn = rotationDegrees / 360;
+        this.strength = strength;
     }
 
     Color color(Vector direction) {
-        double u = 0.5 + Math.atan2(direction.z(), direction.x()) / (2 * Math.PI);
+        double u = 0.5 + Math.atan2(direction.x(), direction.z()) / (2 * Math.PI) - turn;
         double v = 0.5 - Math.asin(Math.clamp(direction.y(), -1, 1)) / Math.PI;
         double column = u * sky.width() - 0.5;
         double row = v * sky.height() - 0.5;
@@ -23,7 +27,8 @@ final class OracleSky {
                 .times((1 - toRight) * (1 - toBottom))
                 .plus(texel(left + 1, top).times(toRight * (1 - toBottom)))
                 .plus(texel(left, top + 1).times((1 - toRight) * toBottom))
-                .plus(texel(left + 1, top + 1).times(toRight * toBottom));
+                .plus(texel(left + 1, top + 1).times(toRight * toBottom))
+                .times(strength);
     }
 
     /** Around the horizon it wraps, up and down it is clamped. */

@@ -17,8 +17,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /**
- * The oracle itself, where the answer is known by hand: the middle pixel of a 2 x 2 picture, whose ray goes straight
- * ahead, or straight down, over a ground at y = 0 under a light at height 10.
+ * The oracle itself, where the answer is known by hand: the one pixel of a picture, whose ray goes straight ahead, or
+ * straight down, over a ground at y = 0 under a light at height 10.
  */
 class OracleTest {
     private static final double MATTE = 0;
@@ -58,6 +58,23 @@ class OracleTest {
         assertThat(middle(DOWN, 1, 128).green()).isCloseTo(0.5 * cosine + highlight, within(1e-6));
     }
 
+    /** From below, the sphere's underside is in the plane's shadow; from beside the plane it is lit. */
+    @Test
+    void planeHidesALightOnTheOtherSide() {
+        Camera down = Camera.of(new Vector3(0, 5, 0), 0, 90, 60);
+        Sphere sphere = sphere(0, -3, 0, 1, MATTE);
+        assertThat(middle(down.withPosition(new Vector3(0, -0.5, 0)), 0, MATTE, sphere)
+                        .red())
+                .isCloseTo(0.5 * 0.1, within(1e-7));
+        assertThat(new Oracle(
+                                scene(down.withPosition(new Vector3(0, -0.5, 0)), 0, MATTE, sphere)
+                                        .withPlane(Plane.of(20, -10, new Rgb(0, 0, 0), new Rgb(0, 0, 0), MATTE)),
+                                SKY)
+                        .radiance(0, 0)
+                        .red())
+                .isCloseTo(0.5, within(1e-7));
+    }
+
     @Test
     void lightIsItsOwnColour() {
         Camera below = Camera.of(new Vector3(0, 5, 0), 0, -90, 60);
@@ -71,13 +88,13 @@ class OracleTest {
 
     @Test
     void spansAreNarrowAwayFromEdges() {
-        PixelSpan span = new Oracle(scene(DOWN, 0, 64), SKY).span(1, 1);
+        PixelSpan span = new Oracle(scene(DOWN, 0, 64), SKY).span(0, 0);
         assertThat(PictureDifference.channelDifference(span.lowest(), span.highest()))
                 .isLessThanOrEqualTo(1);
     }
 
     private static Rgb middle(Camera camera, int bounces, double groundReflectivity, Sphere... spheres) {
-        return new Oracle(scene(camera, bounces, groundReflectivity, spheres), SKY).radiance(1, 1);
+        return new Oracle(scene(camera, bounces, groundReflectivity, spheres), SKY).radiance(0, 0);
     }
 
     private static Scene scene(Camera camera, int bounces, double groundReflectivity, Sphere... spheres) {
@@ -87,7 +104,7 @@ class OracleTest {
                 .withPlane(Plane.of(20, 0, new Rgb(0.8, 0.8, 0.8), new Rgb(0.3, 0.3, 0.3), groundReflectivity))
                 .withSpheres(List.of(spheres))
                 .withAmbient(0.1)
-                .withSettings(RenderSettings.DEFAULT.withSize(2, 2).withBounces(bounces));
+                .withSettings(RenderSettings.DEFAULT.withSize(1, 1).withBounces(bounces));
     }
 
     private static Sphere sphere(double x, double y, double z, double radius, double reflectivity) {

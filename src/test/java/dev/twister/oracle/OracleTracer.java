@@ -47,7 +47,7 @@ final class OracleTracer {
                     vector(sphere.position()), sphere.radius(), Color.of(sphere.color()), sphere.reflectivity()));
         }
         shadow = new OracleShadow(bodies, light, scene.settings().shadowSamples());
-        sky = new OracleSky(skybox);
+        sky = new OracleSky(skybox, scene.skyRotationDegrees(), scene.skyStrength());
         ambient = scene.ambient();
         bounceLimit = scene.settings().bounces();
     }

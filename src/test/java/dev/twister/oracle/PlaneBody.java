@@ -2,15 +2,30 @@ package dev.twister.oracle;
 
 /** The checkered square ground. */
 record PlaneBody(double size, double height, Color evenColor, Color oddColor, double reflectivity) implements Body {
+    /** Keeps the checks' edges off round numbers, where rounding alone decides. */
+    private static final double CHECKER_SHIFT = 0x1p-10;
+
+    /** Of the side, from the middle to the border; for the same reason a little more than the half. */
+    private static final double REACH = 0.5 + 0x1p-17;
+
     @Override
     public double distance(Ray ray) {
         if (ray.direction().y() == 0) {
             return MISS;
         }
         double distance = (height - ray.origin().y()) / ray.direction().y();
-        Vector point = ray.at(distance);
-        boolean inside = Math.abs(point.x()) <= size / 2 && Math.abs(point.z()) <= size / 2;
-        return distance > 0 && inside ? distance : MISS;
+        return distance > 0 && isInside(ray.at(distance)) ? distance : MISS;
+    }
+
+    /** Whether two points are on different sides, and the way from the one to the other crosses the square. */
+    boolean separates(Vector from, Vector to) {
+        double above = from.y() - height;
+        double otherAbove = to.y() - height;
+        return above * otherAbove < 0 && isInside(from.plus(to.minus(from).times(above / (above - otherAbove))));
+    }
+
+    private boolean isInside(Vector point) {
+        return Math.abs(point.x()) <= REACH * size && Math.abs(point.z()) <= REACH * size;
     }
 
     @Override
@@ -20,7 +35,7 @@ record PlaneBody(double size, double height, Color evenColor, Color oddColor, do
 
     @Override
     public Color albedo(Vector point) {
-        double squares = Math.floor(point.x()) + Math.floor(point.z());
+        double squares = Math.floor(point.x() + CHECKER_SHIFT) + Math.floor(point.z() + CHECKER_SHIFT);
         return squares % 2 == 0 ? evenColor : oddColor;
     }
 }

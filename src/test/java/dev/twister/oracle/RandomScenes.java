@@ -9,6 +9,7 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
+import dev.twister.sky.Skybox;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Random;
@@ -45,15 +46,18 @@ public final class RandomScenes {
         Plane plane = plane(random);
         List<Sphere> spheres = RandomSpheres.spheres(random, plane);
         Light light = light(random, plane, spheres);
+        Scene scene = Scene.under(Path.of("none.hdr"))
+                .withCamera(camera(random, plane, spheres))
+                .withLight(light)
+                .withPlane(plane)
+                .withSpheres(spheres)
+                .withAmbient(extremeOr(random, 0, 1, random.nextDouble()))
+                .withSettings(settings(random, bounces, spheres.size()));
+        Skybox sky = RandomSkies.sky(random);
         return new LitScene(
-                Scene.under(Path.of("none.hdr"))
-                        .withCamera(camera(random, plane, spheres))
-                        .withLight(light)
-                        .withPlane(plane)
-                        .withSpheres(spheres)
-                        .withAmbient(extremeOr(random, 0, 1, random.nextDouble()))
-                        .withSettings(settings(random, bounces, spheres.size())),
-                RandomSkies.sky(random));
+                scene.withSkyRotation(extremeOr(random, 0, -90, between(random, -400, 400)))
+                        .withSkyStrength(extremeOr(random, 0, 1, between(random, 0, 3))),
+                sky);
     }
 
     private static Plane plane(Random random) {

@@ -19,7 +19,7 @@ final class SampleScene {
               "light": {"position": [0, 0, 0], "radius": 1.2, "color": [1, 1, 1]},
               "plane": {"size": 48, "height": -9.75, "colors": [[0.4, 0.4, 0.4], [0.2, 0.2, 0.2]], "reflectivity": 32},
               "skybox": "sky.hdr",
-              "shading": {"ambient": 0.25},
+              "shading": {"ambient": 0.25}, "skyRotation": -35, "skyStrength": 2.25,
               "rendering": {"width": 640, "height": 360, "shadowSamples": 16, "bounces": 2, "samplesPerPixel": 4, "exposure": -0.5, "toneMap": "aces", "srgb": true},
               "physics": {"gravity": [0, -1.62, 0], "elasticity": 0.75, "friction": 0.125, "damping": 0.05, "walls": false, "solidLight": true},
               "pour": {"count": 30, "rate": 5.5, "position": [1, 2, 3], "width": 1.25, "speed": 2.5, "radius": [0.2, 0.3], "palette": "lagoon", "reflectivity": 12, "seed": 9},

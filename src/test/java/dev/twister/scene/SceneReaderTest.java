@@ -38,6 +38,8 @@ class SceneReaderTest {
                         .withSpheres(List.of(
                                 Sphere.of(new Vector3(-4, -8, 0), 1.75, new Rgb(1, 0, 0), 24),
                                 Sphere.of(new Vector3(0, -8, 0), 1.5, new Rgb(0, 1, 0), 36)))
+                        .withSkyRotation(-35)
+                        .withSkyStrength(2.25)
                         .withAmbient(0.25)
                         .withSettings(RenderSettings.DEFAULT
                                 .withSize(640, 360)
@@ -73,8 +75,11 @@ class SceneReaderTest {
 
         assertThat(scene.name()).isEmpty();
         assertThat(scene.description()).isEmpty();
+        assertThat(scene.skyRotationDegrees()).isZero();
+        assertThat(scene.skyStrength()).isEqualTo(1);
         assertThat(scene.ambient()).isEqualTo(Scene.DEFAULT_AMBIENT);
         assertThat(scene.settings()).isEqualTo(RenderSettings.DEFAULT);
+        assertThat(scene.settings().srgb()).isTrue();
         assertThat(scene.physics()).isEqualTo(Physics.DEFAULT);
         assertThat(scene.pour()).isEmpty();
     }

@@ -32,7 +32,7 @@ class SceneWriterTest {
                   "plane": {"size": 48, "height": -9.75, "colors": [[0.4, 0.4, 0.4], [0.2, 0.2, 0.2]], "reflectivity": 32},
                   "skybox": "../skyboxes/day.hdr",
                   "shading": {"ambient": 0.2},
-                  "rendering": {"width": 1280, "height": 720, "shadowSamples": 200, "bounces": 3, "samplesPerPixel": 1, "exposure": 0, "toneMap": "clamp", "srgb": false},
+                  "rendering": {"width": 1280, "height": 720, "shadowSamples": 200, "bounces": 3, "samplesPerPixel": 1, "exposure": 0, "toneMap": "clamp", "srgb": true},
                   "spheres": [
                     {"position": [-8, -8, 0], "radius": 1.75, "color": [1, 0.123456789, 1], "reflectivity": 24}
                   ]

@@ -89,7 +89,7 @@ class DaylightSkyTest {
         for (int row = 0; row < HEIGHT; row++) {
             for (int column = 0; column < WIDTH; column++) {
                 int texel = row * WIDTH + column;
-                int mirrored = row * WIDTH + Math.floorMod(WIDTH / 2 - 1 - column, WIDTH);
+                int mirrored = row * WIDTH + WIDTH - 1 - column;
                 Direction here = centre(texel);
                 assertThat(centre(mirrored).x()).isCloseTo(-here.x(), within(1e-12));
                 if (here.dot(Direction.of(Math.toRadians(35), 0)) < 0.99) {
@@ -142,9 +142,9 @@ class DaylightSkyTest {
         double elevation = Equirectangular.elevation(texel / WIDTH, HEIGHT);
         double longitude = Equirectangular.longitude(texel % WIDTH, WIDTH);
         return new Direction(
-                Math.cos(elevation) * Math.cos(longitude),
+                Math.cos(elevation) * Math.sin(longitude),
                 Math.sin(elevation),
-                Math.cos(elevation) * Math.sin(longitude));
+                Math.cos(elevation) * Math.cos(longitude));
     }
 
     private static double luminance(Skybox sky, int texel) {

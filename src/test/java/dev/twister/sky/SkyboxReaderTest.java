@@ -73,7 +73,7 @@ class SkyboxReaderTest {
     @Test
     void makesSrgbLinear() throws IOException {
         Path file = folder.resolve("sky.hdr");
-        PngWriter.write(file, 2, 1, new int[] {0xffbc00, 0x0a0000});
+        PngWriter.write(file, 2, 1, new int[] {0xffbc00, 0x0a0000}, true);
         assertRadiance(file, 1, HALF, 0, 10 / 255f / 12.92f, 0, 0);
     }
 

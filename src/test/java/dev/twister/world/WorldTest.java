@@ -30,7 +30,7 @@ class WorldTest {
     void settingsStandInTheirPlaces() {
         world.setSettings(world.settings().withTone(3, ToneMap.ACES, true));
         float[] properties = world.snapshot().view().properties();
-        assertThat(properties).containsExactly(5, 6, 3, 8, Tone.ACES, 1, 0.36f, 0.16f, 0.17f, 0.18f);
+        assertThat(properties).containsExactly(5, 6, 3, 8, Tone.ACES, 1, 0.36f, 0.16f, 0.17f, 0.18f, 0.75f, 37);
     }
 
     @ParameterizedTest

@@ -26,6 +26,8 @@ final class Worlds {
                 .withSpheres(List.of(
                         Sphere.of(new Vector3(20, 21, 22), 23, new Rgb(0.24, 0.25, 0.26), 27),
                         Sphere.of(new Vector3(28, 29, 30), 31, new Rgb(0.32, 0.33, 0.34), 35)))
+                .withSkyRotation(-90)
+                .withSkyStrength(37)
                 .withAmbient(0.36)
                 .withSettings(RenderSettings.DEFAULT
                         .withSize(40, 30)

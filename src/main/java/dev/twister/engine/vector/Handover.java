@@ -26,7 +26,7 @@ final class Handover {
     }
 
     /**
-     * Ends the live rays whose surfaces may be shaded by a body that lanes do not know. The points that are left have none
+     * Ends the live rays whose surfaces may be shaded by what lanes do not know. The points that are left have none of it
      * among their possible occluders.
      */
     void endInShadows(Tile tile, Drawing drawing, int bounce) {

@@ -135,7 +135,7 @@ final class TileRenderer {
     /** Adds what the surfaces send towards the eye, and starts the rays that go on. */
     private void shade(Drawing drawing, int bounce) {
         LightDirection.find(drawing, tile);
-        if (drawing.declined.isAnyBody()) {
+        if (drawing.declined.isAnyBody() || drawing.planeMayShade) {
             bench.handover.endInShadows(tile, drawing, bounce);
         }
         Shadows.find(tile, drawing, bench.shadows);

@@ -50,6 +50,8 @@ public record DrawingRequest(
         return document == other.document()
                 && motion.start() == other.motion().start()
                 && scene.skybox().equals(other.scene().skybox())
+                && scene.skyRotationDegrees() == other.scene().skyRotationDegrees()
+                && scene.skyStrength() == other.scene().skyStrength()
                 && scene.settings().equals(other.scene().settings());
     }
 

@@ -71,6 +71,8 @@ final class LivingWorld implements AutoCloseable {
                 && one.light().equals(other.light())
                 && one.plane().equals(other.plane())
                 && one.skybox().equals(other.skybox())
+                && one.skyRotationDegrees() == other.skyRotationDegrees()
+                && one.skyStrength() == other.skyStrength()
                 && one.pour().equals(other.pour())
                 && one.ambient() == other.ambient();
     }

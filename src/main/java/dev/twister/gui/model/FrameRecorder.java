@@ -27,7 +27,7 @@ public final class FrameRecorder implements AutoCloseable {
     /** What a file is written with; a test has slower ones. */
     @FunctionalInterface
     interface PictureWriter {
-        void write(Path file, int width, int height, int[] argb) throws IOException;
+        void write(Path file, int width, int height, int[] argb, boolean srgb) throws IOException;
     }
 
     /**
@@ -41,7 +41,7 @@ public final class FrameRecorder implements AutoCloseable {
     public record Progress(long written, int waiting, long lost, Optional<String> failure) {}
 
     @SuppressWarnings("ArrayRecordComponent") // handed on, never compared
-    private record Waiting(int width, int height, int[] argb) {
+    private record Waiting(int width, int height, int[] argb, boolean srgb) {
         long bytes() {
             return (long) Integer.BYTES * argb.length;
         }
@@ -93,9 +93,10 @@ public final class FrameRecorder implements AutoCloseable {
      * Takes a copy of a frame; waits for room where too many are ahead of it. Called by one thread at a time.
      *
      * @param argb {@code width * height} ints from index 0 on, 0xAARRGGBB, row by row from the top
+     * @param srgb whether they are sRGB-encoded
      * @return whether it was taken: not after the end
      */
-    public boolean offer(int width, int height, IntBuffer argb) {
+    public boolean offer(int width, int height, IntBuffer argb, boolean srgb) {
         int pixels = Math.multiplyExact(width, height);
         Optional<int[]> used;
         synchronized (this) {
@@ -114,7 +115,7 @@ public final class FrameRecorder implements AutoCloseable {
         try {
             int[] copy = used.orElseGet(() -> new int[pixels]);
             argb.get(0, copy, 0, pixels);
-            return add(new Waiting(width, height, copy));
+            return add(new Waiting(width, height, copy, srgb));
         } catch (RuntimeException | Error problem) {
             copyingFailed(problem);
             return false;
@@ -180,7 +181,8 @@ public final class FrameRecorder implements AutoCloseable {
                         folder.resolve(String.format(Locale.ROOT, "frame-%06d.png", nextNumber)),
                         taken.width(),
                         taken.height(),
-                        taken.argb());
+                        taken.argb(),
+                        taken.srgb());
                 done(taken);
                 frame = take();
             } catch (IOException | RuntimeException | Error problem) {

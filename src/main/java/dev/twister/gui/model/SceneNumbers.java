@@ -114,6 +114,28 @@ public final class SceneNumbers {
                     light -> light.withColor(
                             new Radiance(Radiance.of(light.color()).hue(), strength).color())));
 
+    public static final NumberSetting SKY_ROTATION = new NumberSetting(
+            "Sky rotation",
+            "Turns the panorama about the vertical axis, to the right.",
+            SceneLimits.SKY_ROTATION,
+            new Range(-180, 180),
+            Scale.LINEAR,
+            1,
+            "°",
+            Scene::skyRotationDegrees,
+            Scene::withSkyRotation);
+
+    public static final NumberSetting SKY_STRENGTH = new NumberSetting(
+            "Sky strength",
+            "Factor on the panorama's radiance.",
+            SceneLimits.SKY_STRENGTH,
+            new Range(0.05, 20),
+            Scale.LOGARITHMIC,
+            2,
+            "",
+            Scene::skyStrength,
+            Scene::withSkyStrength);
+
     public static final NumberSetting GRAVITY = new NumberSetting(
             "Gravity",
             "The upward acceleration while bodies move; below 0 they fall, -9.81 is the Earth's.",

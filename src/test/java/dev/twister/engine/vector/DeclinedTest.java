@@ -11,8 +11,11 @@ import dev.twister.kernel.Layout;
 import dev.twister.oracle.LitScene;
 import dev.twister.oracle.PictureDifference;
 import dev.twister.oracle.RandomScenes;
+import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
 import dev.twister.sky.SkyboxReader;
 import dev.twister.world.FrameInput;
 import dev.twister.world.View;
@@ -24,6 +27,7 @@ import java.util.function.IntPredicate;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** What lanes decline, the scalar kernel draws: the picture is the same. */
@@ -87,6 +91,30 @@ final class DeclinedTest {
             }
         }
         assertThat(different).isLessThanOrEqualTo(pixels / PictureDifference.PIXELS_AN_ODD_ONE);
+    }
+
+    /** A light under the plane lights no sphere above it, and one that the plane cuts lights it with a part. */
+    @ParameterizedTest
+    @CsvSource({"128, -3, 1", "256, -3, 1", "512, -3, 1", "512, 0.3, 1", "512, 4, 0.1"})
+    void planeBetweenTheLightAndASphereBlocks(int bits, double lightHeight, double sphereHeight) {
+        Scene scene = SceneReader.read(Path.of("scenes", "teaching.json"));
+        Scene lit = scene.withPlane(scene.plane().withHeight(0))
+                .withLight(scene.light()
+                        .withPosition(new Vector3(0.5, lightHeight, -1))
+                        .withRadius(0.4))
+                .withCamera(scene.camera().withPosition(new Vector3(0, 1.5, -8)))
+                .withSpheres(List.of(
+                        Sphere.of(new Vector3(0, sphereHeight, 0), 1, new Rgb(0.8, 0.7, 0.6), 20),
+                        Sphere.of(new Vector3(2.5, sphereHeight, 1), 1, new Rgb(0.4, 0.7, 0.6), 90)))
+                .withSettings(scene.settings().withSize(151, 87).withShadows(40).withBounces(2));
+        FrameInput input = World.of(lit, SkyboxReader.read(lit.skybox())).snapshot();
+        for (int crowd : new int[] {ALWAYS_WALK, NEVER_WALK}) {
+            try (Engine vector = WidthLoader.openForCrowds(bits, 2, crowd);
+                    Engine sequential = Engines.open(JvmEngines.SEQUENTIAL)) {
+                assertThat(PictureDifference.between(pixels(vector, input), pixels(sequential, input)))
+                        .matches(PictureDifference::isWithinBound);
+            }
+        }
     }
 
     @Test

@@ -34,10 +34,10 @@ class FrameRecorderTest {
     void framesAreNumberedAndKeptAsTheyWere() throws IOException {
         FrameRecorder recorder = FrameRecorder.start(folder);
         IntBuffer shared = frame(10);
-        recorder.offer(WIDTH, HEIGHT, shared);
+        recorder.offer(WIDTH, HEIGHT, shared, true);
         // The window draws over its buffer at once.
         shared.put(0, frame(20), 0, WIDTH * HEIGHT);
-        recorder.offer(WIDTH, HEIGHT, shared);
+        recorder.offer(WIDTH, HEIGHT, shared, true);
         recorder.close();
         assertThat(recorder.progress()).isEqualTo(new FrameRecorder.Progress(2, 0, 0, Optional.empty()));
         assertThat(gray("frame-000001.png")).isEqualTo(10);
@@ -53,7 +53,7 @@ class FrameRecorderTest {
         Files.createFile(folder.resolve("frame-000041.png"));
         Files.createFile(folder.resolve("frame-old.png"));
         FrameRecorder recorder = FrameRecorder.start(folder);
-        recorder.offer(WIDTH, HEIGHT, frame(1));
+        recorder.offer(WIDTH, HEIGHT, frame(1), true);
         recorder.close();
         assertThat(folder.resolve("frame-000042.png")).exists();
     }
@@ -62,7 +62,7 @@ class FrameRecorderTest {
     void whoIsFasterThanTheDiskWaitsAndNoFrameIsLost() throws Exception {
         CountDownLatch writing = new CountDownLatch(1);
         CountDownLatch mayWrite = new CountDownLatch(1);
-        FrameRecorder recorder = FrameRecorder.start(folder, (file, _, _, _) -> {
+        FrameRecorder recorder = FrameRecorder.start(folder, (file, _, _, _, _) -> {
             writing.countDown();
             await(mayWrite);
             Files.createFile(file);
@@ -84,7 +84,7 @@ class FrameRecorderTest {
     @Test
     void theEndFreesWhoWaits() throws Exception {
         CountDownLatch mayWrite = new CountDownLatch(1);
-        FrameRecorder recorder = FrameRecorder.start(folder, (_, _, _, _) -> await(mayWrite));
+        FrameRecorder recorder = FrameRecorder.start(folder, (_, _, _, _, _) -> await(mayWrite));
         Thread source = offering(recorder, 4096, 6);
         awaitWaiting(source, recorder);
         recorder.finish();
@@ -99,7 +99,7 @@ class FrameRecorderTest {
         IntBuffer large = IntBuffer.allocate(side * side);
         return Thread.ofPlatform().start(() -> {
             for (int i = 0; i < frames; i++) {
-                recorder.offer(side, side, large);
+                recorder.offer(side, side, large, true);
             }
         });
     }
@@ -121,22 +121,22 @@ class FrameRecorderTest {
 
     @Test
     void aFullDiskEndsItAndSaysSo() throws IOException {
-        FrameRecorder recorder = FrameRecorder.start(folder, (_, _, _, _) -> {
+        FrameRecorder recorder = FrameRecorder.start(folder, (_, _, _, _, _) -> {
             throw new IOException("no space left");
         });
-        recorder.offer(WIDTH, HEIGHT, frame(1));
+        recorder.offer(WIDTH, HEIGHT, frame(1), true);
         recorder.close();
         assertThat(recorder.progress().failure()).contains("Recording has stopped: no space left");
         assertThat(recorder.progress().lost()).isEqualTo(1);
-        assertThat(recorder.offer(WIDTH, HEIGHT, frame(1))).isFalse();
+        assertThat(recorder.offer(WIDTH, HEIGHT, frame(1), true)).isFalse();
     }
 
     @Test
     void anyOtherFailureEndsItToo() throws IOException {
-        FrameRecorder recorder = FrameRecorder.start(folder, (_, _, _, _) -> {
+        FrameRecorder recorder = FrameRecorder.start(folder, (_, _, _, _, _) -> {
             throw new OutOfMemoryError("of the test");
         });
-        recorder.offer(WIDTH, HEIGHT, frame(1));
+        recorder.offer(WIDTH, HEIGHT, frame(1), true);
         recorder.close();
         assertThat(recorder.progress())
                 .isEqualTo(new FrameRecorder.Progress(
@@ -147,12 +147,12 @@ class FrameRecorderTest {
     void aFrameThatWasStillBeingCopiedIsCountedAsLost() throws Exception {
         CountDownLatch writing = new CountDownLatch(1);
         CountDownLatch mayFail = new CountDownLatch(1);
-        FrameRecorder recorder = FrameRecorder.start(folder, (_, _, _, _) -> {
+        FrameRecorder recorder = FrameRecorder.start(folder, (_, _, _, _, _) -> {
             writing.countDown();
             await(mayFail);
             throw new IOException("no space left");
         });
-        recorder.offer(WIDTH, HEIGHT, frame(1));
+        recorder.offer(WIDTH, HEIGHT, frame(1), true);
         writing.await();
         Thread source = offering(recorder, 4096, 1);
         while (recorder.progress().waiting() < 2) {
@@ -168,8 +168,8 @@ class FrameRecorderTest {
     @Test
     void aFrameThatCannotBeCopiedEndsItAndThoseBeforeAreWritten() throws IOException {
         FrameRecorder recorder = FrameRecorder.start(folder);
-        recorder.offer(WIDTH, HEIGHT, frame(1));
-        assertThat(recorder.offer(WIDTH, 2 * HEIGHT, frame(2))).isFalse();
+        recorder.offer(WIDTH, HEIGHT, frame(1), true);
+        assertThat(recorder.offer(WIDTH, 2 * HEIGHT, frame(2), true)).isFalse();
         recorder.close();
         assertThat(recorder.progress().written()).isEqualTo(1);
         assertThat(recorder.progress().lost()).isEqualTo(1);
@@ -183,7 +183,7 @@ class FrameRecorderTest {
         Locale.setDefault(Locale.Category.FORMAT, Locale.forLanguageTag("ar-EG-u-nu-arab"));
         try {
             FrameRecorder recorder = FrameRecorder.start(folder);
-            recorder.offer(WIDTH, HEIGHT, frame(1));
+            recorder.offer(WIDTH, HEIGHT, frame(1), true);
             recorder.close();
         } finally {
             Locale.setDefault(Locale.Category.FORMAT, usual);
@@ -195,7 +195,7 @@ class FrameRecorderTest {
     void afterTheEndNothingIsTaken() throws IOException {
         FrameRecorder recorder = FrameRecorder.start(folder);
         recorder.close();
-        assertThat(recorder.offer(WIDTH, HEIGHT, frame(1))).isFalse();
+        assertThat(recorder.offer(WIDTH, HEIGHT, frame(1), true)).isFalse();
         recorder.close();
         assertThat(folder).isEmptyDirectory();
     }

@@ -141,7 +141,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         for (@Parallel int i = 0; i < count; i++) {
             int width = (int) in[5 * i + 3];
             int height = (int) in[5 * i + 4];
-            float column = Sky.column(in[5 * i], in[5 * i + 2], width);
+            float column = Sky.column(in[5 * i], in[5 * i + 2], 0f, width);
             float row = Sky.row(in[5 * i], in[5 * i + 1], in[5 * i + 2], height);
             out[5 * i] = column;
             out[5 * i + 1] = row;
@@ -171,7 +171,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         for (@Parallel int i = 0; i < count; i++) {
             float[] path = new float[Layout.PATH_LENGTH];
             float[] scratch = new float[Layout.SCRATCH_LENGTH];
-            float[] places = new float[Layout.PLACE_STRIDE];
+            float[] places = new float[2 * Layout.PLACE_STRIDE];
             float[] properties = new float[Layout.PROPERTIES_LENGTH];
             path[Layout.POINT] = in[11 * i];
             path[Layout.POINT + 1] = in[11 * i + 1];

@@ -48,6 +48,11 @@ public final class BodyColumns {
     /** Light, plane and spheres, without the blanks. */
     public int count;
 
+    /** How low and how high the spheres reach, in meters. */
+    float lowest;
+
+    float highest;
+
     private FrameInput source;
 
     @SuppressWarnings("ReferenceEquality") // an input's arrays never change
@@ -76,12 +81,18 @@ public final class BodyColumns {
         }
         float[] places = input.bodies().places();
         float[] hierarchy = input.bodies().hierarchy();
+        lowest = Float.MAX_VALUE;
+        highest = -Float.MAX_VALUE;
         for (int body = 0; body < count; body++) {
             int place = Layout.PLACE_STRIDE * body;
             x[body] = places[place];
             y[body] = places[place + 1];
             z[body] = places[place + 2];
             radius[body] = places[place + Layout.PLACE_SIZE];
+            if (body >= Layout.FIRST_SPHERE) {
+                lowest = Math.min(lowest, y[body] - radius[body]);
+                highest = Math.max(highest, y[body] + radius[body]);
+            }
         }
         for (int place = 0; place < count; place++) {
             int sphere = place - Layout.FIRST_SPHERE;

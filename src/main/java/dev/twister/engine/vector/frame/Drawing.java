@@ -5,7 +5,9 @@ import dev.twister.engine.vector.lanes.SphereColumns;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.image.Frame;
 import dev.twister.kernel.Camera;
+import dev.twister.kernel.Intersection;
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.Shadow;
 import dev.twister.world.FrameInput;
 
 /** What all threads read while a frame is drawn: the input, prepared for lanes. */
@@ -41,6 +43,14 @@ public final class Drawing {
 
     /** The shadow samples' disc: twice the light's radius. */
     public float discRadius;
+
+    /** How low and how high the disc may reach, whichever way it faces, in meters. */
+    public float discLow;
+
+    public float discHigh;
+
+    /** Whether any point of a sphere and any sample of the light may lie on different sides of the plane. */
+    public boolean planeMayShade;
 
     /** The unit disc's samples, x and y apart, with as many blanks behind as a load may reach too far. */
     public float[] discX = {};
@@ -85,8 +95,13 @@ public final class Drawing {
         ambient = properties[Layout.AMBIENT];
         viewportStep = Camera.step(width, newInput.height());
         planeHeight = newInput.bodies().center(Layout.PLANE, 1);
-        planeHalfSide = 0.5f * newInput.bodies().size(Layout.PLANE);
+        planeHalfSide = Intersection.PLANE_REACH * newInput.bodies().size(Layout.PLANE);
         discRadius = 2f * newInput.bodies().size(Layout.LIGHT);
+        float reach = discRadius * Shadow.RELATIVE_MARGIN;
+        discLow = bodies.y[Layout.LIGHT] - reach;
+        discHigh = bodies.y[Layout.LIGHT] + reach;
+        planeMayShade = (bodies.lowest <= planeHeight && discHigh >= planeHeight)
+                || (bodies.highest >= planeHeight && discLow <= planeHeight);
         takeDisc(newInput.view().shadowDisc());
         float rimX = newInput.view().shadowDisc()[2 * shadowSamples - 2];
         float rimY = newInput.view().shadowDisc()[2 * shadowSamples - 1];

@@ -52,6 +52,12 @@ public final class PaddedSky {
 
     public int height;
 
+    /** How far the panorama is turned to the right, in whole turns, in [0, 1). */
+    public float turn;
+
+    /** What the texels are to be multiplied by. */
+    public float strength;
+
     private float[] source;
 
     /** Texels from one row to the next. */
@@ -71,6 +77,8 @@ public final class PaddedSky {
 
     @SuppressWarnings("ReferenceEquality") // an input's arrays never change
     public void take(FrameInput input) {
+        turn = input.view().properties()[Layout.SKY_TURN];
+        strength = input.view().properties()[Layout.SKY_STRENGTH];
         if (input.panorama().texels() != source) {
             source = input.panorama().texels();
             width = input.panorama().dimensions()[Layout.SKY_WIDTH];

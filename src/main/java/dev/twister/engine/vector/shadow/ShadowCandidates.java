@@ -188,14 +188,32 @@ public final class ShadowCandidates {
                 .toLong();
     }
 
-    /** One bit a lane whose point may be shaded by a sphere that lanes do not know. */
+    /** One bit a lane whose point may be shaded by what lanes do not know: some spheres, and the plane. */
     public static long declined(Tile tile, int at, Drawing drawing) {
         BodyList occluders = drawing.declined.occluders();
-        long declined = 0L;
+        long declined = drawing.planeMayShade ? acrossPlane(tile, at, drawing) : 0L;
         for (int k = 0; k < occluders.count; k++) {
             declined |= between(tile.values, at, drawing.bodies, occluders.bodies[k]);
         }
         return declined;
+    }
+
+    /** One bit a lane of a sphere's point that has the plane between itself and a part of the light's disc. */
+    private static long acrossPlane(Tile tile, int at, Drawing drawing) {
+        FloatVector y = Lanes.load(tile.values, at + Tile.POINT_Y);
+        VectorMask<Float> below = y.compare(VectorOperators.LE, drawing.planeHeight);
+        VectorMask<Float> above = y.compare(VectorOperators.GE, drawing.planeHeight);
+        long across = 0L;
+        if (drawing.discHigh >= drawing.planeHeight) {
+            across |= below.toLong();
+        }
+        if (drawing.discLow <= drawing.planeHeight) {
+            across |= above.toLong();
+        }
+        return across
+                & Lanes.load(tile.values, at + Tile.HIT)
+                        .compare(VectorOperators.GT, Layout.PLANE)
+                        .toLong();
     }
 
     /** One bit an open lane whose point neither lies on the sphere nor inside it. */

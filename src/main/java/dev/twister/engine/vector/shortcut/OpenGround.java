@@ -7,6 +7,7 @@ import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.engine.vector.step.CameraLanes;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Light;
+import dev.twister.kernel.Material;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
@@ -187,8 +188,8 @@ public final class OpenGround {
         float lightBlue = bodies.blue(Layout.LIGHT);
         float[] t = tile.values;
         for (int at = 0; at < Tile.SIZE; at += Lanes.COUNT) {
-            FloatVector x = Lanes.load(t, at + Tile.POINT_X);
-            FloatVector z = Lanes.load(t, at + Tile.POINT_Z);
+            FloatVector x = Lanes.load(t, at + Tile.POINT_X).add(Material.CHECKER_SHIFT);
+            FloatVector z = Lanes.load(t, at + Tile.POINT_Z).add(Material.CHECKER_SHIFT);
             IntVector wholeX = Lanes.truncated(x);
             IntVector wholeZ = Lanes.truncated(z);
             // What is above has been rounded up to it, and belongs to the square before.

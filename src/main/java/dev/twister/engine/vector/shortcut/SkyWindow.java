@@ -30,11 +30,13 @@ public final class SkyWindow {
     private int top;
     private int columns;
     private int rows;
+    private float strength;
 
     /** Takes the texels about these columns and rows of the padded sky; tells whether there is room for them. */
     boolean take(PaddedSky sky, float leftmost, float uppermost, float rightmost, float lowermost) {
         left = Math.max(0, (int) leftmost);
         top = Math.max(0, (int) uppermost);
+        strength = sky.strength;
         columns = (int) rightmost + 2 - left;
         rows = (int) lowermost + 2 - top;
         boolean fits = columns * rows <= MOST;
@@ -83,7 +85,10 @@ public final class SkyWindow {
             VectorMask<Float> met =
                     FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.NOTHING);
             FloatVector throughput = FloatVector.zero(Lanes.FLOATS)
-                    .blend(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.THROUGHPUT), met);
+                    .blend(
+                            FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.THROUGHPUT)
+                                    .mul(strength),
+                            met);
             for (int channel = 0; channel < PaddedSky.NUMBERS_A_TEXEL; channel++) {
                 int from = Lanes.BORDER + channel * MOST;
                 IntVector first = IntVector.fromArray(Lanes.INTS, colors, from);

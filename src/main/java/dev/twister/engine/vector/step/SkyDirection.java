@@ -80,13 +80,15 @@ public final class SkyDirection {
             FloatVector z = Lanes.load(t, at + Tile.DIRECTION_Z);
             FloatVector octant = Lanes.load(t, at + Tile.SKY_TO_RIGHT);
             FloatVector quadrant = octant.blend(
-                    Lanes.all(KernelMath.HALF_PI).sub(octant), z.abs().compare(VectorOperators.GT, x.abs()));
+                    Lanes.all(KernelMath.HALF_PI).sub(octant), x.abs().compare(VectorOperators.GT, z.abs()));
             FloatVector half =
-                    quadrant.blend(Lanes.all(KernelMath.PI).sub(quadrant), x.compare(VectorOperators.LT, 0f));
-            // The border counts 1 more, and the texels' centres lie half a texel in.
-            half.blend(half.neg(), z.compare(VectorOperators.LT, 0f))
+                    quadrant.blend(Lanes.all(KernelMath.PI).sub(quadrant), z.compare(VectorOperators.LT, 0f));
+            FloatVector turns = half.blend(half.neg(), x.compare(VectorOperators.LT, 0f))
                     .mul(TURNS_PER_RADIAN)
                     .add(0.5f)
+                    .sub(sky.turn);
+            // The border counts 1 more, and the texels' centres lie half a texel in.
+            turns.blend(turns.add(1f), turns.compare(VectorOperators.LT, 0f))
                     .mul(sky.width)
                     .add(0.5f)
                     .intoArray(t, at + Tile.SKY_TO_RIGHT);

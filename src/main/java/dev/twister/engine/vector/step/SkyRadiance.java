@@ -25,7 +25,7 @@ public final class SkyRadiance {
         findTexels(tile, sky);
         fetch(tile, sky);
         unpack(tile, sky);
-        add(tile);
+        add(tile, sky);
     }
 
     /** Lists the pixels that met nothing. */
@@ -133,13 +133,13 @@ public final class SkyRadiance {
     }
 
     /** Adds the radiance between the texels to the lanes that met nothing. */
-    static void add(Tile tile) {
+    static void add(Tile tile, PaddedSky sky) {
         for (int channel = 0; channel < PaddedSky.NUMBERS_A_TEXEL; channel++) {
-            add(Tile.RED + channel * Tile.SIZE, Tile.CORNERS * channel * Tile.SIZE, tile);
+            add(sky.strength, Tile.RED + channel * Tile.SIZE, Tile.CORNERS * channel * Tile.SIZE, tile);
         }
     }
 
-    private static void add(int color, int column, Tile tile) {
+    private static void add(float strength, int color, int column, Tile tile) {
         float[] t = tile.values;
         float[] corners = tile.cornerNumbers;
         for (int k = 0; k < tile.scatteredSkies.count; k++) {
@@ -154,7 +154,7 @@ public final class SkyRadiance {
             FloatVector radiance = Lanes.fma(lower.sub(upper), Lanes.load(t, at + Tile.SKY_TO_BOTTOM), upper);
             FloatVector before = Lanes.load(t, at + color);
             VectorMask<Float> met = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.NOTHING);
-            before.blend(Lanes.fma(Lanes.load(t, at + Tile.THROUGHPUT), radiance, before), met)
+            before.blend(Lanes.fma(Lanes.load(t, at + Tile.THROUGHPUT).mul(strength), radiance, before), met)
                     .intoArray(t, at + color);
         }
     }

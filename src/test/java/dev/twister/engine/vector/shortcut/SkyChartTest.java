@@ -62,13 +62,13 @@ final class SkyChartTest {
                     .as("the horizon's side of pitch %f", pitch)
                     .isFalse();
         }
-        // The panorama's edges meet where x is below 0 and z is 0, here in the middle of a block of four tiles.
-        look(-90, 0, 50, 1900, 1080);
+        // The panorama's edges meet behind, here in the middle of a block of four tiles.
+        look(180, 0, 50, 1900, 1080);
         assertThat(covers(900, 0)).isFalse();
         assertThat(covers(950, 1079)).isFalse();
         assertThat(covers(960, 1079)).isTrue();
         assertThat(covers(890, 0)).isTrue();
-        look(90, 0, 50, 1900, 1080);
+        look(0, 0, 50, 1900, 1080);
         assertThat(covers(950, 0)).isTrue();
     }
 
@@ -130,7 +130,7 @@ final class SkyChartTest {
             double x = t[Tile.DIRECTION_X + pixel];
             double y = turned * t[Tile.DIRECTION_Y + pixel];
             double z = t[Tile.DIRECTION_Z + pixel];
-            double column = (Math.atan2(z, x) / (2 * Math.PI) + 0.5) * SKY_WIDTH + 0.5;
+            double column = (Math.atan2(x, z) / (2 * Math.PI) + 0.5) * SKY_WIDTH + 0.5;
             double row = (0.5 - Math.atan2(y, Math.hypot(x, z)) / Math.PI) * SKY_HEIGHT + 0.5;
             double level = Math.hypot(x, z);
             assertThat((double) t[Tile.SKY_TO_RIGHT + pixel])

@@ -1,0 +1,54 @@
+package dev.twister.kernel;
+
+/** The plane's part in {@link Shadow}: it blocks what crosses its square on the way from a sphere to a sample of the light. */
+final class PlaneShadow {
+    private PlaneShadow() {}
+
+    /**
+     * 1 where the plane may block a shadow ray: the point is on another body, and not all of the disc is on its side.
+     *
+     * @param path {@link Layout#PATH_LENGTH} floats
+     * @param own the body that the point lies on
+     * @param discRadius in meters
+     * @param places {@link Layout#PLACE_STRIDE} floats a body
+     */
+    static int mayBlock(float[] path, int own, float discRadius, float[] places) {
+        float height = places[Layout.PLACE_STRIDE * Layout.PLANE + 1];
+        float above = path[Layout.POINT + 1] - height;
+        float light = places[Layout.PLACE_STRIDE * Layout.LIGHT + 1] - height;
+        float reach = discRadius * Shadow.RELATIVE_MARGIN;
+        int below = (above > 0f ? 1 : 0) & (light < reach ? 1 : 0);
+        int over = (above < 0f ? 1 : 0) & (light > -reach ? 1 : 0);
+        return (own != Layout.PLANE ? 1 : 0) & (below | over);
+    }
+
+    /**
+     * 1 where the shadow ray to a sample crosses the square. A light whose center is as high as the plane is lit itself: the
+     * sample's height is counted from the light's, which loses no digits.
+     *
+     * @param x the sample's place along U, at distance 1
+     * @param y along W
+     */
+    static int blocks(float[] path, float x, float y, float[] places) {
+        int light = Layout.PLACE_STRIDE * Layout.LIGHT;
+        int plane = Layout.PLACE_STRIDE * Layout.PLANE;
+        float distance = path[Layout.LIGHT_DISTANCE];
+        float above = path[Layout.POINT + 1] - places[plane + 1];
+        float sampleAbove = places[light + 1]
+                - places[plane + 1]
+                + distance * (path[Layout.DISC_U_Y] * x + path[Layout.DISC_W + 1] * y);
+        int blocks = 0;
+        if (above * sampleAbove < 0f) {
+            float part = above / (above - sampleAbove);
+            float toX = places[light] + distance * (path[Layout.DISC_W] * y) - path[Layout.POINT];
+            float toZ = places[light + 2]
+                    + distance * (path[Layout.DISC_U_Z] * x + path[Layout.DISC_W + 2] * y)
+                    - path[Layout.POINT + 2];
+            blocks = Intersection.isOnSquare(
+                    path[Layout.POINT] + part * toX,
+                    path[Layout.POINT + 2] + part * toZ,
+                    places[plane + Layout.PLACE_SIZE]);
+        }
+        return blocks;
+    }
+}
