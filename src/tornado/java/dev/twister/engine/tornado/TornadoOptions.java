@@ -7,6 +7,9 @@ final class TornadoOptions {
     static final Map<String, String> OPTIONS = Map.of(
             // A kernel that does not compile is an error, never a silent run of the Java code.
             "tornado.recover.bailout", "False",
+            // TornadoVM's own choice, fast relaxed maths, moves pixels on some drivers.
+            "tornado.opencl.compiler.flags", "-w",
+            "tornado.enable.nativeFunctions", "False",
             // Without these two the kernel's helpers are left out of the device's code.
             "tornado.compiler.fullInlining", "True",
             "jdk.graal.MethodInlineBailoutLimit", "1000000");
