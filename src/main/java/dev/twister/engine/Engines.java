@@ -26,7 +26,7 @@ public final class Engines {
         if (offers.stream().noneMatch(offer -> isDevice(offer.id()))) {
             offers.add(EngineOffer.impossible(
                     TORNADO_PREFIX,
-                    "any OpenCL, PTX or CUDA device",
+                    "any OpenCL, CUDA or Metal device",
                     "the kernel compiled by TornadoVM for an accelerator",
                     "no TornadoVM SDK was found. Install one (sdk install tornadovm, or set TORNADOVM_HOME), then start"
                             + " with scripts/twister, which builds the engine and runs it"));

@@ -1,6 +1,6 @@
 /**
  * The device-portable kernel: static methods over primitives and primitive arrays, which the JVM runs as they are and
- * TornadoVM compiles for OpenCL, PTX and CUDA. Leans on nothing at all, no other package of Twister and nothing of the
+ * TornadoVM compiles for OpenCL, CUDA and Metal. Leans on nothing at all, no other package of Twister and nothing of the
  * JDK but {@code Math.sqrt}, {@code min}, {@code max} and {@code abs}; {@code PlainShadow}, which devices never run, takes
  * the JDK's sine and cosine too.
  *

@@ -85,6 +85,7 @@ public final class TornadoEngines implements EngineProvider {
     }
 
     private static EngineOffer impossible(String obstacle) {
-        return EngineOffer.impossible(Engines.TORNADO_PREFIX, "any OpenCL, PTX or CUDA device", DESCRIPTION, obstacle);
+        return EngineOffer.impossible(
+                Engines.TORNADO_PREFIX, "any OpenCL, CUDA or Metal device", DESCRIPTION, obstacle);
     }
 }

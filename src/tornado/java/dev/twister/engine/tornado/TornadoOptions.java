@@ -12,7 +12,9 @@ final class TornadoOptions {
             "tornado.enable.nativeFunctions", "False",
             // Without these two the kernel's helpers are left out of the device's code.
             "tornado.compiler.fullInlining", "True",
-            "jdk.graal.MethodInlineBailoutLimit", "1000000");
+            "jdk.graal.MethodInlineBailoutLimit", "1000000",
+            // The same for TornadoVM 6 and later.
+            "graal.MethodInlineBailoutLimit", "1000000");
 
     private TornadoOptions() {}
 
