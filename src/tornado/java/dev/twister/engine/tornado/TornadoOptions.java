@@ -22,12 +22,17 @@ final class TornadoOptions {
     static Map<String, String> options(boolean isJdkGraal) {
         return Map.of(
                 // A kernel that does not compile is an error, never a silent run of the Java code.
-                "tornado.recover.bailout", "False",
+                "tornado.recover.bailout",
+                "False",
                 // TornadoVM's own choice, fast relaxed maths, moves pixels on some drivers.
-                "tornado.opencl.compiler.flags", "-w",
-                "tornado.enable.nativeFunctions", "False",
+                "tornado.opencl.compiler.flags",
+                "-w",
+                "tornado.enable.nativeFunctions",
+                "False",
                 // Without these two the kernel's helpers are left out of the device's code.
-                "tornado.compiler.fullInlining", "True",
-                (isJdkGraal ? "jdk.graal." : "graal.") + "MethodInlineBailoutLimit", "1000000");
+                "tornado.compiler.fullInlining",
+                "True",
+                (isJdkGraal ? "jdk.graal." : "graal.") + "MethodInlineBailoutLimit",
+                "1000000");
     }
 }

@@ -31,7 +31,7 @@ class ScenesOnDeviceTest {
     }
 
     static Stream<Object[]> randomWorldsOnDevices() {
-        int[] spheres = {0, 1, 2, 5, 9, 17, 50, 80};
+        int[] spheres = {0, 1, 2, 5, 9, 31, 50, 80};
         return Devices.namedOffers().stream()
                 .flatMap(offer ->
                         Stream.of(0, 1, 2, 3, 4, 5, 6, 7).map(seed -> new Object[] {seed, spheres[seed], offer}));

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.image.Frame;
+import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.ToneMap;
@@ -108,6 +109,15 @@ class TornadoEngineTest {
                             input.pixelOffsets(),
                             looks.hierarchy()));
             assertThat(engine.plan()).containsSame(plan);
+        }
+    }
+
+    @Test
+    void theMostOfAFewSpheresFitTheirScratch() {
+        for (int spheres = 0; spheres < 100; spheres++) {
+            if (SceneSamples.world(5, spheres).snapshot().hasFewSpheres()) {
+                assertThat(Layout.CANDIDATE_STRIDE * spheres).isLessThanOrEqualTo(TornadoKernel.FEW_SCRATCH);
+            }
         }
     }
 
