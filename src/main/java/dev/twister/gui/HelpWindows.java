@@ -128,7 +128,7 @@ final class HelpWindows {
         page.getChildren().add(title);
         for (String paragraph : List.of(
                 "A real-time ray tracer written entirely in Java. One small kernel in plain Java draws the picture on"
-                        + " one thread, on all threads, and, through TornadoVM, on OpenCL, PTX and CUDA devices; the"
+                        + " one thread, on all threads, and, through TornadoVM, on OpenCL, CUDA and Metal devices; the"
                         + " same equations in packets draw it on the processor's SIMD lanes.",
                 "It follows \u201cAccelerating Java Ray Tracing Applications on Heterogeneous Hardware\u201d by Pham Van,"
                         + " Fumero, Stratikopoulos, Blanaru and Kotselidis.",

@@ -1,5 +1,6 @@
 package dev.twister.engine.tornado;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -52,7 +53,7 @@ final class DeviceClassLoader extends ClassLoader {
 
     @Override
     protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
-        if (!name.startsWith(KERNEL) && !name.equals(entry)) {
+        if (!isLoadedAnew(name)) {
             return super.loadClass(name, resolve);
         }
         synchronized (getClassLoadingLock(name)) {
@@ -61,12 +62,30 @@ final class DeviceClassLoader extends ClassLoader {
         }
     }
 
+    /** The kernel's class files as they are loaded here: TornadoVM 6 compiles what it reads, not what the JVM has. */
+    @Override
+    public InputStream getResourceAsStream(String name) {
+        InputStream stream = super.getResourceAsStream(name);
+        if (stream == null || !isLoadedAnew(name.replaceFirst("\\.class$", "").replace('/', '.'))) {
+            return stream;
+        }
+        try (stream) {
+            return new ByteArrayInputStream(withFloatRoots(stream.readAllBytes()));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private boolean isLoadedAnew(String className) {
+        return className.startsWith(KERNEL) || className.equals(entry);
+    }
+
     private Class<?> define(String name) throws ClassNotFoundException {
         try (InputStream stream = getResourceAsStream(name.replace('.', '/') + ".class")) {
             if (stream == null) {
                 throw new ClassNotFoundException(name);
             }
-            byte[] bytes = withFloatRoots(stream.readAllBytes());
+            byte[] bytes = stream.readAllBytes();
             return defineClass(name, bytes, 0, bytes.length);
         } catch (IOException e) {
             throw new UncheckedIOException(e);

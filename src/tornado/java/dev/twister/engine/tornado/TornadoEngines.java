@@ -5,6 +5,7 @@ import dev.twister.engine.EngineProvider;
 import dev.twister.engine.MissingTornado;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import uk.ac.manchester.tornado.api.TornadoBackend;
@@ -22,6 +23,8 @@ public final class TornadoEngines implements EngineProvider {
 
     /** Of a terminal: TornadoVM's messages have some. */
     private static final Pattern COLOURS = Pattern.compile("\u001B\\[[0-9;]*m");
+
+    private static final Map<String, String> BACKENDS = Map.of("OPENCL", "OpenCL", "METAL", "Metal");
 
     private static final String DESCRIPTION = "the kernel compiled by TornadoVM for a device";
 
@@ -66,15 +69,21 @@ public final class TornadoEngines implements EngineProvider {
             for (int index = 0; index < backend.getNumDevices(); index++) {
                 TornadoDevice device = backend.getDevice(index);
                 String id = MissingTornado.TORNADO + ":" + driver + ":" + index;
-                String name =
-                        device.getPhysicalDevice().getDeviceName().strip() + " (" + device.getTornadoVMBackend() + ")";
+                String name = name(device);
                 offers.add(EngineOffer.working(id, name, DESCRIPTION, () -> new TornadoEngine(id, name, device)));
             }
         }
         return offers;
     }
 
+    /** A device's name, its backend and its driver, as a machine may have one device by two drivers. */
+    static String name(TornadoDevice device) {
+        String backend = device.getTornadoVMBackend().name();
+        return device.getPhysicalDevice().getDeviceName().strip() + " (" + BACKENDS.getOrDefault(backend, backend)
+                + ", " + device.getPlatformName().strip() + ")";
+    }
+
     private static EngineOffer impossible(String obstacle) {
-        return EngineOffer.impossible(MissingTornado.TORNADO, "any OpenCL, PTX or CUDA device", DESCRIPTION, obstacle);
+        return EngineOffer.impossible(MissingTornado.TORNADO, "any OpenCL, CUDA or Metal device", DESCRIPTION, obstacle);
     }
 }

@@ -1,5 +1,6 @@
 package dev.twister.engine.tornado;
 
+import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.PixelKernel;
 import java.util.function.Supplier;
@@ -7,6 +8,9 @@ import uk.ac.manchester.tornado.api.annotations.Parallel;
 
 /** What TornadoVM compiles; public for {@link DeviceClassLoader}. */
 public final class TornadoKernel implements Supplier<DrawTask> {
+    /** Few spheres are fewer, and one leaf: all are remembered, and no node waits. */
+    static final int FEW_SCRATCH = Layout.CANDIDATE_STRIDE * 32;
+
     @Override
     public DrawTask get() {
         return TornadoKernel::draw;
@@ -41,7 +45,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
         for (@Parallel int row = 0; row < rows; row++) {
             for (@Parallel int column = 0; column < width; column++) {
                 float[] path = new float[Layout.PATH_LENGTH];
-                float[] scratch = new float[Layout.SCRATCH_LENGTH];
+                float[] scratch = new float[search == Hit.ALL ? FEW_SCRATCH : Layout.SCRATCH_LENGTH];
                 PixelKernel.draw(
                         column,
                         row,

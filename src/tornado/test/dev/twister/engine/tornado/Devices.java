@@ -6,6 +6,7 @@ import dev.twister.engine.EngineOffer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Named;
 import uk.ac.manchester.tornado.api.TornadoRuntime;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
 import uk.ac.manchester.tornado.api.runtime.TornadoRuntimeProvider;
@@ -24,6 +25,17 @@ final class Devices {
                                 .flatMap(offer -> offer.obstacle().stream())
                                 .collect(Collectors.joining("; ")));
         return working;
+    }
+
+    /** Each under the name that says its driver, for parameterized tests. */
+    static List<Named<EngineOffer>> namedOffers() {
+        return offers().stream().map(offer -> Named.of(offer.device(), offer)).toList();
+    }
+
+    static List<Named<TornadoDevice>> named() {
+        return all().stream()
+                .map(device -> Named.of(TornadoEngines.name(device), device))
+                .toList();
     }
 
     static List<TornadoDevice> all() {

@@ -7,15 +7,16 @@ import dev.twister.world.SphereHierarchy;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Named;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
 import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
 
 /**
- * Every helper of the kernel on every device against plain Java, on random input. Devices round square roots and
- * quotients a little differently (TornadoVM asks for fast relaxed maths), hence the tolerances; where rounding decides
- * between hit and miss, a few items may differ altogether.
+ * Every helper of the kernel on every device against plain Java, on random input. Devices may round square roots
+ * and quotients differently, hence the tolerances; where rounding decides between hit and miss, a few items may differ
+ * altogether.
  */
 class HelpersOnDeviceTest {
     private static final int ITEMS = 20_000;
@@ -63,11 +64,13 @@ class HelpersOnDeviceTest {
             new Helper("tone", 4, 2, 1e-2, 0));
 
     static Stream<Object[]> helpersOnDevices() {
-        return Devices.all().stream().flatMap(device -> HELPERS.stream().map(helper -> new Object[] {helper, device}));
+        return Devices.named().stream()
+                .flatMap(device ->
+                        HELPERS.stream().map(helper -> new Object[] {Named.of(helper.name(), helper), device}));
     }
 
-    static List<TornadoDevice> devices() {
-        return Devices.all();
+    static List<Named<TornadoDevice>> devices() {
+        return Devices.named();
     }
 
     @ParameterizedTest(name = "{0} on {1}")

@@ -17,15 +17,10 @@ final class Pictures {
 
     /** At most 1 of 255 away in any channel at all but 1 pixel in 5,000. */
     static void requireSequentials(Engine engine, FrameInput input) {
-        requireSequentials(engine, input, 5000);
-    }
-
-    /** The same at all but 1 pixel in so many. */
-    static void requireSequentials(Engine engine, FrameInput input, int pixelsAnOddOne) {
         int pixels = input.width() * input.rows();
         assertThat(differences(engine, input))
                 .as("pixels of %d x %d that differ from sequential's", input.width(), input.rows())
-                .isLessThanOrEqualTo((pixels + pixelsAnOddOne - 1) / pixelsAnOddOne);
+                .isLessThanOrEqualTo((pixels + 4999) / 5000);
     }
 
     /** How many pixels are more than 1 of 255 away in some channel. */

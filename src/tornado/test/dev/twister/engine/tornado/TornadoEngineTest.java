@@ -3,7 +3,9 @@ package dev.twister.engine.tornado;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.Engine;
+import dev.twister.engine.EngineOffer;
 import dev.twister.image.Frame;
+import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.ToneMap;
@@ -12,9 +14,11 @@ import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
 import dev.twister.world.Positions;
 import dev.twister.world.World;
+import java.util.List;
+import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** What the engine keeps between frames, and sizes that no work group divides. */
 class TornadoEngineTest {
@@ -25,17 +29,25 @@ class TornadoEngineTest {
         return world.snapshot();
     }
 
-    @ParameterizedTest
-    @CsvSource({"1, 1", "17, 3", "3, 17", "1, 64", "101, 57", "257, 13"})
-    void oddSizesAreDrawnWhole(int width, int height) {
-        try (Engine engine = Devices.openFirst()) {
-            Pictures.requireSequentials(engine, input(width, height));
+    static List<Named<EngineOffer>> offers() {
+        return Devices.namedOffers();
+    }
+
+    @ParameterizedTest(name = "on {0}")
+    @MethodSource("offers")
+    void oddSizesAreDrawnWhole(EngineOffer offer) {
+        int[][] sizes = {{1, 1}, {17, 3}, {3, 17}, {1, 64}, {101, 57}, {257, 13}};
+        try (Engine engine = offer.opener().get()) {
+            for (int[] size : sizes) {
+                Pictures.requireSequentials(engine, input(size[0], size[1]));
+            }
         }
     }
 
-    @Test
-    void linearFramesHoldTheRadiance() {
-        try (Engine engine = Devices.openFirst()) {
+    @ParameterizedTest(name = "on {0}")
+    @MethodSource("offers")
+    void linearFramesHoldTheRadiance(EngineOffer offer) {
+        try (Engine engine = offer.opener().get()) {
             Pictures.requireSequentialsRadiance(engine, input(31, 19));
         }
     }
@@ -84,6 +96,15 @@ class TornadoEngineTest {
             FrameInput looks = other.snapshot();
             Pictures.requireSequentials(engine, new FrameInput(input.view(), looks.bodies(), input.panorama()));
             assertThat(engine.plan()).containsSame(plan);
+        }
+    }
+
+    @Test
+    void theMostOfAFewSpheresFitTheirScratch() {
+        for (int spheres = 0; spheres < 100; spheres++) {
+            if (SceneSamples.world(5, spheres).snapshot().hasFewSpheres()) {
+                assertThat(Layout.CANDIDATE_STRIDE * spheres).isLessThanOrEqualTo(TornadoKernel.FEW_SCRATCH);
+            }
         }
     }
 

@@ -17,6 +17,13 @@ class TornadoOptionsTest {
                 .map(line -> line.replaceFirst("^-D", "").split("=", 2))
                 .collect(Collectors.toMap(option -> option[0], option -> option[1]));
 
-        assertThat(launchers).isEqualTo(TornadoOptions.OPTIONS);
+        assertThat(launchers).isEqualTo(TornadoOptions.options(true));
+    }
+
+    @Test
+    void anotherGraalIsToldByItsOwnPrefix() {
+        assertThat(TornadoOptions.options(false))
+                .containsEntry("graal.MethodInlineBailoutLimit", "1000000")
+                .doesNotContainKey("jdk.graal.MethodInlineBailoutLimit");
     }
 }
