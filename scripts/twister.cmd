@@ -32,6 +32,7 @@ if errorlevel 1 goto fail
 rem The user's collector wins: the JVM takes one.
 set collector="@%TWISTER_HOME%\scripts\collector.options"
 for %%V in (JAVA_TOOL_OPTIONS JDK_JAVA_OPTIONS TWISTER_JAVA_OPTIONS _JAVA_OPTIONS) do set %%V 2>nul | findstr /r /c:"-XX:+Use[A-Za-z0-9]*GC\>" >nul && set "collector="
+:run
 if defined sdk goto run_with_sdk
 "%jdk%\bin\java" "@%TWISTER_HOME%\scripts\jvm.options" %collector% %TWISTER_JAVA_OPTIONS% -cp "%jar%;%target%\lib\*" dev.twister.cli.Main %*
 exit /b
@@ -44,10 +45,17 @@ if not exist "%engine%\" mkdir "%engine%"
 if not exist "%engine%\" goto fail
 call :is_engine_built
 if errorlevel 1 call :build_engine
+if errorlevel 2 goto go_without_sdk
 if errorlevel 1 goto fail
 set "TORNADOVM_HOME=%sdk%"
 "%jdk%\bin\java" "@%engine%\argfile" "@%TWISTER_HOME%\scripts\tornado.options" "@%TWISTER_HOME%\scripts\jvm.options" %collector% %TWISTER_JAVA_OPTIONS% -cp "%jar%;%target%\lib\*;%engine%\classes" dev.twister.cli.Main %*
 exit /b
+
+rem A JDK without what the SDK's argument file names (JVMCI, say) still runs everything that needs no device.
+:go_without_sdk
+call :say
+set "sdk="
+goto run
 
 :fail
 call :say
@@ -140,5 +148,5 @@ exit /b 1
 
 :wrong_sdk
 endlocal
-set "message=the TornadoVM SDK in %sdk% does not run on the JDK in %jdk%. Set JAVA_HOME to the JDK that the SDK is made for, or install an SDK made for this one"
-exit /b 1
+set "message=the TornadoVM SDK in %sdk% does not run on the JDK in %jdk%; going on without TornadoVM. Set JAVA_HOME to the JDK that the SDK is made for, or install an SDK made for this one"
+exit /b 2
