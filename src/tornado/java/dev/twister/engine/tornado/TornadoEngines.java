@@ -84,6 +84,7 @@ public final class TornadoEngines implements EngineProvider {
     }
 
     private static EngineOffer impossible(String obstacle) {
-        return EngineOffer.impossible(MissingTornado.TORNADO, "any OpenCL, CUDA or Metal device", DESCRIPTION, obstacle);
+        return EngineOffer.impossible(
+                MissingTornado.TORNADO, "any OpenCL, CUDA or Metal device", DESCRIPTION, obstacle);
     }
 }
