@@ -164,8 +164,9 @@ final class BenchmarkCommand implements Callable<Integer> {
         BenchmarkReport report = run(plan, scene, files);
         files.write(report);
         PrintWriter out = spec.commandLine().getOut();
-        out.println(PaperFolder.write(report, folder, scene.settings().srgb()) + ": " + report.engines().size() + " engines at "
-                + plan.settings().size() + " settings; beside it JSON, CSV, plots and pictures");
+        out.println(PaperFolder.write(report, folder, scene.settings().srgb()) + ": "
+                + report.engines().size() + " engines at " + plan.settings().size()
+                + " settings; beside it JSON, CSV, plots and pictures");
         report.problems().forEach(problem -> out.println("FAILED: " + problem));
         return report.passed() ? Main.OK : Main.FAILED;
     }

@@ -24,7 +24,7 @@ final class SkyOptions {
         return scene.withSkybox(skybox.orElse(scene.skybox()))
                 .withSkyRotation(Ranges.check(
                         "--sky-rotation", rotation.orElse(scene.skyRotationDegrees()), SceneLimits.SKY_ROTATION))
-                .withSkyStrength(Ranges.check(
-                        "--sky-strength", strength.orElse(scene.skyStrength()), SceneLimits.SKY_STRENGTH));
+                .withSkyStrength(
+                        Ranges.check("--sky-strength", strength.orElse(scene.skyStrength()), SceneLimits.SKY_STRENGTH));
     }
 }

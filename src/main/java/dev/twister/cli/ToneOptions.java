@@ -20,10 +20,7 @@ final class ToneOptions {
             description = "clamp, reinhard or aces.")
     private Optional<ToneMap> toneMap = Optional.empty();
 
-    @Option(
-            names = "--srgb",
-            negatable = true,
-            description = "Apply the sRGB transfer function after tone mapping.")
+    @Option(names = "--srgb", negatable = true, description = "Apply the sRGB transfer function after tone mapping.")
     private Optional<Boolean> srgb = Optional.empty();
 
     RenderSettings over(RenderSettings settings) {

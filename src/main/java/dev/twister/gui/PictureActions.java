@@ -140,7 +140,11 @@ final class PictureActions implements AutoCloseable {
 
     private static void record(FrameRecorder running, DrawnPicture picture) {
         Frame frame = picture.frame();
-        running.offer(frame.width(), frame.height(), IntBuffer.wrap(frame.argb()), picture.input().srgb());
+        running.offer(
+                frame.width(),
+                frame.height(),
+                IntBuffer.wrap(frame.argb()),
+                picture.input().srgb());
     }
 
     private static String describe(String what, FrameRecorder.Progress progress) {

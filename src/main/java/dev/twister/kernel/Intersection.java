@@ -53,8 +53,8 @@ public final class Intersection {
         float distance = MISS;
         if (directionY != 0f) {
             float along = (height - originY) / directionY;
-            int inside = isOnSquare(originX + along * directionX, originZ + along * directionZ, size)
-                    & (along > 0f ? 1 : 0);
+            int inside =
+                    isOnSquare(originX + along * directionX, originZ + along * directionZ, size) & (along > 0f ? 1 : 0);
             distance = inside != 0 ? along : MISS;
         }
         return distance;

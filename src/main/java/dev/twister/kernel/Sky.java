@@ -22,8 +22,8 @@ public final class Sky {
         float row = row(path[Layout.DIRECTION], path[Layout.DIRECTION + 1], path[Layout.DIRECTION + 2], height);
         float weight = path[Layout.THROUGHPUT] * properties[Layout.SKY_STRENGTH];
         for (int channel = 0; channel < 3; channel++) {
-            path[Layout.RADIANCE + channel] = path[Layout.RADIANCE + channel]
-                    + weight * radiance(sky, width, height, column, row, channel);
+            path[Layout.RADIANCE + channel] =
+                    path[Layout.RADIANCE + channel] + weight * radiance(sky, width, height, column, row, channel);
         }
     }
 

@@ -67,54 +67,223 @@ public record Scene(
     }
 
     public Scene withName(String newName) {
-        return new Scene(newName, description, camera, light, plane, spheres, skybox, skyRotationDegrees, skyStrength, ambient, settings, physics, pour);
+        return new Scene(
+                newName,
+                description,
+                camera,
+                light,
+                plane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
     }
 
     public Scene withDescription(String newDescription) {
-        return new Scene(name, newDescription, camera, light, plane, spheres, skybox, skyRotationDegrees, skyStrength, ambient, settings, physics, pour);
+        return new Scene(
+                name,
+                newDescription,
+                camera,
+                light,
+                plane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
     }
 
     public Scene withCamera(Camera newCamera) {
-        return new Scene(name, description, newCamera, light, plane, spheres, skybox, skyRotationDegrees, skyStrength, ambient, settings, physics, pour);
+        return new Scene(
+                name,
+                description,
+                newCamera,
+                light,
+                plane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
     }
 
     public Scene withLight(Light newLight) {
-        return new Scene(name, description, camera, newLight, plane, spheres, skybox, skyRotationDegrees, skyStrength, ambient, settings, physics, pour);
+        return new Scene(
+                name,
+                description,
+                camera,
+                newLight,
+                plane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
     }
 
     public Scene withPlane(Plane newPlane) {
-        return new Scene(name, description, camera, light, newPlane, spheres, skybox, skyRotationDegrees, skyStrength, ambient, settings, physics, pour);
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                newPlane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
     }
 
     public Scene withSpheres(List<Sphere> newSpheres) {
-        return new Scene(name, description, camera, light, plane, newSpheres, skybox, skyRotationDegrees, skyStrength, ambient, settings, physics, pour);
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                plane,
+                newSpheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
     }
 
     public Scene withSkybox(Path newSkybox) {
-        return new Scene(name, description, camera, light, plane, spheres, newSkybox, skyRotationDegrees, skyStrength, ambient, settings, physics, pour);
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                plane,
+                spheres,
+                newSkybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
     }
 
     public Scene withSkyRotation(double newSkyRotationDegrees) {
-        return new Scene(name, description, camera, light, plane, spheres, skybox, newSkyRotationDegrees, skyStrength, ambient, settings, physics, pour);
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                plane,
+                spheres,
+                skybox,
+                newSkyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
     }
 
     public Scene withSkyStrength(double newSkyStrength) {
-        return new Scene(name, description, camera, light, plane, spheres, skybox, skyRotationDegrees, newSkyStrength, ambient, settings, physics, pour);
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                plane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                newSkyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
     }
 
     public Scene withAmbient(double newAmbient) {
-        return new Scene(name, description, camera, light, plane, spheres, skybox, skyRotationDegrees, skyStrength, newAmbient, settings, physics, pour);
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                plane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                newAmbient,
+                settings,
+                physics,
+                pour);
     }
 
     public Scene withSettings(RenderSettings newSettings) {
-        return new Scene(name, description, camera, light, plane, spheres, skybox, skyRotationDegrees, skyStrength, ambient, newSettings, physics, pour);
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                plane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                newSettings,
+                physics,
+                pour);
     }
 
     public Scene withPhysics(Physics newPhysics) {
-        return new Scene(name, description, camera, light, plane, spheres, skybox, skyRotationDegrees, skyStrength, ambient, settings, newPhysics, pour);
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                plane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                newPhysics,
+                pour);
     }
 
     public Scene withPour(Pour newPour) {
-        return new Scene(name, description, camera, light, plane, spheres, skybox, skyRotationDegrees, skyStrength, ambient, settings, physics, Optional.of(newPour));
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                plane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                Optional.of(newPour));
     }
 }

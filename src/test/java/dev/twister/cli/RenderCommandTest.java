@@ -146,7 +146,8 @@ class RenderCommandTest {
                 """);
         Path picture = folder.resolve("picture.png");
 
-        assertThat(render(scene.toString(), picture, "--size", "3x2").exitCode()).isZero();
+        assertThat(render(scene.toString(), picture, "--size", "3x2").exitCode())
+                .isZero();
 
         BufferedImage read = ImageIO.read(picture.toFile());
         assertThat(read.getRGB(1, 1)).isEqualTo(0xFF808080);

@@ -45,7 +45,8 @@ class PngWriterTest {
 
         byte[] chunk = {0, 0, 0, 4, 'g', 'A', 'M', 'A', 0, 1, (byte) 0x86, (byte) 0xA0};
         String bytes = new String(Files.readAllBytes(file), StandardCharsets.ISO_8859_1);
-        assertThat(bytes.contains(new String(chunk, StandardCharsets.ISO_8859_1))).isEqualTo(!srgb);
+        assertThat(bytes.contains(new String(chunk, StandardCharsets.ISO_8859_1)))
+                .isEqualTo(!srgb);
         assertThat(bytes.contains("gAMA")).isEqualTo(!srgb);
     }
 

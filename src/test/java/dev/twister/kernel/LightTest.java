@@ -36,7 +36,20 @@ class LightTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0, 0, 1", "0.5, 0.5, 1", "1, 0, 0", "-0.5, 0, 0", "-0.5, -0.5, 1", "-1, 0, 0", "-2, 0, 1", "3, -1, 1", "0.9995, 0, 0", "0.9985, 0, 1", "-0.0005, 0, 1", "0, -0.0015, 0"})
+    @CsvSource({
+        "0, 0, 1",
+        "0.5, 0.5, 1",
+        "1, 0, 0",
+        "-0.5, 0, 0",
+        "-0.5, -0.5, 1",
+        "-1, 0, 0",
+        "-2, 0, 1",
+        "3, -1, 1",
+        "0.9995, 0, 0",
+        "0.9985, 0, 1",
+        "-0.0005, 0, 1",
+        "0, -0.0015, 0"
+    })
     void checkerIsEvenWhereTheFloorsAddUpEven(float x, float z, int even) {
         assertThat(Material.isEvenSquare(x, z)).isEqualTo(even);
     }

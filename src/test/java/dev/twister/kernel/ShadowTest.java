@@ -57,7 +57,9 @@ class ShadowTest {
     })
     void planeHidesTheLightOnTheOtherSide(String where, float x, float y, float lightHeight, float visible) {
         float[] places = {x, lightHeight, 0, 0.01f, 0, 0, 0, 10, 100, 100, 100, 1};
-        assertThat(soft(places, x, y, 0, Layout.FIRST_SPHERE, SAMPLES)).as(where).isEqualTo(visible);
+        assertThat(soft(places, x, y, 0, Layout.FIRST_SPHERE, SAMPLES))
+                .as(where)
+                .isEqualTo(visible);
         assertThat(plain(places, x, y, 0, Layout.FIRST_SPHERE, SAMPLES))
                 .as(where)
                 .isEqualTo(visible);

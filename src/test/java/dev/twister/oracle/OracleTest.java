@@ -63,7 +63,8 @@ class OracleTest {
     void planeHidesALightOnTheOtherSide() {
         Camera down = Camera.of(new Vector3(0, 5, 0), 0, 90, 60);
         Sphere sphere = sphere(0, -3, 0, 1, MATTE);
-        assertThat(middle(down.withPosition(new Vector3(0, -0.5, 0)), 0, MATTE, sphere).red())
+        assertThat(middle(down.withPosition(new Vector3(0, -0.5, 0)), 0, MATTE, sphere)
+                        .red())
                 .isCloseTo(0.5 * 0.1, within(1e-7));
         assertThat(new Oracle(
                                 scene(down.withPosition(new Vector3(0, -0.5, 0)), 0, MATTE, sphere)

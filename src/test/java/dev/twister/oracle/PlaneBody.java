@@ -21,8 +21,7 @@ record PlaneBody(double size, double height, Color evenColor, Color oddColor, do
     boolean separates(Vector from, Vector to) {
         double above = from.y() - height;
         double otherAbove = to.y() - height;
-        return above * otherAbove < 0
-                && isInside(from.plus(to.minus(from).times(above / (above - otherAbove))));
+        return above * otherAbove < 0 && isInside(from.plus(to.minus(from).times(above / (above - otherAbove))));
     }
 
     private boolean isInside(Vector point) {

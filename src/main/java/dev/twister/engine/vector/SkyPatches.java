@@ -73,7 +73,8 @@ final class SkyPatches {
                 }
             }
             VectorMask<Float> met = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.NOTHING);
-            FloatVector throughput = Lanes.all(0f).blend(Lanes.load(t, at + Tile.THROUGHPUT).mul(sky.strength), met);
+            FloatVector throughput =
+                    Lanes.all(0f).blend(Lanes.load(t, at + Tile.THROUGHPUT).mul(sky.strength), met);
             Lanes.fma(throughput, red, Lanes.load(t, at + Tile.RED)).intoArray(t, at + Tile.RED);
             Lanes.fma(throughput, green, Lanes.load(t, at + Tile.GREEN)).intoArray(t, at + Tile.GREEN);
             Lanes.fma(throughput, blue, Lanes.load(t, at + Tile.BLUE)).intoArray(t, at + Tile.BLUE);

@@ -104,7 +104,10 @@ final class SkyRows {
             VectorMask<Float> met =
                     FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.NOTHING);
             FloatVector throughput = FloatVector.zero(Lanes.FLOATS)
-                    .blend(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.THROUGHPUT).mul(sky.strength), met);
+                    .blend(
+                            FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.THROUGHPUT)
+                                    .mul(sky.strength),
+                            met);
             for (int channel = 0; channel < PaddedSky.NUMBERS_A_TEXEL; channel++) {
                 IntVector left = number.add(channel);
                 IntVector right = left.add(PaddedSky.NUMBERS_A_TEXEL);

@@ -82,7 +82,10 @@ final class SkyWindow {
             VectorMask<Float> met =
                     FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.NOTHING);
             FloatVector throughput = FloatVector.zero(Lanes.FLOATS)
-                    .blend(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.THROUGHPUT).mul(strength), met);
+                    .blend(
+                            FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.THROUGHPUT)
+                                    .mul(strength),
+                            met);
             for (int channel = 0; channel < PaddedSky.NUMBERS_A_TEXEL; channel++) {
                 int from = Lanes.BORDER + channel * MOST;
                 IntVector first = IntVector.fromArray(Lanes.INTS, colors, from);
