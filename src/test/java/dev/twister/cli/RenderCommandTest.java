@@ -3,6 +3,7 @@ package dev.twister.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.ChildJvm;
+import dev.twister.image.PngWriter;
 import java.awt.image.BufferedImage;
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -205,6 +206,25 @@ class RenderCommandTest {
         assertThat(bytes("sky-again.png", "--sky-rotation", "360")).isEqualTo(plain);
         assertThat(bytes("dark.png", "--sky-strength", "0")).isNotEqualTo(plain);
         assertThat(bytes("same.png", "--no-srgb")).isEqualTo(plain);
+    }
+
+    @Test
+    void anImagesSkyComesBackAsItIs() throws IOException {
+        PngWriter.write(folder.resolve("gray.png"), 1, 1, new int[] {0x808080}, true);
+        Path scene = Files.writeString(folder.resolve("gray.json"), """
+                {"version": 1,
+                 "camera": {"position": [0, 0, 0], "yaw": 0, "pitch": 0, "fieldOfView": 60},
+                 "light": {"position": [0, -900, 0], "radius": 0.001, "color": [1, 1, 1]},
+                 "plane": {"size": 0.001, "height": -900, "colors": [[0, 0, 0], [0, 0, 0]], "reflectivity": 0},
+                 "skybox": "gray.png", "spheres": []}
+                """);
+        Path picture = folder.resolve("picture.png");
+
+        assertThat(render(scene.toString(), picture, "--size", "3x2").exitCode())
+                .isZero();
+
+        BufferedImage read = ImageIO.read(picture.toFile());
+        assertThat(read.getRGB(1, 1)).isEqualTo(0xFF808080);
     }
 
     @Test
