@@ -32,10 +32,13 @@ class PixelCentersTest {
         double light = 0;
         double x = 0;
         double y = 0;
-        for (int pixel = 0; pixel < SIDE * SIDE; pixel++) {
-            light += radiance[3 * pixel];
-            x += radiance[3 * pixel] * (pixel % SIDE + 0.5);
-            y += radiance[3 * pixel] * (pixel / SIDE + 0.5);
+        for (int row = 0; row < SIDE; row++) {
+            for (int column = 0; column < SIDE; column++) {
+                float red = radiance[3 * (SIDE * row + column)];
+                light += red;
+                x += red * (column + 0.5);
+                y += red * (row + 0.5);
+            }
         }
         assertThat(x / light).isCloseTo(SIDE / 2.0, within(1e-3));
         assertThat(y / light).isCloseTo(SIDE / 2.0, within(1e-3));
