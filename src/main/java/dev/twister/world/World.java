@@ -63,7 +63,12 @@ public final class World {
 
     /** The world at the start, when nothing has been poured yet. */
     public static World of(Scene scene, Skybox sky) {
-        return new World(scene, sky);
+        return of(scene, SceneImages.of(sky));
+    }
+
+    /** The same, of a scene with textures. */
+    public static World of(Scene scene, SceneImages images) {
+        return new World(scene, images.sky());
     }
 
     public Camera camera() {
