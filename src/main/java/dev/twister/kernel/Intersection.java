@@ -36,6 +36,25 @@ public final class Intersection {
     }
 
     /**
+     * Distance to the far side of a sphere, which is what a ray from inside meets; {@link #MISS} where the ray passes it, or
+     * where the far side is not in front. The center is seen from the ray's origin.
+     */
+    public static float sphereFromInside(
+            float x, float y, float z, float radius, float directionX, float directionY, float directionZ) {
+        float along = x * directionX + y * directionY + z * directionZ;
+        float acrossX = x - along * directionX;
+        float acrossY = y - along * directionY;
+        float acrossZ = z - along * directionZ;
+        float halfChordSquared = radius * radius - (acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ);
+        float distance = MISS;
+        if (halfChordSquared >= 0f) {
+            float far = along + (float) Math.sqrt(halfChordSquared);
+            distance = far > 0f ? far : MISS;
+        }
+        return distance;
+    }
+
+    /**
      * Distance to the square ground, from above or below, its border inside; {@link #MISS} elsewhere.
      *
      * @param height the plane's, in meters

@@ -3,6 +3,7 @@ package dev.twister.world;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
+import dev.twister.scene.Material;
 import dev.twister.scene.Plane;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Rgb;
@@ -20,6 +21,7 @@ public final class World {
 
     private final Panorama panorama;
     private final float[] looks;
+    private final int materials;
     private final Rgb planeOddColor;
     private final double ambient;
     private final double skyTurn;
@@ -31,34 +33,35 @@ public final class World {
     private Camera camera;
     private RenderSettings settings;
     private float[] shadowDisc;
-    private float[] pixelOffsets;
+    private float[] pixelSamples;
 
-    private World(Scene scene, Skybox sky) {
+    private World(Scene scene, SceneImages images) {
         List<Sphere> spheres = scene.allSpheres();
         bodies = Layout.FIRST_SPHERE + scene.spheres().size();
         int room = Layout.FIRST_SPHERE + spheres.size();
         places = new float[Layout.PLACE_STRIDE * room];
         looks = new float[Layout.LOOK_STRIDE * room];
         Light light = scene.light();
-        put(Layout.LIGHT, light.position(), light.radius(), light.color(), 0);
+        put(Layout.LIGHT, light.position(), light.radius(), Material.DEFAULT.withColor(light.color()), 0);
         Plane plane = scene.plane();
-        put(Layout.PLANE, new Vector3(0, plane.height(), 0), plane.size(), plane.evenColor(), plane.reflectivity());
+        TexelTable texels = new TexelTable(images);
+        Vector3 middle = new Vector3(0, plane.height(), 0);
+        put(Layout.PLANE, middle, plane.size(), plane.material(), texels.number(plane.material()));
         int body = Layout.FIRST_SPHERE;
         for (Sphere sphere : spheres) {
-            put(body++, sphere.position(), sphere.radius(), sphere.color(), sphere.reflectivity());
+            Material material = sphere.material();
+            put(body++, sphere.position(), sphere.radius(), material, texels.number(material));
         }
+        materials = Bodies.materials(looks);
         planeOddColor = plane.oddColor();
         ambient = scene.ambient();
         skyTurn = scene.skyRotationDegrees() / DEGREES_PER_TURN;
         skyStrength = scene.skyStrength();
-        int[] skyDimensions = new int[Layout.SKY_DIMENSIONS_LENGTH];
-        skyDimensions[Layout.SKY_WIDTH] = sky.width();
-        skyDimensions[Layout.SKY_HEIGHT] = sky.height();
-        panorama = new Panorama(sky.radiance(), skyDimensions);
+        panorama = texels.panorama();
         camera = scene.camera();
         settings = scene.settings();
         shadowDisc = SunflowerDisc.points(settings.shadowSamples());
-        pixelOffsets = PixelOffsets.places(settings.samplesPerPixel());
+        pixelSamples = PixelSamples.of(settings.samplesPerPixel());
     }
 
     /** The world at the start, when nothing has been poured yet. */
@@ -68,7 +71,7 @@ public final class World {
 
     /** The same, of a scene with textures. */
     public static World of(Scene scene, SceneImages images) {
-        return new World(scene, images.sky());
+        return new World(scene, images);
     }
 
     public Camera camera() {
@@ -88,7 +91,7 @@ public final class World {
             shadowDisc = SunflowerDisc.points(newSettings.shadowSamples());
         }
         if (newSettings.samplesPerPixel() != settings.samplesPerPixel()) {
-            pixelOffsets = PixelOffsets.places(newSettings.samplesPerPixel());
+            pixelSamples = PixelSamples.of(newSettings.samplesPerPixel());
         }
         settings = newSettings;
     }
@@ -126,8 +129,8 @@ public final class World {
             hierarchyHolds = true;
         }
         return new FrameInput(
-                new View(dimensions(), CameraBasis.of(camera), properties(), shadowDisc, pixelOffsets),
-                new Bodies(places, looks, hierarchy),
+                new View(dimensions(), CameraBasis.of(camera), properties(), shadowDisc, pixelSamples),
+                new Bodies(places, looks, hierarchy, materials),
                 panorama);
     }
 
@@ -156,15 +159,22 @@ public final class World {
         return properties;
     }
 
-    private void put(int body, Vector3 position, double size, Rgb color, double reflectivity) {
+    private void put(int body, Vector3 position, double size, Material material, int texture) {
         int place = Layout.PLACE_STRIDE * body;
         places[place] = (float) position.x();
         places[place + 1] = (float) position.y();
         places[place + 2] = (float) position.z();
         places[place + Layout.PLACE_SIZE] = (float) size;
         int look = Layout.LOOK_STRIDE * body;
-        putColor(looks, look, color);
-        looks[look + Layout.LOOK_REFLECTIVITY] = (float) reflectivity;
+        putColor(looks, look, material.color());
+        float reflectivity = (float) material.reflectivity();
+        float transmission = (float) material.transmission();
+        looks[look + Layout.LOOK_REFLECTIVITY] = reflectivity;
+        looks[look + Layout.LOOK_TRANSMISSION] = transmission;
+        // What has no effect stays 0, so that the body counts as plain.
+        looks[look + Layout.LOOK_ROUGHNESS] = reflectivity > 0 || transmission > 0 ? (float) material.roughness() : 0;
+        looks[look + Layout.LOOK_IOR] = transmission > 0 ? (float) material.ior() : 0;
+        looks[look + Layout.LOOK_TEXTURE] = texture;
     }
 
     private static void putColor(float[] array, int at, Rgb color) {

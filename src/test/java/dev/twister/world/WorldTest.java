@@ -131,7 +131,7 @@ class WorldTest {
         assertThat(after.bodies().looks()).isSameAs(before.bodies().looks());
         assertThat(after.panorama()).isSameAs(before.panorama());
         assertThat(after.view().shadowDisc()).isSameAs(before.view().shadowDisc());
-        assertThat(after.view().pixelOffsets()).isSameAs(before.view().pixelOffsets());
+        assertThat(after.view().pixelSamples()).isSameAs(before.view().pixelSamples());
         assertThat(after.bodies().hierarchy()).isSameAs(before.bodies().hierarchy());
     }
 
@@ -153,6 +153,6 @@ class WorldTest {
     void tablesFollowTheirCounts() {
         world.setSettings(world.settings().withShadows(9).withSamplesPerPixel(4));
         assertThat(world.snapshot().view().shadowDisc()).isEqualTo(SunflowerDisc.points(9));
-        assertThat(world.snapshot().view().pixelOffsets()).isEqualTo(PixelOffsets.places(4));
+        assertThat(world.snapshot().view().pixelSamples()).isEqualTo(PixelSamples.of(4));
     }
 }

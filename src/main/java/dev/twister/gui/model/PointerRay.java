@@ -26,10 +26,12 @@ record PointerRay(float[] path, int body) {
         int body = Hit.find(
                 path,
                 input.bodies().places(),
+                input.bodies().looks(),
                 input.bodies().hierarchy(),
                 input.bodyCount(),
                 new float[Layout.SCRATCH_LENGTH],
-                HitSearch.of(input));
+                HitSearch.of(input),
+                input.bodies().materials());
         return new PointerRay(path, body);
     }
 

@@ -124,7 +124,7 @@ final class DeclinedTest {
         properties[Layout.TONE_MAP] = 99;
         View view = known.view();
         FrameInput unknown = new FrameInput(
-                new View(view.dimensions(), view.camera(), properties, view.shadowDisc(), view.pixelOffsets()),
+                new View(view.dimensions(), view.camera(), properties, view.shadowDisc(), view.pixelSamples()),
                 known.bodies(),
                 known.panorama());
         Drawing drawing = new Drawing();

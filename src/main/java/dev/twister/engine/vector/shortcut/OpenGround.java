@@ -58,11 +58,11 @@ public final class OpenGround {
     /** Writes where the view rays meet the plane. */
     static void meet(Tile tile, Drawing drawing) {
         float[] camera = drawing.input.view().camera();
-        float[] offsets = drawing.input.view().pixelOffsets();
+        float[] offsets = drawing.input.view().pixelSamples();
         float step = drawing.viewportStep;
-        float u = (tile.left + offsets[2 * tile.sample] - drawing.width * 0.5f) * step;
+        float u = (tile.left + offsets[Layout.SAMPLE_STRIDE * tile.sample] - drawing.width * 0.5f) * step;
         float top = drawing.input.firstRow() + tile.top;
-        float v = (drawing.input.height() * 0.5f - (top + offsets[2 * tile.sample + 1])) * step;
+        float v = (drawing.input.height() * 0.5f - (top + offsets[Layout.SAMPLE_STRIDE * tile.sample + 1])) * step;
         float firstX = CameraLanes.turned(u, v, camera, 0);
         float firstY = CameraLanes.turned(u, v, camera, 1);
         float firstZ = CameraLanes.turned(u, v, camera, 2);

@@ -1,0 +1,50 @@
+package dev.twister.kernel;
+
+/** Numbers in [0, 1) that look random, and are the same on every engine and in every run. */
+public final class Noise {
+    private static final int BITS = 0xffff;
+
+    /** Shifts are multiples of it. */
+    private static final float STEP = 0x1p-16f;
+
+    private Noise() {}
+
+    /**
+     * A number of the path's sample, shifted by a hash of the pixel and the number's place, so that neighbors do not share
+     * their noise.
+     *
+     * @param path with {@link Layout#PIXEL_COLUMN}, {@link Layout#PIXEL_ROW} and {@link Layout#PIXEL_SAMPLE}
+     * @param pixelSamples {@link Layout#SAMPLE_STRIDE} floats a sample
+     * @param place from {@link Layout#SAMPLE_LENS} to before {@link Layout#SAMPLE_STRIDE}
+     */
+    static float number(float[] path, float[] pixelSamples, int place) {
+        float number = pixelSamples[(int) path[Layout.PIXEL_SAMPLE] + place]
+                + STEP * hash((int) path[Layout.PIXEL_COLUMN], (int) path[Layout.PIXEL_ROW], place);
+        return number >= 1f ? number - 1f : number;
+    }
+
+    /**
+     * Where in a sample the pair of numbers for the surface is that a path meets after that many bounces.
+     *
+     * @param bounce 0 or more
+     */
+    static int surface(int bounce) {
+        return Layout.SAMPLE_SURFACE + 2 * (bounce - bounce / Layout.SAMPLE_SURFACES * Layout.SAMPLE_SURFACES);
+    }
+
+    /**
+     * In [0, 65536).
+     *
+     * @param column in [0, 65536), as row and place
+     */
+    static int hash(int column, int row, int place) {
+        return mixed(mixed(mixed(column) ^ row) ^ mixed(place));
+    }
+
+    /** Products stay below 2^31: an overflow is not defined on every device. */
+    private static int mixed(int value) {
+        int product = (value ^ 0x5bd1) * 31153 + 27183;
+        product = ((product ^ (product >> 15)) & BITS) * 28411 + 12289;
+        return (product ^ (product >> 14)) & BITS;
+    }
+}
