@@ -19,7 +19,7 @@ import picocli.CommandLine.Spec;
 /** {@code twister scene}: makes scenes, and checks them. */
 @Command(
         name = "scene",
-        description = "Makes a scene of many spheres, or checks a scene file and its skybox.",
+        description = "Makes a scene of many spheres, or checks a scene file, its skybox and its textures.",
         footer = {
             "",
             "Examples:",
@@ -79,8 +79,10 @@ final class SceneCommand implements Callable<Integer> {
     private String check(String name) {
         Path file = SceneFiles.find(name);
         Scene scene = SceneReader.read(file);
-        SkyFiles.read(scene.skybox(), spec.commandLine().getErr());
-        return file + ": valid, " + spheres(scene);
+        SkyFiles.readAll(scene, spec.commandLine().getErr());
+        return file + ": valid, " + spheres(scene)
+                + also(scene.materials().size(), "material")
+                + also(scene.textures().size(), "texture");
     }
 
     private String generate(Generation wanted) throws IOException {
@@ -93,6 +95,10 @@ final class SceneCommand implements Callable<Integer> {
         Scene scene = SceneGenerator.spheres(wanted.count, wanted.seed, skybox);
         SceneWriter.write(scene, wanted.output);
         return wanted.output + ": " + spheres(scene);
+    }
+
+    private static String also(int count, String what) {
+        return count == 0 ? "" : ", " + count + " " + what + (count == 1 ? "" : "s");
     }
 
     private static String spheres(Scene scene) {
