@@ -58,8 +58,8 @@ final class SceneCommand implements Callable<Integer> {
         @Option(names = "--seed", paramLabel = "S", description = "Another number, another scene; 1 where not said.")
         private long seed = 1;
 
-        @Option(names = "--skybox", paramLabel = "FILE", description = "The panorama; the day sky where not said.")
-        private Optional<Path> skybox = Optional.empty();
+        @ArgGroup(exclusive = false)
+        private SkyOptions sky = new SkyOptions();
 
         @Option(
                 names = {"-o", "--output"},
@@ -88,11 +88,11 @@ final class SceneCommand implements Callable<Integer> {
     private String generate(Generation wanted) throws IOException {
         Ranges.check("--spheres", wanted.count, 1, SceneGenerator.MAX_SPHERES);
         OutputFile.check("--output", wanted.output);
-        Path skybox = wanted.skybox.orElseGet(() -> Home.skyboxes().resolve(ShippedSky.DAY.fileName()));
-        OutputFile.checkKeeps("--output", wanted.output, skybox);
+        Path day = Home.skyboxes().resolve(ShippedSky.DAY.fileName());
+        Scene scene = wanted.sky.over(SceneGenerator.spheres(wanted.count, wanted.seed, day));
+        OutputFile.checkKeeps("--output", wanted.output, scene.skybox());
         // As --check does: a scene that no command can draw is not to be written.
-        SkyFiles.read(skybox, spec.commandLine().getErr());
-        Scene scene = SceneGenerator.spheres(wanted.count, wanted.seed, skybox);
+        SkyFiles.read(scene.skybox(), spec.commandLine().getErr());
         SceneWriter.write(scene, wanted.output);
         return wanted.output + ": " + spheres(scene);
     }
