@@ -17,7 +17,7 @@ record NamedMaterials(SequencedMap<String, Material> byName, Map<Material, Strin
 
     /** Whether one of the scene's materials is that one. */
     boolean have(Material material) {
-        return names.containsKey(material);
+        return !names.isEmpty() && names.containsKey(material);
     }
 
     @Override

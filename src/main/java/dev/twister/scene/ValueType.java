@@ -190,7 +190,11 @@ sealed interface ValueType<T>
 
         @Override
         public int version(List<T> value) {
-            return value.stream().mapToInt(item::version).max().orElse(1);
+            int version = 1;
+            for (T each : value) {
+                version = Math.max(version, item.version(each));
+            }
+            return version;
         }
     }
 
@@ -289,11 +293,13 @@ sealed interface ValueType<T>
 
         @Override
         public int version(R value) {
-            return fields.stream()
-                    .filter(field -> !field.isLeftOut(value, defaults))
-                    .mapToInt(field -> field.version(value))
-                    .max()
-                    .orElse(1);
+            int version = 1;
+            for (Field<R, ?> field : fields) {
+                if (!field.isLeftOut(value, defaults)) {
+                    version = Math.max(version, field.version(value));
+                }
+            }
+            return version;
         }
 
         /** The fields that are written, as JSON. */
