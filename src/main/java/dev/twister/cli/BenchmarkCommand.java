@@ -186,7 +186,7 @@ final class BenchmarkCommand implements Callable<Integer> {
         files.check();
         Path file = SceneFiles.find(sceneName);
         Scene scene = SceneReader.read(file);
-        files.checkKeeps(file, scene.skybox());
+        files.checkKeeps(SkyFiles.inputs(file, scene));
         BenchmarkReport report = run(plan, scene, files);
         spec.commandLine().getOut().println(ReportTable.of(report));
         files.write(report);
@@ -194,8 +194,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     }
 
     private BenchmarkReport run(BenchmarkPlan plan, Scene scene, ReportFiles files) {
-        World world =
-                World.of(scene, SkyFiles.read(scene.skybox(), spec.commandLine().getErr()));
+        World world = World.of(scene, SkyFiles.readAll(scene, spec.commandLine().getErr()));
         Optional<MotionPlan> moving = motion.isOn()
                 ? Optional.of(new MotionPlan(scene, motion.startSeconds(), motion.secondsPerFrame()))
                 : Optional.empty();

@@ -346,14 +346,14 @@ public final class Studio implements AutoCloseable {
     }
 
     /**
-     * Reads a scene and its sky, and shows nothing yet; any thread may do so.
+     * Reads a scene, its sky and its textures, and shows nothing yet; any thread may do so.
      *
      * @throws dev.twister.scene.SceneException where it is not a scene
-     * @throws dev.twister.sky.SkyException where its sky cannot be read
+     * @throws dev.twister.sky.SkyException where its sky or a texture cannot be read
      */
     public OpenedScene read(Path scenesFile) {
         Scene read = SceneReader.read(scenesFile);
-        skies.refresh(read.skybox());
+        skies.refresh(read);
         return new OpenedScene(scenesFile, read);
     }
 

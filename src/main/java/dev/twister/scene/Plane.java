@@ -44,6 +44,10 @@ public record Plane(double size, double height, Rgb oddColor, Material material)
         return new Plane(size, height, newOddColor, material.withColor(newEvenColor));
     }
 
+    public Plane withOddColor(Rgb newOddColor) {
+        return new Plane(size, height, newOddColor, material);
+    }
+
     public Plane withReflectivity(double newReflectivity) {
         return withMaterial(material.withReflectivity(newReflectivity));
     }

@@ -4,6 +4,7 @@ import dev.twister.scene.Scene;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
+import dev.twister.world.SceneImages;
 import dev.twister.world.World;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -16,6 +17,7 @@ final class LivingWorld implements AutoCloseable {
     private static final float GREY = 0.5f;
 
     private final SkyShelf skies;
+    private final LivingTextures textures;
     private final MovingBodies moving = new MovingBodies();
     private Motion motion = Motion.NONE;
     private Optional<Scene> scene = Optional.empty();
@@ -28,6 +30,7 @@ final class LivingWorld implements AutoCloseable {
 
     LivingWorld(SkyShelf skies) {
         this.skies = skies;
+        textures = new LivingTextures(skies);
     }
 
     /**
@@ -36,14 +39,14 @@ final class LivingWorld implements AutoCloseable {
      * @param nanos now, by {@link System#nanoTime}
      */
     FrameInput snapshot(Scene wanted, Motion wantedMotion, int width, int height, long nanos) {
-        boolean sameSky = !chooseSky(wanted.skybox());
+        boolean sameImages = !chooseSky(wanted.skybox()) && !textures.areOld();
         // A world whose bodies have moved is not one in which they stand.
         boolean sameKind = motion.isOn() == wantedMotion.isOn();
         motion = wantedMotion;
-        World now = world.filter(_ -> sameSky
+        World now = world.filter(_ -> sameImages
                         && sameKind
                         && scene.filter(old -> hasSameBodies(old, wanted)).isPresent())
-                .orElseGet(() -> World.of(wanted, sky));
+                .orElseGet(() -> World.of(wanted, new SceneImages(sky, textures.of(wanted))));
         now.setCamera(wanted.camera());
         now.setSettings(wanted.settings().withSize(width, height));
         moving.place(wanted, wantedMotion, now, nanos);
@@ -55,9 +58,9 @@ final class LivingWorld implements AutoCloseable {
         return snapshot;
     }
 
-    /** Why the scene's own sky is not seen, where it is not. */
+    /** Why the scene's own sky, or a texture, is not seen, where it is not. */
     Optional<String> complaint() {
-        return complaint;
+        return complaint.or(textures::complaint);
     }
 
     /** Lets go of what moves the bodies. */
