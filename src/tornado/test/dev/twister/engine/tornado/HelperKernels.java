@@ -112,7 +112,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
     static void hitItems(float[] in, float[] places, float[] hierarchy, float[] looks, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             float[] path = new float[Layout.PATH_LENGTH];
-            float[] scratch = new float[Layout.SCRATCH_LENGTH];
+            float[] scratch = new float[Layout.PLAIN_SCRATCH_LENGTH];
             path[Layout.ORIGIN] = in[8 * i];
             path[Layout.ORIGIN + 1] = in[8 * i + 1];
             path[Layout.ORIGIN + 2] = in[8 * i + 2];
@@ -134,7 +134,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
     static void walkItems(float[] in, float[] places, float[] hierarchy, float[] looks, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             float[] path = new float[Layout.PATH_LENGTH];
-            float[] scratch = new float[Layout.SCRATCH_LENGTH];
+            float[] scratch = new float[Layout.PLAIN_SCRATCH_LENGTH];
             path[Layout.ORIGIN] = in[8 * i];
             path[Layout.ORIGIN + 1] = in[8 * i + 1];
             path[Layout.ORIGIN + 2] = in[8 * i + 2];
@@ -223,7 +223,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
     static void shadowItems(float[] in, float[] disc, float[] hierarchy, float[] looks, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             float[] path = new float[Layout.PATH_LENGTH];
-            float[] scratch = new float[Layout.SCRATCH_LENGTH];
+            float[] scratch = new float[Layout.SCRATCH_RAYS];
             float[] places = new float[2 * Layout.PLACE_STRIDE];
             float[] properties = new float[Layout.PROPERTIES_LENGTH];
             path[Layout.POINT] = in[11 * i];
