@@ -16,7 +16,8 @@ public final class Intersection {
     /**
      * Distance to the near side of a sphere; {@link #MISS} where the ray passes it, or where the near side is not in
      * front. The discriminant comes from the ray's perpendicular distance to the center, which keeps its digits where
-     * the sphere is small and far.
+     * the sphere is small and far. Whether the origin is outside is asked of the origin alone: for one on the surface, it
+     * is the same in all directions.
      *
      * @param x the center, seen from the ray's origin
      */
@@ -30,7 +31,8 @@ public final class Intersection {
         float distance = MISS;
         if (halfChordSquared >= 0f) {
             float near = along - (float) Math.sqrt(halfChordSquared);
-            distance = near > 0f ? near : MISS;
+            int inFront = (along > 0f ? 1 : 0) & (x * x + y * y + z * z > radius * radius ? 1 : 0);
+            distance = inFront != 0 ? Math.max(near, 0f) : MISS;
         }
         return distance;
     }

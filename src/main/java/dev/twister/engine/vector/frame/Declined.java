@@ -17,6 +17,12 @@ public final class Declined {
     /** A camera this near to a surface, in radii, may be inside. */
     private static final float INSIDE = 1.0001f;
 
+    /**
+     * Of a squared radius: where the square of the camera's distance from the center is as near to it, lanes' distances to the
+     * sphere are above or below 0 by rounding alone.
+     */
+    private static final float ROUNDING = 2e-6f;
+
     private final IntPredicate bodies;
     private final BodyList occluders = new BodyList();
     private boolean[] declined = {};
@@ -46,7 +52,27 @@ public final class Declined {
                 || toneMap > Tone.ACES
                 || occluders.count > MOST_OCCLUDERS
                 || input.view().camera()[Layout.CAMERA_APERTURE] > 0
-                || isCameraInside(input);
+                || isCameraInside(input)
+                || isCameraOnASurface(input);
+    }
+
+    private static boolean isCameraOnASurface(FrameInput input) {
+        float[] places = input.bodies().places();
+        float[] camera = input.view().camera();
+        float cameraX = camera[Layout.CAMERA_POSITION];
+        float cameraY = camera[Layout.CAMERA_POSITION + 1];
+        float cameraZ = camera[Layout.CAMERA_POSITION + 2];
+        boolean on = false;
+        int end = Layout.PLACE_STRIDE * input.bodyCount();
+        for (int place = 0; place < end && !on; place += Layout.PLACE_STRIDE) {
+            float x = places[place] - cameraX;
+            float y = places[place + 1] - cameraY;
+            float z = places[place + 2] - cameraZ;
+            float radiusSquared = places[place + Layout.PLACE_SIZE] * places[place + Layout.PLACE_SIZE];
+            on = Math.abs(x * x + y * y + z * z - radiusSquared) <= ROUNDING * radiusSquared
+                    && place != Layout.PLACE_STRIDE * Layout.PLANE;
+        }
+        return on;
     }
 
     private void takeBodies() {

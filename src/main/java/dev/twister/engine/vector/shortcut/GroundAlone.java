@@ -93,11 +93,10 @@ public final class GroundAlone {
             tile.grounds.add(at);
             tile.surfaces.add(at);
             FloatVector along = Lanes.all(down).div(Lanes.load(t, at + Tile.DIRECTION_Y));
-            Lanes.fma(along, Lanes.load(t, at + Tile.DIRECTION_X), Lanes.all(fromX))
-                    .intoArray(t, at + Tile.POINT_X);
+            // Rounded as the kernel's points are: far away, rounding decides which check is met.
+            Lanes.load(t, at + Tile.DIRECTION_X).mul(along).add(fromX).intoArray(t, at + Tile.POINT_X);
             Lanes.all(height).intoArray(t, at + Tile.POINT_Y);
-            Lanes.fma(along, Lanes.load(t, at + Tile.DIRECTION_Z), Lanes.all(fromZ))
-                    .intoArray(t, at + Tile.POINT_Z);
+            Lanes.load(t, at + Tile.DIRECTION_Z).mul(along).add(fromZ).intoArray(t, at + Tile.POINT_Z);
             Lanes.all(Layout.PLANE).intoArray(t, at + Tile.HIT);
             Lanes.all(1f).intoArray(t, at + Tile.THROUGHPUT);
         }

@@ -19,11 +19,17 @@ import jdk.incubator.vector.VectorOperators;
  * division serves it and the light's cosine. All lanes are drawn, those beyond the frame's edge as well.
  */
 public final class OpenGround {
+    /** How far from the y axis, in meters: beyond, this rounding and the kernel's meet other checks in too many pixels. */
+    static final float REACH = 256f;
+
     private OpenGround() {}
+
+    /** In meters: below, products of distances to eye and light may be 0, by which nothing is to be divided. */
+    private static final float LEAST_HEIGHT = 1e-6f;
 
     /** Whether there can be such tiles in a frame: eye and light are above the ground, so that no cosine is below 0. */
     static boolean suits(Drawing drawing) {
-        return eyeHeight(drawing) > 0f && lightHeight(drawing) > 0f;
+        return eyeHeight(drawing) > LEAST_HEIGHT && lightHeight(drawing) > LEAST_HEIGHT;
     }
 
     private static float eyeHeight(Drawing drawing) {
