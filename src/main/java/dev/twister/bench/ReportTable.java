@@ -44,8 +44,20 @@ public final class ReportTable {
     }
 
     private static List<String> heading(BenchmarkReport report) {
-        MachineInfo machine = report.machine();
         BenchmarkPlan plan = report.plan();
+        String measured = String.format(
+                Locale.ROOT,
+                "scene %s%s; up to %d + %d frames in %s s",
+                report.scene(),
+                plan.hasOneFigure() ? ", " + plan.settings().getFirst().shading() : "",
+                plan.warmupFrames(),
+                plan.frames(),
+                ReportNumbers.shortest(plan.maxSeconds()));
+        return joined(machine(report.machine()), List.of(measured));
+    }
+
+    /** What it ran on, in two lines. */
+    static List<String> machine(MachineInfo machine) {
         return List.of(
                 String.format(
                         Locale.ROOT,
@@ -63,15 +75,7 @@ public final class ReportTable {
                         machine.jit(),
                         machine.tornadoVm()
                                 .map(version -> ", TornadoVM " + version)
-                                .orElse("")),
-                String.format(
-                        Locale.ROOT,
-                        "scene %s%s; up to %d + %d frames in %s s",
-                        report.scene(),
-                        plan.hasOneFigure() ? ", " + plan.settings().getFirst().shading() : "",
-                        plan.warmupFrames(),
-                        plan.frames(),
-                        ReportNumbers.shortest(plan.maxSeconds())));
+                                .orElse("")));
     }
 
     private static List<String> table(BenchmarkReport report) {

@@ -8,8 +8,6 @@ import dev.twister.bench.PaperFolder;
 import dev.twister.bench.PaperPlan;
 import dev.twister.bench.ReportTable;
 import dev.twister.engine.EngineOffer;
-import dev.twister.engine.Engines;
-import dev.twister.engine.auto.FastestEngine;
 import dev.twister.image.PictureSize;
 import dev.twister.physics.Simulation;
 import dev.twister.scene.Scene;
@@ -23,7 +21,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -223,21 +220,9 @@ final class BenchmarkCommand implements Callable<Integer> {
     }
 
     private List<String> engineIds() {
-        List<EngineOffer> offers = Engines.offers();
-        if (engines.isEmpty()) {
-            return offers.stream()
-                    .filter(EngineOffer::works)
-                    .map(EngineOffer::id)
-                    .filter(id -> !id.equals(FastestEngine.AUTO))
-                    .toList();
-        }
-        // An error in the last name should not come out after minutes of measuring the others.
-        return engines.stream()
-                .map(name -> Engines.find(offers, name)
-                        .map(EngineOffer::id)
-                        .orElseThrow(() -> new BadInputException("--engine is '" + name + "', but must be one of "
-                                + offers.stream().map(EngineOffer::id).collect(Collectors.joining(", ")))))
-                .distinct()
+        return EngineNames.chosen(engines).stream()
+                .filter(offer -> !engines.isEmpty() || offer.works())
+                .map(EngineOffer::id)
                 .toList();
     }
 }
