@@ -87,6 +87,11 @@ public final class ReportTable {
             List<String> row = row(report, measurement);
             rows.add(moving ? joined(row, motion(measurement)) : row);
         }
+        return aligned(rows);
+    }
+
+    /** Rows as lines, the first three columns to the left. */
+    static List<String> aligned(List<List<String>> rows) {
         int[] widths = IntStream.range(0, rows.getFirst().size())
                 .map(column -> rows.stream()
                         .mapToInt(row -> row.get(column).length())
@@ -138,7 +143,7 @@ public final class ReportTable {
         return speedup.map(factor -> ReportNumbers.legible(factor, 2)).orElse("-");
     }
 
-    private static String shortened(String device) {
+    static String shortened(String device) {
         return device.length() <= MAX_DEVICE_LENGTH ? device : device.substring(0, MAX_DEVICE_LENGTH - 1) + "…";
     }
 }
