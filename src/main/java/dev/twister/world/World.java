@@ -18,6 +18,7 @@ import java.util.List;
 public final class World {
     private static final double DEGREES_PER_TURN = 360;
 
+    private final Vector3 origin;
     private final Panorama panorama;
     private final float[] looks;
     private final Rgb planeOddColor;
@@ -34,6 +35,7 @@ public final class World {
     private float[] pixelOffsets;
 
     private World(Scene scene, Skybox sky) {
+        origin = Origin.near(scene.camera().position());
         List<Sphere> spheres = scene.allSpheres();
         bodies = Layout.FIRST_SPHERE + scene.spheres().size();
         int room = Layout.FIRST_SPHERE + spheres.size();
@@ -66,6 +68,16 @@ public final class World {
         return new World(scene, sky);
     }
 
+    /** Where the coordinates of its snapshots begin, in the scene's own: near the scene's camera. */
+    public Vector3 origin() {
+        return origin;
+    }
+
+    /** Whether its coordinates begin near enough to that camera; else another world of the scene is drawn better. */
+    public boolean isNear(Camera other) {
+        return Origin.isNear(origin, other.position());
+    }
+
     public Camera camera() {
         return camera;
     }
@@ -91,7 +103,8 @@ public final class World {
     /**
      * Moves the bodies.
      *
-     * @param positions {@code float[3 * room]}: the centers of the light, the plane and all spheres, poured or not
+     * @param positions {@code float[3 * room]}: the centers of the light, the plane and all spheres, poured or not,
+     *     seen from the {@link #origin}
      * @param newBodies how many of them are there, light and plane included
      * @throws IllegalArgumentException where the length is another one, or there cannot be so many bodies
      */
@@ -120,10 +133,10 @@ public final class World {
             hierarchy = SphereHierarchy.of(places, bodies);
             hierarchyHolds = true;
         }
+        Bodies moved = new Bodies(places, looks, hierarchy, origin);
+        Camera seen = camera.withPosition(moved.seen(camera.position()));
         return new FrameInput(
-                new View(dimensions(), CameraBasis.of(camera), properties(), shadowDisc, pixelOffsets),
-                new Bodies(places, looks, hierarchy),
-                panorama);
+                new View(dimensions(), CameraBasis.of(seen), properties(), shadowDisc, pixelOffsets), moved, panorama);
     }
 
     private int[] dimensions() {
@@ -153,9 +166,9 @@ public final class World {
 
     private void put(int body, Vector3 position, double size, Rgb color, double reflectivity) {
         int place = Layout.PLACE_STRIDE * body;
-        places[place] = (float) position.x();
-        places[place + 1] = (float) position.y();
-        places[place + 2] = (float) position.z();
+        places[place] = (float) (position.x() - origin.x());
+        places[place + 1] = (float) (position.y() - origin.y());
+        places[place + 2] = (float) (position.z() - origin.z());
         places[place + Layout.PLACE_SIZE] = (float) size;
         int look = Layout.LOOK_STRIDE * body;
         putColor(looks, look, color);

@@ -40,8 +40,9 @@ final class LivingWorld implements AutoCloseable {
         // A world whose bodies have moved is not one in which they stand.
         boolean sameKind = motion.isOn() == wantedMotion.isOn();
         motion = wantedMotion;
-        World now = world.filter(_ -> sameSky
+        World now = world.filter(before -> sameSky
                         && sameKind
+                        && before.isNear(wanted.camera())
                         && scene.filter(old -> hasSameBodies(old, wanted)).isPresent())
                 .orElseGet(() -> World.of(wanted, sky));
         now.setCamera(wanted.camera());
