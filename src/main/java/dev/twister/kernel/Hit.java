@@ -69,9 +69,9 @@ public final class Hit {
             distance = Intersection.plane(
                     places[place + 1],
                     places[place + Layout.PLACE_SIZE],
-                    path[Layout.ORIGIN],
+                    path[Layout.ORIGIN] - places[place],
                     path[Layout.ORIGIN + 1],
-                    path[Layout.ORIGIN + 2],
+                    path[Layout.ORIGIN + 2] - places[place + 2],
                     path[Layout.DIRECTION],
                     path[Layout.DIRECTION + 1],
                     path[Layout.DIRECTION + 2]);

@@ -61,6 +61,8 @@ public final class Intersection {
      *
      * @param height the plane's, in meters
      * @param size the square's side, in meters
+     * @param originX from the square's center
+     * @param originZ from the square's center
      */
     public static float plane(
             float height,
@@ -81,7 +83,7 @@ public final class Intersection {
         return distance;
     }
 
-    /** 1 where a point of the plane lies on its square of that side, else 0. */
+    /** 1 where a point of the plane, seen from the square's center, lies on its square of that side, else 0. */
     static int isOnSquare(float x, float z, float size) {
         float reach = PLANE_REACH * size;
         return (Math.abs(x) <= reach ? 1 : 0) & (Math.abs(z) <= reach ? 1 : 0);

@@ -19,6 +19,7 @@ import java.util.List;
 public final class World {
     private static final double DEGREES_PER_TURN = 360;
 
+    private final Vector3 origin;
     private final Panorama panorama;
     private final float[] looks;
     private final int materials;
@@ -36,6 +37,7 @@ public final class World {
     private float[] pixelSamples;
 
     private World(Scene scene, SceneImages images) {
+        origin = Origin.near(scene.camera().position());
         List<Sphere> spheres = scene.allSpheres();
         bodies = Layout.FIRST_SPHERE + scene.spheres().size();
         int room = Layout.FIRST_SPHERE + spheres.size();
@@ -74,6 +76,16 @@ public final class World {
         return new World(scene, images);
     }
 
+    /** Where the coordinates of its snapshots begin, in the scene's own: near the scene's camera. */
+    public Vector3 origin() {
+        return origin;
+    }
+
+    /** Whether its coordinates begin near enough to that camera; else another world of the scene is drawn better. */
+    public boolean isNear(Camera other) {
+        return Origin.isNear(origin, other.position());
+    }
+
     public Camera camera() {
         return camera;
     }
@@ -99,7 +111,8 @@ public final class World {
     /**
      * Moves the bodies.
      *
-     * @param positions {@code float[3 * room]}: the centers of the light, the plane and all spheres, poured or not
+     * @param positions {@code float[3 * room]}: the centers of the light, the plane and all spheres, poured or not,
+     *     seen from the {@link #origin}
      * @param newBodies how many of them are there, light and plane included
      * @throws IllegalArgumentException where the length is another one, or there cannot be so many bodies
      */
@@ -128,10 +141,10 @@ public final class World {
             hierarchy = SphereHierarchy.of(places, bodies);
             hierarchyHolds = true;
         }
+        Bodies moved = new Bodies(places, looks, hierarchy, materials, origin);
+        Camera seen = camera.withPosition(moved.seen(camera.position()));
         return new FrameInput(
-                new View(dimensions(), CameraBasis.of(camera), properties(), shadowDisc, pixelSamples),
-                new Bodies(places, looks, hierarchy, materials),
-                panorama);
+                new View(dimensions(), CameraBasis.of(seen), properties(), shadowDisc, pixelSamples), moved, panorama);
     }
 
     private int[] dimensions() {
@@ -161,9 +174,9 @@ public final class World {
 
     private void put(int body, Vector3 position, double size, Material material, int texture) {
         int place = Layout.PLACE_STRIDE * body;
-        places[place] = (float) position.x();
-        places[place + 1] = (float) position.y();
-        places[place + 2] = (float) position.z();
+        places[place] = (float) (position.x() - origin.x());
+        places[place + 1] = (float) (position.y() - origin.y());
+        places[place + 2] = (float) (position.z() - origin.z());
         places[place + Layout.PLACE_SIZE] = (float) size;
         int look = Layout.LOOK_STRIDE * body;
         putColor(looks, look, material.color());

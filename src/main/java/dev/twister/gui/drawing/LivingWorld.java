@@ -43,8 +43,9 @@ final class LivingWorld implements AutoCloseable {
         // A world whose bodies have moved is not one in which they stand.
         boolean sameKind = motion.isOn() == wantedMotion.isOn();
         motion = wantedMotion;
-        World now = world.filter(_ -> sameImages
+        World now = world.filter(before -> sameImages
                         && sameKind
+                        && before.isNear(wanted.camera())
                         && scene.filter(old -> hasSameBodies(old, wanted)).isPresent())
                 .orElseGet(() -> World.of(wanted, new SceneImages(sky, textures.of(wanted))));
         now.setCamera(wanted.camera());

@@ -57,13 +57,17 @@ public final class GroundAlone {
         View view = View.PART;
         float within = WITHIN * drawing.planeHalfSide;
         float outside = drawing.planeHalfSide / WITHIN;
-        if (meets && (leastX > outside || mostX < -outside || leastZ > outside || mostZ < -outside)) {
+        float left = leastX - drawing.planeX;
+        float right = mostX - drawing.planeX;
+        float front = leastZ - drawing.planeZ;
+        float back = mostZ - drawing.planeZ;
+        if (meets && (left > outside || right < -outside || front > outside || back < -outside)) {
             view = View.NOTHING;
         } else if (meets
-                && leastX > -within
-                && mostX < within
-                && leastZ > -within
-                && mostZ < within
+                && left > -within
+                && right < within
+                && front > -within
+                && back < within
                 && isWhole(drawing.bodies.reflectivity(Layout.PLANE))) {
             view = View.GROUND;
             ground.startIn(leastX, mostX, drawing.planeHeight, leastZ, mostZ);
