@@ -37,7 +37,7 @@ public final class Noise {
      *
      * @param column in [0, 65536), as row and place
      */
-    static int hash(int column, int row, int place) {
+    public static int hash(int column, int row, int place) {
         return mixed(mixed(mixed(column) ^ row) ^ mixed(place));
     }
 
