@@ -116,8 +116,8 @@ public final class Oracle {
         for (double factor : GROWTHS) {
             Scene grown = FloatScene.grown(rounded, factor);
             for (double lift : LIFTS) {
-                Vector tilt = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian())
-                        .times(TILT);
+                Vector tilt =
+                        new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).times(TILT);
                 double cut = 1 + Math.signum(lift) * CUT;
                 tracers.add(new OracleTracer(grown, images, new Rounding(lift, tilt, cut)));
             }

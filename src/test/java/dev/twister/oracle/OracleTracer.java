@@ -49,10 +49,7 @@ final class OracleTracer {
         Plane plane = scene.plane();
         bodies.add(light);
         bodies.add(new PlaneBody(
-                plane.size(),
-                plane.height(),
-                Color.of(plane.oddColor()),
-                OracleMaterial.of(plane.material(), images)));
+                plane.size(), plane.height(), Color.of(plane.oddColor()), OracleMaterial.of(plane.material(), images)));
         for (Sphere sphere : scene.spheres()) {
             bodies.add(new SphereBody(
                     vector(sphere.position()), sphere.radius(), OracleMaterial.of(sphere.material(), images)));
@@ -74,8 +71,7 @@ final class OracleTracer {
      * @param throughput what part of it the pixel gets
      */
     @SuppressWarnings("ReferenceEquality") // which body it is, not what it is like
-    private Color color(
-            Ray ray, Body leaving, boolean inside, int bounce, Color throughput, SampleNumbers numbers) {
+    private Color color(Ray ray, Body leaving, boolean inside, int bounce, Color throughput, SampleNumbers numbers) {
         Body body = closest(ray, leaving, inside);
         if (body == null) {
             return sky.color(ray.direction());
