@@ -33,18 +33,22 @@ public final class Noise {
     }
 
     /**
-     * In [0, 65536).
+     * In [0, 65536), each value as often as any other. Two pixels that share one place's number do not share another's.
      *
-     * @param column in [0, 65536), as row and place
+     * @param column in [0, 65536), as row
+     * @param place in [0, 32768)
      */
-    static int hash(int column, int row, int place) {
-        return mixed(mixed(mixed(column) ^ row) ^ mixed(place));
+    public static int hash(int column, int row, int place) {
+        return mixed(mixed(column ^ mixed(2 * place)) ^ mixed(row ^ mixed(2 * place + 1)));
     }
 
-    /** Products stay below 2^31: an overflow is not defined on every device. */
+    /**
+     * Another number of 16 bits for each, none twice. The factors stand for 0x88b5 and
+     * 0xdb2d modulo 2^16; no product reaches 2^31, as an overflow is not defined on every device.
+     */
     private static int mixed(int value) {
-        int product = (value ^ 0x5bd1) * 31153 + 27183;
-        product = ((product ^ (product >> 15)) & BITS) * 28411 + 12289;
-        return (product ^ (product >> 14)) & BITS;
+        int mixed = ((value ^ (value >> 8)) * -0x774b) & BITS;
+        mixed = ((mixed ^ (mixed >> 7)) * -0x24d3) & BITS;
+        return mixed ^ (mixed >> 9);
     }
 }

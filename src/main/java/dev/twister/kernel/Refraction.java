@@ -11,7 +11,7 @@ public final class Refraction {
      * @param ratio index of refraction where the ray comes from by that of where it goes to
      */
     public static float reflectance(float cosine, float ratio) {
-        float passedSquared = 1f - ratio * ratio * (1f - cosine * cosine);
+        float passedSquared = passedSquared(cosine, ratio);
         float reflectance = 1f;
         if (passedSquared > 0f) {
             float passed = (float) Math.sqrt(passedSquared);
@@ -28,6 +28,11 @@ public final class Refraction {
      * @param cosine as above, without total internal reflection
      */
     static float along(float cosine, float ratio) {
-        return ratio * cosine - (float) Math.sqrt(Math.max(1f - ratio * ratio * (1f - cosine * cosine), 0f));
+        return ratio * cosine - (float) Math.sqrt(Math.max(passedSquared(cosine, ratio), 0f));
+    }
+
+    /** The square of the refracted ray's cosine, 0 or less where there is none; flat rays keep their digits. */
+    private static float passedSquared(float cosine, float ratio) {
+        return (1f - ratio) * (1f + ratio) + ratio * cosine * (ratio * cosine);
     }
 }
