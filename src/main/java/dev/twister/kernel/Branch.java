@@ -74,9 +74,12 @@ public final class Branch {
                 strongest(path, path[Layout.ALBEDO], path[Layout.ALBEDO + 1], path[Layout.ALBEDO + 2]) * refracted;
         strongest = strongest < least ? 0f : strongest;
         strongestPassed = strongestPassed < least ? 0f : strongestPassed;
-        int both = (strongest > 0f ? 1 : 0) & (strongestPassed > 0f ? 1 : 0);
-        int passesFirst = strongestPassed > 0f ? 1 : 0;
-        passesFirst = both != 0 ? (strongestPassed < strongest ? 1 : 0) : passesFirst;
+        // Colors of at most 1 never fill the stack.
+        int room = waiting < Layout.MOST_WAITING_RAYS ? 1 : 0;
+        int both = (strongest > 0f ? 1 : 0) & (strongestPassed > 0f ? 1 : 0) & room;
+        int fainterPasses = strongestPassed < strongest ? 1 : 0;
+        int onlyPasses = strongestPassed > strongest ? 1 : 0;
+        int passesFirst = both != 0 ? fainterPasses : onlyPasses;
         int refractedInside = body == Layout.PLANE ? 0 : 1 - inside;
         int first = Layout.SCRATCH_RAYS + Layout.RAY_STRIDE * waiting;
         if (both != 0) {

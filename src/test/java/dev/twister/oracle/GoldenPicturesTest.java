@@ -38,7 +38,7 @@ class GoldenPicturesTest {
     void pictureIsAsItWas(String name) throws IOException {
         LitScene small = ShippedScenes.small(name);
         RenderSettings settings = small.scene().settings();
-        int[] actual = Pictures.argb(JvmEngines.PARALLEL, small.scene(), small.sky());
+        int[] actual = Pictures.argb(JvmEngines.PARALLEL, small);
         Path golden = GOLDEN.resolve(name + ".png");
         if (Boolean.getBoolean("twister.golden.update")) {
             write(golden, settings, actual);

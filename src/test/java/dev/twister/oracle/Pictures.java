@@ -37,7 +37,12 @@ public final class Pictures {
 
     /** Linear radiance, three floats a pixel. */
     public static float[] radiance(String engine, Scene scene, Skybox sky) {
-        FrameInput input = World.of(scene, sky).snapshot();
+        return radiance(engine, new LitScene(scene, sky));
+    }
+
+    /** The same of a scene with textures. */
+    public static float[] radiance(String engine, LitScene scene) {
+        FrameInput input = World.of(scene.scene(), scene.images()).snapshot();
         Frame frame = Frame.ofRadiance(input.width(), input.rows());
         Arrays.fill(frame.radiance(), Float.NaN);
         try (Engine opened = Engines.open(engine)) {

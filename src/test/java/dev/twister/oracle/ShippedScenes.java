@@ -3,8 +3,7 @@ package dev.twister.oracle;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
-import dev.twister.sky.Skybox;
-import dev.twister.sky.SkyboxReader;
+import dev.twister.world.SceneImages;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -51,11 +50,10 @@ public final class ShippedScenes {
 
     private static LitScene read(String name) {
         Scene scene = SceneReader.read(FOLDER.resolve(name + ".json"));
-        Skybox sky = SkyboxReader.read(scene.skybox());
-        return new LitScene(scene, sky);
+        return new LitScene(scene, SceneImages.read(scene, _ -> {}));
     }
 
     private static LitScene with(LitScene shipped, RenderSettings settings) {
-        return new LitScene(shipped.scene().withSettings(settings), shipped.sky());
+        return new LitScene(shipped.scene().withSettings(settings), shipped.images());
     }
 }

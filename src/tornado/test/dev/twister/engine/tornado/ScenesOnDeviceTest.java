@@ -9,8 +9,8 @@ import dev.twister.oracle.RandomMaterials;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
-import dev.twister.sky.SkyboxReader;
 import dev.twister.world.FrameInput;
+import dev.twister.world.SceneImages;
 import dev.twister.world.SphereHierarchy;
 import dev.twister.world.World;
 import java.io.IOException;
@@ -43,7 +43,7 @@ class ScenesOnDeviceTest {
     @MethodSource("shippedScenesOnDevices")
     void shippedSceneLooksTheSame(Path file, EngineOffer offer) {
         Scene scene = SceneReader.read(file);
-        World world = World.of(scene, SkyboxReader.read(scene.skybox()));
+        World world = World.of(scene, SceneImages.read(scene, _ -> {}));
         world.setSettings(scene.settings().withSize(320, 180));
         try (Engine engine = offer.opener().get()) {
             Pictures.requireSequentials(engine, world.snapshot());
