@@ -6,17 +6,17 @@ package dev.twister.kernel;
  * distribution of all normals is even.
  */
 final class GgxIntegral {
-    private static final int HEIGHTS = 4000;
-    private static final int AZIMUTHS = 720;
+    private static final int HEIGHTS = 2000;
+    private static final int AZIMUTHS = 240;
 
     private final double alpha;
     private final double viewX;
     private final double viewZ;
 
-    /** A function of a normal. */
+    /** Takes a normal, and how much of the distribution it stands for. */
     @FunctionalInterface
-    interface Value {
-        double at(double x, double y, double z);
+    interface Visitor {
+        void visit(double x, double y, double z, double share);
     }
 
     GgxIntegral(double roughness, double viewCosine) {
@@ -25,12 +25,14 @@ final class GgxIntegral {
         viewZ = viewCosine;
     }
 
-    /** The function's mean over the visible normals. */
-    double mean(Value value) {
-        double sum = 0;
+    /** Visits normals that stand for all visible ones. */
+    void visit(Visitor visitor) {
         double first = 1 / (1 + lambda(viewZ));
         for (int height = 0; height < HEIGHTS; height++) {
-            double q = (height + 0.5) / HEIGHTS;
+            // Denser where normals lie flat and count for most: 1 - q is a square.
+            double root = 1 - (height + 0.5) / HEIGHTS;
+            double q = 1 - root * root;
+            double even = 2 * root * first / HEIGHTS / AZIMUTHS;
             double z = 1 / Math.sqrt(1 + alpha * alpha * q / (1 - q));
             double sine = Math.sqrt(1 - z * z);
             for (int azimuth = 0; azimuth < AZIMUTHS; azimuth++) {
@@ -38,20 +40,20 @@ final class GgxIntegral {
                 double x = sine * Math.cos(angle);
                 double cosine = x * viewX + z * viewZ;
                 if (cosine > 0) {
-                    sum += first * cosine / viewZ / z * value.at(x, sine * Math.sin(angle), z);
+                    visitor.visit(x, sine * Math.sin(angle), z, even * cosine / viewZ / z);
                 }
             }
         }
-        return sum / HEIGHTS / AZIMUTHS;
     }
 
     /** What part of white light a mirror of these normals reflects: G2 / G1 over them, 0 where a ray would go below. */
     double reflected() {
-        return mean((x, _, z) -> {
-            double cosine = x * viewX + z * viewZ;
-            double out = 2 * cosine * z - viewZ;
-            return out > 0 ? (1 + lambda(viewZ)) / (1 + lambda(viewZ) + lambda(out)) : 0;
+        double[] sum = new double[1];
+        visit((x, _, z, share) -> {
+            double out = 2 * (x * viewX + z * viewZ) * z - viewZ;
+            sum[0] += out > 0 ? share * (1 + lambda(viewZ)) / (1 + lambda(viewZ) + lambda(out)) : 0;
         });
+        return sum[0];
     }
 
     /** q in [0, 1) of a normal. */

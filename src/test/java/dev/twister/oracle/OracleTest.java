@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
+import dev.twister.scene.Material;
 import dev.twister.scene.Plane;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Rgb;
@@ -12,8 +13,11 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
+import dev.twister.world.SceneImages;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -86,6 +90,65 @@ class OracleTest {
         assertThat(middle(AHEAD, 0, MATTE, sphere(0.5, 5, -5, 2, MATTE))).isEqualTo(new Rgb(0.25, 0.5, 0.75));
     }
 
+    /** From the center of a ball of clear glass: straight through it, and F of the far wall, seen at the last bounce. */
+    @Test
+    void glassIsSeenFromInside() {
+        double lit = 7 / Math.sqrt(0.5 * 0.5 + 5 * 5 + 7 * 7);
+        double reflectance = 1.0 / 25;
+        assertThat(middle(AHEAD, 1, MATTE, glass(sphere(0.5, 5, -5, 2, MATTE), 1))
+                        .red())
+                .isCloseTo(0.5 * (reflectance * lit + (1 - reflectance) * 0.25), within(1e-7));
+    }
+
+    @Test
+    void glassLetsAPartOfTheLightPass() {
+        double cosine = 10 / Math.sqrt(100.5);
+        Sphere blocker = glass(sphere(0.25, 8, 0.25, 1.5, MATTE), 0.25);
+        assertThat(middle(DOWN, 0, MATTE, blocker).red()).isCloseTo(0.8 * cosine * 0.25, within(1e-7));
+    }
+
+    /** A sheet of the plane reflects F and shows the sky below, straight on. */
+    @Test
+    void planeOfGlassIsASheet() {
+        Scene scene = scene(DOWN, 1, MATTE);
+        Material glass = scene.plane().material().withTransmission(1);
+        assertThat(new Oracle(scene.withPlane(scene.plane().withMaterial(glass)), SKY)
+                        .radiance(0, 0)
+                        .blue())
+                .isCloseTo(0.75 * (1.0 / 25 + 24.0 / 25 * 0.8), within(1e-7));
+    }
+
+    /** Ahead is the texture's middle, and its right half is on the right. */
+    @Test
+    void textureReadsFromOutside() {
+        Path file = Path.of("halves.png");
+        Skybox halves = new Skybox(4, 1, new float[] {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1});
+        Sphere ball = sphere(0, 5, 0, 2, MATTE);
+        Sphere textured = ball.withMaterial(ball.material().withTexture(Optional.of(file)));
+        SceneImages images = new SceneImages(SKY, Map.of(file, halves));
+        Camera camera = AHEAD.withPosition(new Vector3(0, 5, -5));
+        for (double x : new double[] {-1.5, 0, 1.5}) {
+            Scene scene = scene(camera.withPosition(new Vector3(x, 5, -5)), 0, MATTE, textured)
+                    .withAmbient(1);
+            assertThat(new Oracle(new LitScene(scene, images)).radiance(0, 0).red())
+                    .isCloseTo(x < 0 ? 0 : x > 0 ? 0.5 : 0.25, within(1e-7));
+        }
+    }
+
+    @Test
+    void lensBendsRaysToTheFocus() {
+        OracleCamera camera = new OracleCamera(AHEAD.withAperture(0.5).withFocusDistance(7), 3, 2);
+        OracleCamera pinhole = new OracleCamera(AHEAD, 3, 2);
+        Ray sharp = pinhole.ray(2.5, 0.25, new SampleNumbers(0, 0, 0)).ray();
+        Vector focus = sharp.at(7 / sharp.direction().z());
+        for (int item = 0; item < 10; item++) {
+            Ray bent = camera.ray(2.5, 0.25, new SampleNumbers(2, 0, item)).ray();
+            assertThat(bent.origin().minus(sharp.origin()).length()).isLessThanOrEqualTo(0.5);
+            assertThat(bent.origin().z()).isEqualTo(sharp.origin().z());
+            assertThat(bent.at(7 / bent.direction().z()).minus(focus).length()).isLessThan(1e-12);
+        }
+    }
+
     @Test
     void spansAreNarrowAwayFromEdges() {
         PixelSpan span = new Oracle(scene(DOWN, 0, 64), SKY).span(0, 0);
@@ -105,6 +168,10 @@ class OracleTest {
                 .withSpheres(List.of(spheres))
                 .withAmbient(0.1)
                 .withSettings(RenderSettings.DEFAULT.withSize(1, 1).withBounces(bounces));
+    }
+
+    private static Sphere glass(Sphere sphere, double transmission) {
+        return sphere.withMaterial(sphere.material().withTransmission(transmission));
     }
 
     private static Sphere sphere(double x, double y, double z, double radius, double reflectivity) {
