@@ -22,7 +22,8 @@ class LinearFramesTest {
      * One odd pixel in so many, where more than the design's: the bound is relative, so that a dark pixel's is far
      * narrower than 1 of 255, and in these scenes most edges are seen in curved mirrors, which widen a rounding.
      */
-    private static final Map<String, Integer> PIXELS_AN_ODD_ONE = Map.of("bokeh", 2000, "mirrors", 1000, "spheres-10000", 200);
+    private static final Map<String, Integer> PIXELS_AN_ODD_ONE =
+            Map.of("bokeh", 2000, "mirrors", 1000, "spheres-10000", 200);
 
     static List<String> names() {
         return ShippedScenes.names();
