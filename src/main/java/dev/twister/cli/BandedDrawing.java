@@ -18,16 +18,27 @@ final class BandedDrawing {
 
     private BandedDrawing() {}
 
-    /** Draws the whole picture; the frame's times are all bands' together. */
-    static Frame draw(Engine engine, FrameInput input, int samplesPerPixel, boolean linear, PrintWriter err) {
+    /**
+     * A picture.
+     *
+     * @param frame its times are all bands' together
+     * @param fewestSamples of a pixel
+     * @param mostSamples of a pixel
+     */
+    record Drawn(Frame frame, int fewestSamples, int mostSamples) {}
+
+    /** Draws the whole picture. */
+    static Drawn draw(Engine engine, FrameInput input, Sampling sampling, boolean linear, PrintWriter err) {
         Frame whole = linear
                 ? Frame.ofRadiance(input.width(), input.height())
                 : Frame.ofPixels(input.width(), input.height());
-        int rowsPerBand = rowsPerBand(input, samplesPerPixel);
+        int rowsPerBand = rowsPerBand(input, sampling.usual());
         if (rowsPerBand >= input.height()) {
-            engine.render(input, whole);
-            return whole;
+            int samples = sampling.draw(engine, input, whole);
+            return new Drawn(whole, samples, samples);
         }
+        int fewest = sampling.samples();
+        int most = 0;
         int bands = Math.ceilDiv(input.height(), rowsPerBand);
         FrameTimes times = FrameTimes.NONE;
         Frame band = whole.ofRows(rowsPerBand);
@@ -37,14 +48,16 @@ final class BandedDrawing {
                 if (rows != band.height()) {
                     band = whole.ofRows(rows);
                 }
-                engine.render(input.band(first, rows), band);
+                int samples = sampling.draw(engine, input.band(first, rows), band);
+                fewest = Math.min(fewest, samples);
+                most = Math.max(most, samples);
                 whole.put(band, first);
                 times = times.plus(band.times());
                 progress.step();
             }
         }
         whole.setTimes(times);
-        return whole;
+        return new Drawn(whole, fewest, most);
     }
 
     /** Bytes that drawing takes for each pixel of the picture; the bands come to less than as much again. */

@@ -35,6 +35,7 @@ import picocli.CommandLine.Spec;
             "  twister render benchmark -o benchmark.png",
             "  twister render my-scene.json -o large.png --size 4k --samples 16 --tone-map aces",
             "  twister render mirrors -o mirrors.hdr --engine tornado",
+            "  twister render metals -o metals.png --noise 0.01",
             "  twister render benchmark -o left.png --camera -12,-6,-10 --yaw 40 --fov 60",
             "  twister render pour-1000 -o pour-####.png --physics --frames 600 --fps 30",
             "  twister render pour-1000 -o heap.png --physics --start 12"
@@ -73,11 +74,8 @@ final class RenderCommand implements Callable<Integer> {
             description = "What draws (see 'twister devices'); ${DEFAULT-VALUE} where not said.")
     private String engineId;
 
-    @Option(
-            names = "--samples",
-            paramLabel = "N",
-            description = "View rays for each pixel, 1 to " + RenderSettings.MAX_SAMPLES_PER_PIXEL + ".")
-    private Optional<Integer> samples = Optional.empty();
+    @Mixin
+    private SampleOptions samples;
 
     @Mixin
     private ShadingOptions shading;
@@ -147,11 +145,12 @@ final class RenderCommand implements Callable<Integer> {
                 simulation.place(world);
                 // Its own line of progress would write over that of the frames.
                 Frame picture = BandedDrawing.draw(
-                        engine,
-                        world.snapshot(),
-                        world.settings().samplesPerPixel(),
-                        pictures.isLinear(),
-                        new PrintWriter(Writer.nullWriter()));
+                                engine,
+                                world.snapshot(),
+                                samples.over(world.settings().samplesPerPixel()),
+                                pictures.isLinear(),
+                                new PrintWriter(Writer.nullWriter()))
+                        .frame();
                 pictures.write(number, picture, world.settings().srgb());
                 simulation.advance(motion.secondsPerFrame());
                 progress.step();
@@ -170,24 +169,33 @@ final class RenderCommand implements Callable<Integer> {
 
     private void draw(World world, PictureOutput pictures) throws IOException {
         try (Engine engine = Engines.open(engineId)) {
-            Frame picture = BandedDrawing.draw(
+            Sampling sampling = samples.over(world.settings().samplesPerPixel());
+            BandedDrawing.Drawn drawn = BandedDrawing.draw(
                     engine,
                     world.snapshot(),
-                    world.settings().samplesPerPixel(),
+                    sampling,
                     pictures.isLinear(),
                     spec.commandLine().getErr());
+            Frame picture = drawn.frame();
             pictures.write(0, picture, world.settings().srgb());
             summaryWriter(pictures)
                     .printf(
                             Locale.ROOT,
-                            "%s: %d x %d, %s (%s), %.1f ms%n",
+                            "%s: %d x %d, %s (%s), %.1f ms%s%n",
                             pictures.name(),
                             picture.width(),
                             picture.height(),
                             (engineId.equals(FastestEngine.AUTO) ? "auto took " : "") + engine.id(),
                             engine.device(),
-                            picture.times().totalNanos() / NANOS_PER_MILLI);
+                            picture.times().totalNanos() / NANOS_PER_MILLI,
+                            sampling.noise().map(_ -> samplesOf(drawn)).orElse(""));
         }
+    }
+
+    private static String samplesOf(BandedDrawing.Drawn drawn) {
+        return drawn.fewestSamples() == drawn.mostSamples()
+                ? ", %d samples per pixel".formatted(drawn.mostSamples())
+                : ", %d to %d samples per pixel".formatted(drawn.fewestSamples(), drawn.mostSamples());
     }
 
     // What is said must not end up in a picture.
@@ -201,8 +209,7 @@ final class RenderCommand implements Callable<Integer> {
         RenderSettings shaded = usual.withSize(wanted.width(), wanted.height())
                 .withShadows(shading.shadowSamplesOr(usual.shadowSamples()))
                 .withBounces(shading.bouncesOr(usual.bounces()))
-                .withSamplesPerPixel(Ranges.check(
-                        "--samples", samples.orElse(usual.samplesPerPixel()), 1, RenderSettings.MAX_SAMPLES_PER_PIXEL));
+                .withSamplesPerPixel(samples.over(usual.samplesPerPixel()).samples());
         return tone.over(shaded);
     }
 }

@@ -52,12 +52,16 @@ public final class Tone {
 
     /** 0 to 255 for one channel of linear radiance. */
     public static int quantized(float radiance, float exposureScale, int operator, float srgb) {
+        return (int) (shown(radiance, exposureScale, operator, srgb) * 255f + 0.5f);
+    }
+
+    /** What a screen shows of one channel of linear radiance, in [0, 1]. */
+    public static float shown(float radiance, float exposureScale, int operator, float srgb) {
         float scaled = radiance * exposureScale;
         float exposed = scaled > 0f ? (scaled < BRIGHTEST ? scaled : BRIGHTEST) : 0f;
         float operated = operated(exposed, operator);
         float mapped = operated < 1f ? operated : 1f;
-        float shown = srgb > 0f ? srgbEncoded(mapped) : mapped;
-        return (int) (shown * 255f + 0.5f);
+        return srgb > 0f ? srgbEncoded(mapped) : mapped;
     }
 
     private static float operated(float c, int operator) {

@@ -1,0 +1,33 @@
+package dev.twister.cli;
+
+import dev.twister.scene.RenderSettings;
+import java.util.Optional;
+import picocli.CommandLine.Option;
+
+/** How many view rays each pixel has. */
+final class SampleOptions {
+    private static final double LEAST_NOISE = 1e-4;
+
+    @Option(
+            names = "--samples",
+            paramLabel = "N",
+            description = "View rays for each pixel, 1 to " + RenderSettings.MAX_SAMPLES_PER_PIXEL
+                    + "; with --noise, the limit (default: " + RenderSettings.MAX_SAMPLES_PER_PIXEL + ").")
+    private Optional<Integer> samples = Optional.empty();
+
+    @Option(
+            names = "--noise",
+            paramLabel = "T",
+            description = "Add samples until the estimated error of a pixel, as a share of white, is below T (such as"
+                    + " 0.01) in every part of the picture.")
+    private Optional<Double> noise = Optional.empty();
+
+    /** What the options say over a scene's own samples. */
+    Sampling over(int usual) {
+        int most = RenderSettings.MAX_SAMPLES_PER_PIXEL;
+        int least = noise.isPresent() ? Sampling.LEAST_CONVERGING : 1;
+        return new Sampling(
+                Ranges.check("--samples", samples.orElse(noise.isPresent() ? most : usual), least, most),
+                noise.map(bound -> Ranges.check("--noise", bound, LEAST_NOISE, 1)));
+    }
+}

@@ -1,0 +1,37 @@
+package dev.twister.cli;
+
+import dev.twister.engine.ConvergingPicture;
+import dev.twister.engine.Engine;
+import dev.twister.image.Frame;
+import dev.twister.world.FrameInput;
+import java.util.Optional;
+
+/**
+ * The samples of a picture's pixels.
+ *
+ * @param samples of each pixel; at most so many where there is a bound of the noise
+ * @param noise as a share of white
+ */
+record Sampling(int samples, Optional<Double> noise) {
+    /** Fewer do not show how noisy a picture is. */
+    static final int LEAST_CONVERGING = 8;
+
+    /**
+     * Draws a band.
+     *
+     * @param input with that many samples, where there is no bound of the noise
+     * @return the samples of each pixel
+     */
+    int draw(Engine engine, FrameInput input, Frame frame) {
+        if (noise.isPresent()) {
+            return ConvergingPicture.draw(engine, input, frame, noise.get(), samples);
+        }
+        engine.render(input, frame);
+        return samples;
+    }
+
+    /** Of which a band's size is chosen. */
+    int usual() {
+        return noise.isPresent() ? 2 * LEAST_CONVERGING : samples;
+    }
+}

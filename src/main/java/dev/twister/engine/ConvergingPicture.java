@@ -1,0 +1,114 @@
+package dev.twister.engine;
+
+import dev.twister.image.Frame;
+import dev.twister.image.FrameTimes;
+import dev.twister.kernel.Layout;
+import dev.twister.kernel.Tone;
+import dev.twister.world.FrameInput;
+
+/**
+ * A picture that gathers samples until little noise is left. Its samples are in two halves, drawn from other samples each: half
+ * of their difference is what the picture, their mean, is off by (as a standard deviation). It counts as a screen shows it.
+ */
+public final class ConvergingPicture {
+    private static final int CHANNELS = 3;
+
+    /** Of a half. */
+    private static final int FIRST_SAMPLES = 4;
+
+    /** The noise is that of the noisiest square of as many pixels a side. */
+    private static final int BLOCK = 16;
+
+    private final FrameInput input;
+    private final Frame pass;
+    private final float[][] sums;
+    private int samplesOfHalf;
+    private FrameTimes times = FrameTimes.NONE;
+
+    private ConvergingPicture(FrameInput input) {
+        this.input = input;
+        pass = Frame.ofRadiance(input.width(), input.rows());
+        sums = new float[2][pass.radiance().length];
+    }
+
+    /**
+     * Draws a picture, or a band of one, with as many samples as it takes.
+     *
+     * @param frame receives the picture, linear or not, and the times of all passes together
+     * @param noise the bound of the noise, as a share of white, above 0
+     * @param mostSamples of a pixel, 8 or more: no more are drawn, whatever noise is left
+     * @return the samples of each pixel
+     */
+    public static int draw(Engine engine, FrameInput input, Frame frame, double noise, int mostSamples) {
+        FrameFit.check(input, frame);
+        ConvergingPicture picture = new ConvergingPicture(input);
+        int more = FIRST_SAMPLES;
+        do {
+            picture.add(engine, more);
+            more = Math.min(picture.samplesOfHalf, mostSamples / 2 - picture.samplesOfHalf);
+        } while (more > 0 && picture.noise() > noise);
+        picture.write(frame);
+        return 2 * picture.samplesOfHalf;
+    }
+
+    private void add(Engine engine, int samples) {
+        int first = 2 * samplesOfHalf;
+        for (int half = 0; half < sums.length; half++) {
+            engine.render(input.withSamples(first + half * samples, samples), pass);
+            times = times.plus(pass.times());
+            for (int i = 0; i < pass.radiance().length; i++) {
+                sums[half][i] += samples * pass.radiance()[i];
+            }
+        }
+        samplesOfHalf += samples;
+    }
+
+    private double noise() {
+        double worst = 0;
+        for (int top = 0; top < pass.height(); top += BLOCK) {
+            for (int left = 0; left < pass.width(); left += BLOCK) {
+                worst = Math.max(worst, meanSquare(left, top));
+            }
+        }
+        return Math.sqrt(worst);
+    }
+
+    private double meanSquare(int left, int top) {
+        int right = Math.min(left + BLOCK, pass.width());
+        int bottom = Math.min(top + BLOCK, pass.height());
+        double sum = 0;
+        for (int row = top; row < bottom; row++) {
+            int end = CHANNELS * (row * pass.width() + right);
+            for (int i = CHANNELS * (row * pass.width() + left); i < end; i++) {
+                double error = (shown(sums[0][i]) - shown(sums[1][i])) / 2;
+                sum += error * error;
+            }
+        }
+        return sum / (CHANNELS * (right - left) * (bottom - top));
+    }
+
+    private float shown(float sum) {
+        float[] properties = input.view().properties();
+        return Tone.shown(
+                sum / samplesOfHalf,
+                properties[Layout.EXPOSURE_SCALE],
+                (int) properties[Layout.TONE_MAP],
+                properties[Layout.SRGB]);
+    }
+
+    private void write(Frame frame) {
+        float average = 1f / (2 * samplesOfHalf);
+        float[] radiance = frame.isLinear() ? frame.radiance() : pass.radiance();
+        for (int i = 0; i < radiance.length; i++) {
+            radiance[i] = (sums[0][i] + sums[1][i]) * average;
+        }
+        if (!frame.isLinear()) {
+            float[] path = new float[Layout.PATH_LENGTH];
+            for (int pixel = 0; pixel < frame.argb().length; pixel++) {
+                System.arraycopy(radiance, CHANNELS * pixel, path, Layout.RADIANCE, CHANNELS);
+                frame.argb()[pixel] = Tone.argb(path, 1, input.view().properties());
+            }
+        }
+        frame.setTimes(times);
+    }
+}

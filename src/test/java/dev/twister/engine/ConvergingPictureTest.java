@@ -1,0 +1,89 @@
+package dev.twister.engine;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.image.Frame;
+import dev.twister.kernel.Layout;
+import dev.twister.kernel.Tone;
+import dev.twister.oracle.LitScene;
+import dev.twister.oracle.PictureDifference;
+import dev.twister.oracle.Pictures;
+import dev.twister.oracle.ShippedScenes;
+import dev.twister.world.FrameInput;
+import dev.twister.world.World;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class ConvergingPictureTest {
+    private static final int MOST_SAMPLES = 512;
+
+    private final FrameInput metals = input("metals");
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.02, 0.005})
+    void theErrorIsBelowTheBound(double noise) {
+        float[] expected = radiance(metals.withSamples(0, 4096));
+        Frame frame = Frame.ofRadiance(metals.width(), metals.height());
+        int samples = draw(metals, frame, noise);
+
+        double sum = 0;
+        for (int i = 0; i < expected.length; i++) {
+            double error = shown(frame.radiance()[i]) - shown(expected[i]);
+            sum += error * error;
+        }
+        assertThat(samples).isBetween(9, MOST_SAMPLES - 1);
+        assertThat(Math.sqrt(sum / expected.length)).isLessThan(noise);
+    }
+
+    @Test
+    void lessNoiseTakesMoreSamples() {
+        Frame frame = Frame.ofPixels(metals.width(), metals.height());
+        assertThat(draw(metals, frame, 0.005)).isGreaterThan(draw(metals, frame, 0.04));
+    }
+
+    @Test
+    void whatIsNotReachedEndsAtTheLimit() {
+        Frame frame = Frame.ofPixels(metals.width(), metals.height());
+        assertThat(draw(metals, frame, 1e-9)).isEqualTo(MOST_SAMPLES);
+    }
+
+    @Test
+    void thePictureIsThatOfAsManySamples() {
+        Frame frame = Frame.ofPixels(metals.width(), metals.height());
+        int samples = draw(metals, frame, 0.04);
+
+        int[] inOneGo = Pictures.argb(JvmEngines.PARALLEL, metals.withSamples(0, samples));
+        assertThat(PictureDifference.between(frame.argb(), inOneGo)).matches(PictureDifference::isWithinBound);
+    }
+
+    private float shown(float radiance) {
+        float[] properties = metals.view().properties();
+        return Tone.shown(
+                radiance,
+                properties[Layout.EXPOSURE_SCALE],
+                (int) properties[Layout.TONE_MAP],
+                properties[Layout.SRGB]);
+    }
+
+    private static int draw(FrameInput input, Frame frame, double noise) {
+        try (Engine engine = Engines.open(JvmEngines.PARALLEL)) {
+            return ConvergingPicture.draw(engine, input, frame, noise, MOST_SAMPLES);
+        }
+    }
+
+    private static float[] radiance(FrameInput input) {
+        Frame frame = Frame.ofRadiance(input.width(), input.height());
+        try (Engine engine = Engines.open(JvmEngines.PARALLEL)) {
+            engine.render(input, frame);
+        }
+        return frame.radiance();
+    }
+
+    private static FrameInput input(String scene) {
+        LitScene small = ShippedScenes.small(scene);
+        World world = World.of(small.scene(), small.images());
+        world.setSettings(small.scene().settings().withSize(48, 27).withShadows(8));
+        return world.snapshot();
+    }
+}
