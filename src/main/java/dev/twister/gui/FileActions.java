@@ -1,7 +1,12 @@
 package dev.twister.gui;
 
+import dev.twister.gui.Dialogs.Answer;
+import dev.twister.gui.model.Autosave;
 import dev.twister.gui.model.DroppedFile;
+import dev.twister.gui.model.EditedFile;
+import dev.twister.gui.model.FileMark;
 import dev.twister.gui.model.SceneHistory;
+import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.SceneWriter;
 import dev.twister.sky.SkyException;
@@ -127,7 +132,10 @@ final class FileActions {
             errands.run(() -> "", _ -> afterSaving(action), problem -> complain("This cannot be done", problem));
         } else if (studio.editsProperty().get().changed()) {
             // While the file is being written the scene can be edited on: that is asked about again.
-            dialogs.askToSave(name(), () -> save(() -> afterSaving(action)), action);
+            dialogs.askToSave(
+                    name(file()),
+                    new Answer("Save", () -> save(() -> afterSaving(action))),
+                    new Answer("Don't save", action));
         } else {
             action.run();
         }
@@ -147,18 +155,45 @@ final class FileActions {
                 });
     }
 
-    private void save(Runnable then) {
-        Optional<Path> own = studio.fileProperty().get();
-        if (own.isPresent()) {
-            saveTo(own.get(), then);
-        } else {
-            saveAs(then);
+    /**
+     * Shows edits that were not saved, once those of the present scene are saved or given up.
+     *
+     * @param then called when they are shown
+     * @param failed called when they cannot be
+     */
+    void restore(Autosave autosave, Runnable then, Runnable failed) {
+        errands.run(
+                () -> {
+                    Scene edited = studio.read(autosave.file()).scene();
+                    return new Restored(before(autosave.edited(), edited), edited);
+                },
+                restored -> afterSaving(() -> {
+                    studio.restore(restored.before(), restored.edited());
+                    then.run();
+                }),
+                problem -> {
+                    failed.run();
+                    complain("Couldn't restore the changes", problem);
+                });
+    }
+
+    private record Restored(OpenedScene before, Scene edited) {}
+
+    /** The scene as its file has it; as it was edited where that cannot be read any more. */
+    private OpenedScene before(EditedFile file, Scene edited) {
+        try {
+            return new OpenedScene(file, studio.read(file.path()).scene());
+        } catch (SceneException | SkyException _) {
+            return new OpenedScene(file, edited);
         }
     }
 
+    private void save(Runnable then) {
+        saveTo(file(), then);
+    }
+
     private void saveAs(Runnable then) {
-        Path suggested = studio.fileProperty().get().orElse(folder().resolve("scene.json"));
-        choice.toSaveScene(suggested).ifPresent(file -> saveTo(file, then));
+        choice.toSaveScene(file()).ifPresent(file -> saveTo(file, then));
     }
 
     private void saveTo(Path file, Runnable then) {
@@ -167,13 +202,13 @@ final class FileActions {
         errands.keep(
                 () -> {
                     SceneWriter.write(version.scene(), file);
-                    return file;
+                    return new EditedFile(file, FileMark.of(file));
                 },
                 written -> {
                     saving--;
                     studio.saved(version, written);
-                    studio.notice("Saved " + written);
-                    remember(written);
+                    studio.notice("Saved " + file);
+                    remember(file);
                     then.run();
                 },
                 problem -> {
@@ -209,19 +244,18 @@ final class FileActions {
         };
     }
 
-    private String name() {
-        return studio.fileProperty()
-                .get()
-                .map(Path::getFileName)
-                .map(Path::toString)
-                .orElse("the scene");
+    /** The file's own name. */
+    static String name(Path file) {
+        return Optional.ofNullable(file.getFileName()).map(Path::toString).orElse("the scene");
+    }
+
+    private Path file() {
+        return studio.fileProperty().get().path();
     }
 
     /** Where the scene is, or else where the program was started. */
     private Path folder() {
-        return studio.fileProperty()
-                .get()
-                .map(file -> file.toAbsolutePath().getParent())
+        return Optional.ofNullable(file().toAbsolutePath().getParent())
                 .orElse(Path.of("").toAbsolutePath());
     }
 }

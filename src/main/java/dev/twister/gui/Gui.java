@@ -2,6 +2,7 @@ package dev.twister.gui;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
+import dev.twister.gui.model.AutosaveFolder;
 import dev.twister.gui.model.SettingsStore;
 import dev.twister.scene.Scene;
 import java.nio.file.Path;
@@ -72,6 +73,7 @@ public final class Gui {
                             new SystemFileChoice(stage),
                             store,
                             found,
+                            AutosaveFolder.ofThisUser(),
                             skyboxes,
                             Optional.of(file).filter(_ -> asked),
                             textScale));

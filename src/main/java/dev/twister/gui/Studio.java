@@ -12,12 +12,12 @@ import dev.twister.gui.drawing.SkyShelf;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.EditState;
+import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.gui.model.SceneHistory;
 import dev.twister.image.PictureSize;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
 import dev.twister.scene.Vector3;
 import dev.twister.world.CameraMotion;
 import dev.twister.world.Turn;
@@ -56,7 +56,7 @@ public final class Studio implements AutoCloseable {
     private final DrawingLoop loop;
     private final ReadOnlyObjectWrapper<Scene> scene;
     private final ReadOnlyObjectWrapper<EngineChoice> engine;
-    private final ReadOnlyObjectWrapper<Optional<Path>> file;
+    private final ReadOnlyObjectWrapper<EditedFile> file;
     private final ReadOnlyObjectWrapper<EditState> edits = new ReadOnlyObjectWrapper<>(EditState.UNTOUCHED);
     private final ReadOnlyObjectWrapper<ResolutionMode> resolution = new ReadOnlyObjectWrapper<>(ResolutionMode.WINDOW);
     private final ReadOnlyIntegerWrapper selection = new ReadOnlyIntegerWrapper(BodyNumber.NONE);
@@ -88,7 +88,7 @@ public final class Studio implements AutoCloseable {
         Scene first = withCameraAbovePlane(opened.scene());
         scene = new ReadOnlyObjectWrapper<>(first);
         engine = new ReadOnlyObjectWrapper<>(new EngineChoice(0, offer));
-        file = new ReadOnlyObjectWrapper<>(Optional.of(opened.file()));
+        file = new ReadOnlyObjectWrapper<>(opened.file());
         document = new SceneHistory(first);
         original = new ReadOnlyObjectWrapper<>(opened.scene());
         refining.subscribe(_ -> request());
@@ -182,7 +182,7 @@ public final class Studio implements AutoCloseable {
     }
 
     /** The file that the scene came from or was saved to last. */
-    public ReadOnlyObjectProperty<Optional<Path>> fileProperty() {
+    public ReadOnlyObjectProperty<EditedFile> fileProperty() {
         return file.getReadOnlyProperty();
     }
 
@@ -352,9 +352,9 @@ public final class Studio implements AutoCloseable {
      * @throws dev.twister.sky.SkyException where its sky cannot be read
      */
     public OpenedScene read(Path scenesFile) {
-        Scene read = SceneReader.read(scenesFile);
-        skies.refresh(read.skybox());
-        return new OpenedScene(scenesFile, read);
+        OpenedScene read = OpenedScene.read(scenesFile);
+        skies.refresh(read.scene().skybox());
+        return read;
     }
 
     /** Shows another scene, and forgets the old one with its edits. */
@@ -362,11 +362,24 @@ public final class Studio implements AutoCloseable {
         documents++;
         document = new SceneHistory(opened.scene());
         original.set(opened.scene());
-        file.set(Optional.of(opened.file()));
+        file.set(opened.file());
         selection.set(BodyNumber.NONE);
         motion.set(Motion.NONE);
         show();
         request();
+    }
+
+    /**
+     * Shows a scene with edits of it that were not saved.
+     *
+     * @param before to which they are taken back
+     */
+    void restore(OpenedScene before, Scene edited) {
+        show(before);
+        edit("restored changes", _ -> edited);
+        endGesture();
+        document.markUnsaved();
+        show();
     }
 
     /**
@@ -389,6 +402,11 @@ public final class Studio implements AutoCloseable {
         return documents;
     }
 
+    /** The scene with its edits up to now. */
+    SceneHistory.Version present() {
+        return document.version();
+    }
+
     /** The scene as it is to be written, the camera where it is now; to be told of by {@link #saved}. */
     public SceneHistory.Version toSave() {
         document.endGesture();
@@ -396,9 +414,9 @@ public final class Studio implements AutoCloseable {
     }
 
     /** A scene was written to that file: the edits up to it are safe, those after it are not. */
-    public void saved(SceneHistory.Version version, Path target) {
+    public void saved(SceneHistory.Version version, EditedFile target) {
         if (document.markSaved(version)) {
-            file.set(Optional.of(target));
+            file.set(target);
             edits.set(EditState.of(document));
         }
     }

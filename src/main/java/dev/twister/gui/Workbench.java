@@ -24,6 +24,7 @@ final class Workbench implements AutoCloseable {
     private final SettingsKeeper settings;
     private final Errands errands = new Errands();
     private final FileActions files;
+    private final AutosaveKeeper autosaves;
     private final PictureActions pictures;
     private final HelpWindows help;
     private final Panel panel;
@@ -48,6 +49,7 @@ final class Workbench implements AutoCloseable {
         settings = new SettingsKeeper(options.settings(), options.found(), studio::notice);
         Dialogs dialogs = new Dialogs(stage);
         files = new FileActions(studio, options.files(), dialogs, settings, errands, this::takeTyped);
+        autosaves = new AutosaveKeeper(studio, options.autosaves());
         pictures = new PictureActions(studio, options.files(), dialogs, errands);
         help = new HelpWindows(stage);
         String usualEngine = studio.engineProperty().get().offer().id();
@@ -74,6 +76,7 @@ final class Workbench implements AutoCloseable {
         studio.editsProperty().subscribe(_ -> showTitle());
         studio.fileProperty().subscribe(_ -> showTitle());
         stage.setOnCloseRequest(this::closeOnceSaved);
+        autosaves.offer(dialogs, files);
         stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
         stage.setFullScreenExitHint("");
     }
@@ -81,6 +84,7 @@ final class Workbench implements AutoCloseable {
     /** Called in every pulse. */
     void pulse(long nanos) {
         pictures.pulse();
+        autosaves.pulse(nanos);
         panel.pulse(nanos);
     }
 
@@ -95,6 +99,7 @@ final class Workbench implements AutoCloseable {
         settings.write();
         help.close();
         pictures.finish();
+        autosaves.finish();
         errands.finish();
         menu.dismantle();
     }
@@ -106,6 +111,7 @@ final class Workbench implements AutoCloseable {
     void awaitFiles() {
         pictures.close();
         errands.close();
+        autosaves.close();
     }
 
     Panel panel() {
@@ -256,10 +262,7 @@ final class Workbench implements AutoCloseable {
     }
 
     private void showTitle() {
-        String name = studio.fileProperty()
-                .get()
-                .map(file -> String.valueOf(file.getFileName()))
-                .orElse("untitled");
+        String name = FileActions.name(studio.fileProperty().get().path());
         stage.setTitle((studio.editsProperty().get().changed() ? "• " : "") + name + " – Twister");
     }
 }

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.EditedFile;
+import dev.twister.gui.model.FileMark;
 import dev.twister.gui.model.SceneHistory;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
@@ -22,12 +24,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
-import javafx.scene.control.Button;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.DialogPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
-import javafx.stage.Window;
 import javafx.stage.WindowEvent;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterAll;
@@ -65,7 +65,7 @@ class FilesTest {
             driver.studio.edit("shadows", now -> now.withSettings(now.settings().withShadows(1)));
             SceneHistory.Version saved = driver.studio.toSave();
             SceneWriter.write(saved.scene(), scene);
-            driver.studio.saved(saved, scene);
+            driver.studio.saved(saved, new EditedFile(scene, FileMark.of(scene)));
         });
         driver.awaitCurrentPicture();
     }
@@ -91,33 +91,16 @@ class FilesTest {
         });
     }
 
-    /** The dialog of that id, where it is shown. */
     private static Optional<DialogPane> dialog(String id) {
-        return WindowDriver.call(() -> Window.getWindows().stream()
-                .map(window -> window.getScene().getRoot())
-                .filter(root -> id.equals(root.getId()))
-                .map(DialogPane.class::cast)
-                .findFirst());
+        return driver.dialog(id);
     }
 
     private static DialogPane awaitDialog(String id) {
-        driver.await(() -> dialog(id).isPresent());
-        return dialog(id).orElseThrow();
+        return driver.awaitDialog(id);
     }
 
     private static void answer(DialogPane dialog, String button) {
-        driver.run(() -> press(dialog, button));
-        driver.await(() -> dialog(dialog.getId()).isEmpty());
-    }
-
-    /** Presses the dialog's button of that name. */
-    private static void press(DialogPane dialog, String button) {
-        dialog.getButtonTypes().stream()
-                .filter(type -> type.getText().equals(button))
-                .map(type -> (Button) dialog.lookupButton(type))
-                .findFirst()
-                .orElseThrow()
-                .fire();
+        driver.answer(dialog, button);
     }
 
     private static void drop(Path file) {
@@ -208,7 +191,7 @@ class FilesTest {
         Files.copy(folder.resolve("scenes").resolve("start.json"), other);
         driver.files.choose(other);
         driver.typeWith(KeyCode.O, KeyCode.CONTROL);
-        driver.await(() -> driver.studio.fileProperty().get().equals(Optional.of(other)));
+        driver.await(() -> driver.studio.fileProperty().get().path().equals(other));
         assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("other.json – Twister");
         change();
         assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("• other.json – Twister");
@@ -219,7 +202,7 @@ class FilesTest {
         Path third = folder.resolve("scenes").resolve("third.json");
         driver.files.choose(third);
         driver.typeWith(KeyCode.S, KeyCode.CONTROL, KeyCode.SHIFT);
-        driver.await(() -> driver.studio.fileProperty().get().equals(Optional.of(third)));
+        driver.await(() -> driver.studio.fileProperty().get().path().equals(third));
         assertThat(SceneReader.read(third)).isEqualTo(scene());
         assertThat(driver.notice()).isEqualTo("Saved " + third);
         assertThat(driver.window.workbench().settings().recentScenes()).startsWith(third.toString(), other.toString());
@@ -238,12 +221,12 @@ class FilesTest {
         assertThat(scene()).isEqualTo(changed);
         drop(other);
         answer(awaitDialog("save-question"), "Save");
-        driver.await(() -> driver.studio.fileProperty().get().equals(Optional.of(other)));
+        driver.await(() -> driver.studio.fileProperty().get().path().equals(other));
         assertThat(SceneReader.read(start)).isEqualTo(changed);
         change();
         drop(start);
         answer(awaitDialog("save-question"), "Don't save");
-        driver.await(() -> driver.studio.fileProperty().get().equals(Optional.of(start)));
+        driver.await(() -> driver.studio.fileProperty().get().path().equals(start));
         assertThat(SceneReader.read(other).settings().bounces())
                 .isEqualTo(changed.settings().bounces() - 1);
     }
@@ -273,7 +256,7 @@ class FilesTest {
         driver.run(() -> driver.window.workbench().files().afterSaving(() -> left.complete(SceneReader.read(start))));
         DialogPane first = awaitDialog("save-question");
         driver.run(() -> {
-            press(first, "Save");
+            WindowDriver.press(first, "Save");
             // Nothing is told to this thread before it is done here.
             change();
         });

@@ -49,6 +49,11 @@ public final class SceneHistory {
         public Scene scene() {
             return scene;
         }
+
+        /** Whether the other one is the same, but for the camera. */
+        public boolean isSame(Version other) {
+            return history == other.history && number == other.number;
+        }
     }
 
     private final Deque<Step> past = new ArrayDeque<>();
@@ -131,6 +136,12 @@ public final class SceneHistory {
     /** Makes the edit again that was taken back last, where there is one. */
     public void redo() {
         step(future, past);
+    }
+
+    /** There is something to save, whatever was edited. */
+    public void markUnsaved() {
+        newestVersion++;
+        version = newestVersion;
     }
 
     /** Whether the scene was edited since it was opened or saved. */
