@@ -197,24 +197,51 @@ final class FileActions {
     }
 
     private void saveTo(Path file, Runnable then) {
+        saveTo(file, studio.fileProperty().get(), then);
+    }
+
+    /**
+     * @param known how the scene's own file was when it was read or written last: it is not overwritten unasked where it has
+     *     changed since
+     */
+    private void saveTo(Path file, EditedFile known, Runnable then) {
         SceneHistory.Version version = studio.toSave();
         saving++;
         errands.keep(
                 () -> {
+                    if (known.isOverwrittenBy(file)) {
+                        return Optional.<EditedFile>empty();
+                    }
                     SceneWriter.write(version.scene(), file);
-                    return new EditedFile(file, FileMark.of(file));
+                    return Optional.of(new EditedFile(file, FileMark.of(file)));
                 },
                 written -> {
                     saving--;
-                    studio.saved(version, written);
-                    studio.notice("Saved " + file);
-                    remember(file);
-                    then.run();
+                    written.ifPresentOrElse(now -> saved(version, now, then), () -> askToOverwrite(file, then));
                 },
                 problem -> {
                     saving--;
                     complain("The scene was not saved", problem);
                 });
+    }
+
+    private void saved(SceneHistory.Version version, EditedFile written, Runnable then) {
+        studio.saved(version, written);
+        studio.notice("Saved " + written.path());
+        remember(written.path());
+        then.run();
+    }
+
+    private void askToOverwrite(Path file, Runnable then) {
+        dialogs.askToOverwrite(
+                name(file),
+                new Answer("Save as…", () -> saveAs(then)),
+                new Answer(
+                        "Overwrite",
+                        () -> errands.run(
+                                () -> new EditedFile(file, FileMark.of(file)),
+                                seen -> saveTo(file, seen, then),
+                                problem -> complain("The scene was not saved", problem))));
     }
 
     /** Has a scene that was opened or saved among the recent ones from now on. */

@@ -269,6 +269,50 @@ class FilesTest {
     }
 
     @Test
+    void aFileThatAnotherProgramHasChangedIsNotOverwrittenUnasked() throws IOException {
+        Path start = folder.resolve("scenes").resolve("start.json");
+        String theirs = Files.readString(start).replace("\"bounces\": ", "\"bounces\": 1");
+        Files.writeString(start, theirs);
+        change();
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+        answer(awaitDialog("overwrite-question"), "Cancel");
+        assertThat(start).hasContent(theirs);
+
+        Path copy = folder.resolve("scenes").resolve("copy.json");
+        driver.files.choose(copy);
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+        answer(awaitDialog("overwrite-question"), "Save as…");
+        driver.await(() -> driver.studio.fileProperty().get().path().equals(copy));
+        assertThat(start).hasContent(theirs);
+    }
+
+    @Test
+    void whoWantsToOverwriteAnotherProgramsChangesIsAskedOnce() throws IOException {
+        Path start = folder.resolve("scenes").resolve("start.json");
+        Files.writeString(start, "something else");
+        change();
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+        answer(awaitDialog("overwrite-question"), "Overwrite");
+        driver.await(() -> !driver.studio.editsProperty().get().changed());
+        assertThat(SceneReader.read(start)).isEqualTo(scene());
+
+        change();
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+        driver.await(() -> !driver.studio.editsProperty().get().changed());
+        assertThat(SceneReader.read(start)).isEqualTo(scene());
+    }
+
+    @Test
+    void aFileThatIsGoneIsWrittenAnew() throws IOException {
+        Path start = folder.resolve("scenes").resolve("start.json");
+        Files.delete(start);
+        change();
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+        driver.await(() -> !driver.studio.editsProperty().get().changed());
+        assertThat(SceneReader.read(start)).isEqualTo(scene());
+    }
+
+    @Test
     void closingAsksToo() {
         change();
         driver.typeWith(KeyCode.Q, KeyCode.CONTROL);
