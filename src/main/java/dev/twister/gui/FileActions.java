@@ -24,6 +24,7 @@ final class FileActions {
     private final Dialogs dialogs;
     private final SettingsKeeper settings;
     private final Errands errands;
+    private final Reading reading;
     private final BooleanSupplier takeTyped;
     private int saving;
 
@@ -38,12 +39,14 @@ final class FileActions {
             Dialogs dialogs,
             SettingsKeeper settings,
             Errands errands,
+            Reading reading,
             BooleanSupplier takeTyped) {
         this.studio = studio;
         this.choice = choice;
         this.dialogs = dialogs;
         this.settings = settings;
         this.errands = errands;
+        this.reading = reading;
         this.takeTyped = takeTyped;
     }
 
@@ -54,7 +57,8 @@ final class FileActions {
 
     /** Opens a scene, once changes are saved or given up; a panorama becomes the sky. What is neither is complained of. */
     void open(Path file) {
-        errands.run(
+        reading.begin(
+                name(file),
                 () -> DroppedFile.kind(file),
                 kind -> {
                     switch (kind) {
@@ -66,7 +70,8 @@ final class FileActions {
                         }
                     }
                 },
-                problem -> complain("This cannot be opened", problem));
+                problem -> complain("This cannot be opened", problem),
+                () -> {});
     }
 
     /** Opens the first of the files that were dropped; with several, says so. */
@@ -90,11 +95,12 @@ final class FileActions {
     /**
      * Makes a panorama the sky, once it has been read; the old one stays where that fails.
      *
-     * @param refused called in that case
+     * @param refused called in that case, and where the person does not wait for it
      */
     void useSky(Path panorama, Runnable refused) {
         Path file = panorama.toAbsolutePath().normalize();
-        errands.run(
+        reading.begin(
+                name(file),
                 () -> {
                     studio.readSky(file);
                     return file;
@@ -103,7 +109,8 @@ final class FileActions {
                 problem -> {
                     refused.run();
                     complain("This sky cannot be used", problem);
-                });
+                },
+                refused);
     }
 
     /** Saves to the scene's own file. */
@@ -128,8 +135,8 @@ final class FileActions {
             return;
         }
         if (saving > 0) {
-            // One errand follows the other: then it is known whether there is something to lose.
-            errands.run(() -> "", _ -> afterSaving(action), problem -> complain("This cannot be done", problem));
+            // One scene is written after the other: then it is known whether there is something to lose.
+            errands.keepScene(() -> "", _ -> afterSaving(action), problem -> complain("This cannot be done", problem));
         } else if (studio.editsProperty().get().changed()) {
             // While the file is being written the scene can be edited on: that is asked about again.
             dialogs.askToSave(
@@ -142,7 +149,8 @@ final class FileActions {
     }
 
     private void openScene(Path file) {
-        errands.run(
+        reading.begin(
+                name(file),
                 () -> studio.read(file),
                 // What cannot be opened is no reason to ask what is to become of the old scene.
                 opened -> afterSaving(() -> {
@@ -152,7 +160,8 @@ final class FileActions {
                 problem -> {
                     forgetWhereGone(file);
                     complain("This scene cannot be opened", problem);
-                });
+                },
+                () -> {});
     }
 
     /**
@@ -162,7 +171,8 @@ final class FileActions {
      * @param failed called when they cannot be
      */
     void restore(Autosave autosave, Runnable then, Runnable failed) {
-        errands.run(
+        reading.begin(
+                name(autosave.edited().path()),
                 () -> {
                     Scene edited = studio.read(autosave.file()).scene();
                     return new Restored(before(autosave.edited(), edited), edited);
@@ -174,7 +184,8 @@ final class FileActions {
                 problem -> {
                     failed.run();
                     complain("Couldn't restore the changes", problem);
-                });
+                },
+                failed);
     }
 
     private record Restored(OpenedScene before, Scene edited) {}
@@ -207,7 +218,7 @@ final class FileActions {
     private void saveTo(Path file, EditedFile known, Runnable then) {
         SceneHistory.Version version = studio.toSave();
         saving++;
-        errands.keep(
+        errands.keepScene(
                 () -> {
                     if (known.isOverwrittenBy(file)) {
                         return Optional.<EditedFile>empty();
@@ -238,7 +249,7 @@ final class FileActions {
                 new Answer("Save as…", () -> saveAs(then)),
                 new Answer(
                         "Overwrite",
-                        () -> errands.run(
+                        () -> errands.keepScene(
                                 () -> new EditedFile(file, FileMark.of(file)),
                                 seen -> saveTo(file, seen, then),
                                 problem -> complain("The scene was not saved", problem))));

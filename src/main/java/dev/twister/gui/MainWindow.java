@@ -26,6 +26,7 @@ final class MainWindow implements AutoCloseable {
     private final PictureView picture;
     private final FrameTimesView frameTimes;
     private final StatusLine status;
+    private final Reading reading = new Reading();
     private final Workbench workbench;
     private final AnimationTimer timer;
     private final Runnable afterLayout;
@@ -49,7 +50,7 @@ final class MainWindow implements AutoCloseable {
         middle.setMinSize(0, 0);
         BorderPane root = new BorderPane(middle);
         root.setId("window");
-        status = new StatusLine(studio);
+        status = new StatusLine(studio, reading);
         root.setBottom(status);
         Scene scene = new Scene(root, WIDTH, HEIGHT, AROUND_THE_PICTURE);
         scene.getStylesheets().add(MainWindow.class.getResource("twister.css").toExternalForm());
@@ -59,7 +60,7 @@ final class MainWindow implements AutoCloseable {
         stage.setScene(scene);
         CameraKeys.install(scene, stage.focusedProperty(), studio);
         CameraMouse.install(picture, studio);
-        workbench = new Workbench(stage, root, picture, frameTimes, studio, options);
+        workbench = new Workbench(stage, root, picture, frameTimes, studio, reading, options);
         timer = new AnimationTimer() {
             @Override
             public void handle(long now) {
@@ -68,6 +69,11 @@ final class MainWindow implements AutoCloseable {
         };
         afterLayout = this::endPulse;
         scene.addPostLayoutPulseListener(afterLayout);
+    }
+
+    /** What reads the files that are opened. */
+    Reading reading() {
+        return reading;
     }
 
     Workbench workbench() {
@@ -86,6 +92,7 @@ final class MainWindow implements AutoCloseable {
         studio.pulse(pulseNanos);
         frameTimes.refresh(pulseNanos);
         workbench.pulse(pulseNanos);
+        status.pulse(pulseNanos);
     }
 
     /** Up to the end of the layout; what the graphics card's thread does comes after that. */

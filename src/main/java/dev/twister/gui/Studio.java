@@ -437,6 +437,16 @@ public final class Studio implements AutoCloseable {
         skies.refresh(panorama);
     }
 
+    /** The panorama that the drawing thread waits for. */
+    Optional<Path> skyBeingRead() {
+        return skies.beingRead();
+    }
+
+    /** The drawing thread waits no more for a panorama, and draws without it. */
+    void cancelSky() {
+        skies.cancel();
+    }
+
     /** The area for the picture, in pixels of the screen. */
     public void setViewSize(double width, double height) {
         if (width != viewWidth || height != viewHeight) {

@@ -22,6 +22,7 @@ final class Workbench implements AutoCloseable {
     private final PictureView picture;
     private final FrameTimesView frameTimes;
     private final SettingsKeeper settings;
+    private final Reading reading;
     private final Errands errands = new Errands();
     private final FileActions files;
     private final AutosaveKeeper autosaves;
@@ -34,6 +35,7 @@ final class Workbench implements AutoCloseable {
      * Puts the menu at the root's top and the panel at its right.
      *
      * @param root of the stage's scene, the picture somewhere in it
+     * @param reading reads the files that are opened
      */
     Workbench(
             Stage stage,
@@ -41,14 +43,16 @@ final class Workbench implements AutoCloseable {
             PictureView picture,
             FrameTimesView frameTimes,
             Studio studio,
+            Reading reading,
             WindowOptions options) {
         this.stage = stage;
         this.studio = studio;
         this.picture = picture;
         this.frameTimes = frameTimes;
+        this.reading = reading;
         settings = new SettingsKeeper(options.settings(), options.found(), studio::notice);
         Dialogs dialogs = new Dialogs(stage);
-        files = new FileActions(studio, options.files(), dialogs, settings, errands, this::takeTyped);
+        files = new FileActions(studio, options.files(), dialogs, settings, errands, reading, this::takeTyped);
         autosaves = new AutosaveKeeper(studio, options.autosaves());
         pictures = new PictureActions(studio, options.files(), dialogs, errands);
         help = new HelpWindows(stage);
@@ -100,6 +104,7 @@ final class Workbench implements AutoCloseable {
         help.close();
         pictures.finish();
         autosaves.finish();
+        reading.cancel();
         errands.finish();
         menu.dismantle();
     }
@@ -245,7 +250,9 @@ final class Workbench implements AutoCloseable {
     }
 
     private void backToThePicture() {
-        if (picture.isFocused()) {
+        if (ReadingView.isReading(studio, reading)) {
+            ReadingView.cancel(studio, reading);
+        } else if (picture.isFocused()) {
             studio.select(BodyNumber.NONE);
         } else {
             picture.requestFocus();

@@ -11,7 +11,16 @@ import java.util.Optional;
 import java.util.Queue;
 import java.util.SequencedMap;
 import java.util.StringJoiner;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.BiFunction;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 
 /**
  * The panoramas used last, so that going back to one does not read its file again. Used by any thread; none waits while
@@ -19,18 +28,84 @@ import java.util.concurrent.ConcurrentLinkedQueue;
  */
 public final class SkyShelf {
     private static final int KEPT = 3;
+    private static final long ASKED_EVERY_MILLIS = 20;
 
+    private final BiFunction<Path, Consumer<String>, Skybox> reader;
     private final SequencedMap<Path, Skybox> skies = new LinkedHashMap<>();
     private final Map<Path, Long> editions = new HashMap<>();
+    private volatile Optional<Path> beingRead = Optional.empty();
     private final Queue<String> warnings = new ConcurrentLinkedQueue<>();
+
+    public SkyShelf() {
+        this(SkyboxReader::read);
+    }
+
+    /** A shelf whose files are read by that. */
+    SkyShelf(BiFunction<Path, Consumer<String>, Skybox> reader) {
+        this.reader = reader;
+    }
 
     /**
      * The panorama of that file, read where it is not at hand.
      *
-     * @throws SkyException as {@link SkyboxReader#read} does
+     * @param wanted asked again and again meanwhile, whether it still is
+     * @throws SkyException as {@link SkyboxReader#read} does, and where it is not wanted any more or was {@link #cancel
+     *     canceled}
      */
-    public Skybox find(Path file) {
-        return kept(file).orElseGet(() -> keep(file, SkyboxReader.read(file, warnings::add)));
+    Skybox find(Path file, BooleanSupplier wanted) {
+        return kept(file).orElseGet(() -> keep(file, await(file, wanted)));
+    }
+
+    /** What a thread waits for in {@link #find}. */
+    public Optional<Path> beingRead() {
+        return beingRead;
+    }
+
+    /** Whoever waits in {@link #find} waits no more. */
+    public void cancel() {
+        beingRead = Optional.empty();
+    }
+
+    private Skybox await(Path file, BooleanSupplier wanted) {
+        CompletableFuture<Skybox> sky = new CompletableFuture<>();
+        beingRead = Optional.of(file);
+        Thread thread = Thread.ofPlatform().daemon().name("sky").start(() -> {
+            try {
+                sky.complete(reader.apply(file, warnings::add));
+            } catch (RuntimeException | Error problem) {
+                sky.completeExceptionally(problem);
+            }
+        });
+        try {
+            while (!sky.isDone()) {
+                if (!wanted.getAsBoolean() || beingRead.isEmpty()) {
+                    throw new SkyException(file + ": reading was canceled", new CancellationException());
+                }
+                waitFor(sky);
+            }
+            return sky.join();
+        } catch (CompletionException problem) {
+            throw thrown(problem.getCause());
+        } finally {
+            beingRead = Optional.empty();
+            // Which closes the file under it.
+            thread.interrupt();
+        }
+    }
+
+    private static void waitFor(CompletableFuture<Skybox> sky) {
+        try {
+            sky.get(ASKED_EVERY_MILLIS, TimeUnit.MILLISECONDS);
+        } catch (InterruptedException | ExecutionException | TimeoutException _) {
+            // Whoever waits looks for itself.
+        }
+    }
+
+    private static RuntimeException thrown(Throwable problem) {
+        if (problem instanceof Error error) {
+            throw error;
+        }
+        return (RuntimeException) problem;
     }
 
     /**
@@ -39,7 +114,7 @@ public final class SkyShelf {
      * @throws SkyException as {@link SkyboxReader#read} does; the panorama that was at hand stays then
      */
     public void refresh(Path file) {
-        Skybox sky = SkyboxReader.read(file, warnings::add);
+        Skybox sky = reader.apply(file, warnings::add);
         synchronized (this) {
             keep(file, sky);
             editions.merge(file, 1L, Long::sum);
