@@ -14,7 +14,7 @@ final class ColorRow extends PanelRow {
     private final ColorPicker picker = new ColorPicker();
     private final Function<Scene, Rgb> reader;
     private final BiFunction<Scene, Rgb, Scene> writer;
-    private final SceneEdit edit;
+    private final Studio studio;
     private final String what;
     private boolean showing;
 
@@ -28,13 +28,13 @@ final class ColorRow extends PanelRow {
             String label,
             String hint,
             String key,
-            SceneEdit edit,
+            Studio studio,
             Function<Scene, Rgb> reader,
             BiFunction<Scene, Rgb, Scene> writer) {
         super(label, hint, key);
         this.reader = reader;
         this.writer = writer;
-        this.edit = edit;
+        this.studio = studio;
         what = label.toLowerCase(Locale.ROOT);
         picker.valueProperty().subscribe((_, color) -> {
             if (!showing) {
@@ -44,7 +44,7 @@ final class ColorRow extends PanelRow {
         // While it is open, a drag in the dialog of custom colours sets one value after the other.
         picker.showingProperty().subscribe(open -> {
             if (!open) {
-                edit.endGesture();
+                studio.endGesture();
             }
         });
         DropDownKeys.install(picker);
@@ -71,9 +71,9 @@ final class ColorRow extends PanelRow {
     }
 
     private void write(Rgb rgb) {
-        edit.apply(what, scene -> writer.apply(scene, rgb));
+        studio.edit(what, scene -> writer.apply(scene, rgb));
         if (!picker.isShowing()) {
-            edit.endGesture();
+            studio.endGesture();
         }
     }
 }

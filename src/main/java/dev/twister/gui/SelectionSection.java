@@ -29,7 +29,9 @@ final class SelectionSection extends VBox {
         hint.setId("selection-hint");
         studio.selectionProperty().subscribe(_ -> rebuild());
         // A row's own edit is shown too, while the slider is held.
-        studio.sceneProperty().subscribe(_ -> refresh(_ -> true));
+        studio.sceneProperty()
+                .subscribe(_ -> refresh(
+                        row -> !row.isRead() || !studio.motionProperty().get().isOn()));
         studio.motionProperty().subscribe(_ -> follow());
     }
 
@@ -72,11 +74,11 @@ final class SelectionSection extends VBox {
 
     private List<NumberRow> numbers(int body) {
         return List.of(
-                NumberRow.ofScene(BodyEdits.x(body), "Alt+4", studio),
-                NumberRow.ofScene(BodyEdits.y(body), "Alt+5", studio),
-                NumberRow.ofScene(BodyEdits.z(body), "Alt+6", studio),
-                NumberRow.ofScene(BodyEdits.radiusOf(body), "Alt+7", studio),
-                NumberRow.ofScene(BodyEdits.reflectivityOf(body), "Alt+8", studio));
+                new NumberRow(BodyEdits.x(body), "Alt+4", studio),
+                new NumberRow(BodyEdits.y(body), "Alt+5", studio),
+                new NumberRow(BodyEdits.z(body), "Alt+6", studio),
+                new NumberRow(BodyEdits.radiusOf(body), "Alt+7", studio),
+                new NumberRow(BodyEdits.reflectivityOf(body), "Alt+8", studio));
     }
 
     private ColorRow color(int body) {
@@ -84,7 +86,7 @@ final class SelectionSection extends VBox {
                 "Sphere colour",
                 "The sphere's own colour.",
                 "Alt+9",
-                SceneEdit.ofScene(studio),
+                studio,
                 scene -> BodyEdits.sphere(scene, body).color(),
                 (scene, albedo) -> BodyEdits.colored(scene, body, albedo));
     }

@@ -181,6 +181,13 @@ public final class Studio implements AutoCloseable {
         notice.set(text);
     }
 
+    /** Takes a notice away, where it is still the last one. */
+    void retract(String text) {
+        if (notice.get().equals(text)) {
+            notice.set("");
+        }
+    }
+
     /** The file that the scene came from or was saved to last. */
     public ReadOnlyObjectProperty<EditedFile> fileProperty() {
         return file.getReadOnlyProperty();
@@ -269,12 +276,14 @@ public final class Studio implements AutoCloseable {
 
     /** Takes the last edit back, where there is one. */
     public void undo() {
+        document.undoable().ifPresent(what -> notice("Undone: " + what));
         document.undo();
         show();
     }
 
     /** Makes the edit again that was taken back last, where there is one. */
     public void redo() {
+        document.redoable().ifPresent(what -> notice("Redone: " + what));
         document.redo();
         show();
     }

@@ -242,6 +242,31 @@ class PhysicsTest {
     }
 
     @Test
+    void aFieldWithTheFocusKeepsItsTextWhileItsSphereMoves() {
+        driver.run(() -> driver.studio.select(Layout.FIRST_SPHERE));
+        TextField field = driver.find("#sphere-y .text-field", TextField.class);
+        driver.run(() -> {
+            field.requestFocus();
+            field.selectRange(0, 1);
+        });
+        driver.type(KeyCode.F5);
+        driver.awaitPicture(shown -> shown.request().motion().isOn() && height(shown) < HEIGHT - 0.5);
+        // The camera is part of the scene.
+        driver.run(() -> driver.studio.moveCamera(camera -> camera.withYaw(1)));
+        driver.pulse();
+        assertThat(Double.parseDouble(WindowDriver.call(field::getText))).isEqualTo(HEIGHT);
+        assertThat(WindowDriver.call(field::getSelection).getLength()).isOne();
+
+        driver.run(() -> {
+            field.selectAll();
+            field.replaceSelection("2");
+        });
+        driver.awaitCurrentPicture();
+        driver.type(KeyCode.ENTER);
+        assertThat(scene().spheres().getFirst().position().y()).isEqualTo(2);
+    }
+
+    @Test
     void spheresAreThrownAndThatCanBeUndone() {
         Scene before = scene();
         driver.click(driver.find("#randomise", Button.class));
