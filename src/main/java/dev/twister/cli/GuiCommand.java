@@ -2,6 +2,7 @@ package dev.twister.cli;
 
 import dev.twister.engine.Engines;
 import dev.twister.gui.Gui;
+import dev.twister.gui.ShippedFolders;
 import dev.twister.scene.SceneReader;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -39,7 +40,12 @@ final class GuiCommand implements Callable<Integer> {
         // To look for devices takes TornadoVM a second: the window tells of one that is not there.
         engineId.filter(id -> !Engines.isDevice(id))
                 .ifPresent(id -> Engines.offer(id).check());
-        Gui.run(SceneReader.read(file), file, sceneName.isPresent(), engineId, Home.skyboxes());
+        Gui.run(
+                SceneReader.read(file),
+                file,
+                sceneName.isPresent(),
+                engineId,
+                new ShippedFolders(Home.scenes(), Home.skyboxes()));
         return Main.OK;
     }
 }

@@ -21,6 +21,7 @@ import java.util.function.BooleanSupplier;
 final class FileActions {
     private final Studio studio;
     private final FileChoice choice;
+    private final ShippedFolders shipped;
     private final Dialogs dialogs;
     private final SettingsKeeper settings;
     private final Errands errands;
@@ -36,6 +37,7 @@ final class FileActions {
     FileActions(
             Studio studio,
             FileChoice choice,
+            ShippedFolders shipped,
             Dialogs dialogs,
             SettingsKeeper settings,
             Errands errands,
@@ -43,6 +45,7 @@ final class FileActions {
             BooleanSupplier takeTyped) {
         this.studio = studio;
         this.choice = choice;
+        this.shipped = shipped;
         this.dialogs = dialogs;
         this.settings = settings;
         this.errands = errands;
@@ -141,7 +144,7 @@ final class FileActions {
             // While the file is being written the scene can be edited on: that is asked about again.
             dialogs.askToSave(
                     name(file()),
-                    new Answer("Save", () -> save(() -> afterSaving(action))),
+                    new Answer(shipped.isScene(file()) ? "Save as…" : "Save", () -> save(() -> afterSaving(action))),
                     new Answer("Don't save", action));
         } else {
             action.run();
@@ -200,11 +203,24 @@ final class FileActions {
     }
 
     private void save(Runnable then) {
-        saveTo(file(), then);
+        if (shipped.isScene(file())) {
+            saveAs(then);
+        } else {
+            saveTo(file(), then);
+        }
     }
 
     private void saveAs(Runnable then) {
-        choice.toSaveScene(file()).ifPresent(file -> saveTo(file, then));
+        Path own = file();
+        Path suggested = shipped.isScene(own) ? Path.of("").toAbsolutePath().resolve(own.getFileName()) : own;
+        choice.toSaveScene(suggested).ifPresent(file -> {
+            if (shipped.isScene(file)) {
+                dialogs.complain(
+                        "Shipped scenes are read-only", file.getParent() + ": choose another folder for your scene.");
+            } else {
+                saveTo(file, then);
+            }
+        });
     }
 
     private void saveTo(Path file, Runnable then) {

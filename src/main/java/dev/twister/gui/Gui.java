@@ -26,10 +26,10 @@ public final class Gui {
      * @param file where it came from
      * @param asked whether it was asked for by name, and is to be among the recent ones
      * @param engine the id of what draws first; where it is not said, the one that was chosen last in the window
-     * @param skyboxes the folder of the panoramas that are offered; need not exist
+     * @param shipped what is offered and not written to
      * @throws NoDisplayException where there is no screen
      */
-    public static void run(Scene scene, Path file, boolean asked, Optional<String> engine, Path skyboxes) {
+    public static void run(Scene scene, Path file, boolean asked, Optional<String> engine, ShippedFolders shipped) {
         Display.check();
         // The readers of PNG and JPEG skies are AWT's, which must not open a display of its own beside JavaFX's.
         System.setProperty("java.awt.headless", "true");
@@ -38,7 +38,7 @@ public final class Gui {
         double textScale = TextScale.ofSystem();
         CompletableFuture<Runnable> end = new CompletableFuture<>();
         try {
-            Platform.startup(() -> open(scene, file, asked, engine, skyboxes, textScale, end));
+            Platform.startup(() -> open(scene, file, asked, engine, shipped, textScale, end));
         } catch (RuntimeException | LinkageError problem) {
             throw new NoDisplayException(Display.explain(problem), problem);
         }
@@ -55,7 +55,7 @@ public final class Gui {
             Path file,
             boolean asked,
             Optional<String> engine,
-            Path skyboxes,
+            ShippedFolders shipped,
             double textScale,
             CompletableFuture<Runnable> end) {
         try {
@@ -74,7 +74,7 @@ public final class Gui {
                             store,
                             found,
                             AutosaveFolder.ofThisUser(),
-                            skyboxes,
+                            shipped,
                             Optional.of(file).filter(_ -> asked),
                             textScale));
             stage.setOnHidden(_ -> {

@@ -12,7 +12,7 @@ import java.util.Optional;
  * @param settings where the window's settings are kept
  * @param found what was kept there
  * @param autosaves where unsaved edits are kept
- * @param skyboxes the folder of the panoramas that are offered; need not exist
+ * @param shipped what is offered and not written to
  * @param asked the scene's file, where it was asked for by name
  * @param textScale how much larger than usual text is, above 0
  */
@@ -21,6 +21,6 @@ record WindowOptions(
         SettingsStore settings,
         SettingsStore.Found found,
         AutosaveFolder autosaves,
-        Path skyboxes,
+        ShippedFolders shipped,
         Optional<Path> asked,
         double textScale) {}

@@ -52,7 +52,8 @@ final class Workbench implements AutoCloseable {
         this.reading = reading;
         settings = new SettingsKeeper(options.settings(), options.found(), studio::notice);
         Dialogs dialogs = new Dialogs(stage);
-        files = new FileActions(studio, options.files(), dialogs, settings, errands, reading, this::takeTyped);
+        files = new FileActions(
+                studio, options.files(), options.shipped(), dialogs, settings, errands, reading, this::takeTyped);
         autosaves = new AutosaveKeeper(studio, options.autosaves());
         pictures = new PictureActions(studio, options.files(), dialogs, errands);
         help = new HelpWindows(stage);
@@ -69,7 +70,7 @@ final class Workbench implements AutoCloseable {
         PanelKeys.install(root.getScene(), panel, picture, this::showPanel);
         DropTarget.install(root.getScene(), files);
         errands.run(
-                () -> SkyList.in(options.skyboxes()),
+                () -> SkyList.in(options.shipped().skyboxes()),
                 panel::offerSkies,
                 problem -> studio.notice(FileActions.explain(problem)));
         restore();

@@ -114,6 +114,7 @@ class FilesTest {
         A_FOLDER(folder -> Files.createDirectory(folder.resolve("folder.json"))),
         EMPTY(folder -> Files.createFile(folder.resolve("empty.json"))),
         BINARY_SCENE(folder -> Files.write(folder.resolve("binary.json"), new byte[] {0, -1, -2, 0, 7})),
+        SCHEMA(folder -> Files.writeString(folder.resolve("x.schema.json"), "{}")),
         BINARY(folder -> Files.write(folder.resolve("program"), new byte[] {127, 'E', 'L', 'F', 0, 1})),
         OTHER_JSON(folder -> Files.writeString(folder.resolve("package.json"), "{\"name\": \"left-pad\"}")),
         HALF_A_SCENE(folder -> Files.writeString(
@@ -174,6 +175,8 @@ class FilesTest {
         switch (hostile) {
             case A_FOLDER ->
                 assertThat(dialog.getContentText()).startsWith(file.toString()).contains("is a folder");
+            case SCHEMA ->
+                assertThat(dialog.getContentText()).startsWith(file.toString()).contains("describes scenes");
             case BINARY ->
                 assertThat(dialog.getContentText()).startsWith(file.toString()).contains("neither a scene");
             default -> assertThat(dialog.getContentText()).isEqualTo(commandLinesMessage(file));
@@ -310,6 +313,27 @@ class FilesTest {
         driver.typeWith(KeyCode.S, KeyCode.CONTROL);
         driver.await(() -> !driver.studio.editsProperty().get().changed());
         assertThat(SceneReader.read(start)).isEqualTo(scene());
+    }
+
+    @Test
+    void shippedScenesAreNotWrittenTo() throws IOException {
+        Path shipped = Path.of("scenes", "teaching.json").toAbsolutePath();
+        byte[] before = Files.readAllBytes(shipped);
+        Path mine = folder.resolve("scenes").resolve("mine.json");
+        driver.run(() -> driver.studio.open(shipped));
+        change();
+        driver.typeWith(KeyCode.Q, KeyCode.CONTROL);
+        driver.files.choose(shipped);
+        answer(awaitDialog("save-question"), "Save as…");
+        assertThat(driver.files.suggested().orElseThrow().getParent())
+                .isEqualTo(Path.of("").toAbsolutePath());
+        answer(awaitDialog("complaint"), "OK");
+
+        driver.files.choose(mine);
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+        driver.await(() -> driver.studio.fileProperty().get().path().equals(mine));
+        assertThat(SceneReader.read(mine)).isEqualTo(scene());
+        assertThat(shipped).hasBinaryContent(before);
     }
 
     @Test

@@ -89,7 +89,7 @@ final class WindowDriver implements AutoCloseable {
                         settings,
                         found,
                         autosaves,
-                        Path.of("skyboxes"),
+                        new ShippedFolders(Path.of("scenes"), Path.of("skyboxes")),
                         Optional.of(Path.of("test.json")),
                         textScale));
         ((Labeled) stage.getScene().getRoot().lookup("#notice")).textProperty().subscribe(text -> {
