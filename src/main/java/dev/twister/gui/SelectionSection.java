@@ -58,18 +58,25 @@ final class SelectionSection extends VBox {
         boolean sphere = BodyEdits.isSphere(atSelection, body);
         numbers = sphere ? numbers(body) : List.of();
         colors = sphere ? List.of(color(body)) : List.of();
-        hint.setText(
-                switch (body) {
-                    case BodyNumber.NONE ->
-                        "Click a sphere or the light in the picture to select it, or press F2; drag the selected one to move it.";
-                    case BodyNumber.LIGHT -> "The light is selected; its controls are above.";
-                    default ->
-                        "Sphere " + (BodyNumber.sphere(body) + 1) + " of "
-                                + atSelection.spheres().size() + ". Drag it to move it, Delete deletes it.";
-                });
+        hint.setText(hint(atSelection, body));
         getChildren().setAll(hint);
         getChildren().addAll(rows());
         refresh(_ -> true);
+    }
+
+    private static String hint(Scene scene, int body) {
+        int spheres = scene.spheres().size();
+        if (BodyEdits.isPoured(scene, body)) {
+            return "Poured sphere " + (BodyNumber.sphere(body) - spheres + 1) + ". Physics moves it; it can't be edited.";
+        }
+        return switch (body) {
+            case BodyNumber.NONE ->
+                "Click a sphere or the light in the picture to select it, or press F2; drag the selected one to move it.";
+            case BodyNumber.LIGHT -> "The light is selected; its controls are above.";
+            default ->
+                "Sphere " + (BodyNumber.sphere(body) + 1) + " of " + spheres
+                        + ". Drag it to move it, Delete deletes it.";
+        };
     }
 
     private List<NumberRow> numbers(int body) {

@@ -235,7 +235,13 @@ public final class Studio implements AutoCloseable {
     /** Lets bodies move from where the scene has them, or puts them back there. */
     public void setMoving(boolean moving) {
         starts++;
+        boolean moved = motion.get().isOn();
         setMotion(moving ? new Motion(starts, true, 0) : Motion.NONE);
+        if (moving) {
+            notice(StatusText.whatFalls(scene.get()));
+        } else if (moved) {
+            notice("Physics off: bodies are where the scene has them");
+        }
     }
 
     /** Lets time stand still, or go on; starts the motion where there is none. */
@@ -243,6 +249,7 @@ public final class Studio implements AutoCloseable {
         Motion now = motion.get();
         if (now.isOn()) {
             setMotion(new Motion(now.start(), !now.running(), now.steps()));
+            notice(now.running() ? "Paused" : "Resumed");
         } else {
             setMoving(true);
         }
@@ -258,6 +265,9 @@ public final class Studio implements AutoCloseable {
     }
 
     private void setMotion(Motion next) {
+        if (next.start() != motion.get().start() && BodyEdits.isPoured(scene.get(), selection.get())) {
+            select(BodyNumber.NONE);
+        }
         motion.set(next);
         request();
     }
@@ -293,9 +303,10 @@ public final class Studio implements AutoCloseable {
         return selection.getReadOnlyProperty();
     }
 
-    /** Selects the light or a sphere; any other number selects nothing. */
+    /** Selects the light, a sphere or one that is poured; any other number selects nothing. */
     public void select(int body) {
-        int selected = BodyEdits.isMovable(scene.get(), body) ? body : BodyNumber.NONE;
+        Scene now = scene.get();
+        int selected = BodyEdits.isMovable(now, body) || BodyEdits.isPoured(now, body) ? body : BodyNumber.NONE;
         if (selected != selection.get()) {
             // The next edit may have the same name, but is of another body.
             endGesture();
@@ -331,11 +342,15 @@ public final class Studio implements AutoCloseable {
     /** Keeps the camera as it is now under that number. */
     public void keepView(int number) {
         views.put(number, scene.get().camera());
+        notice("View kept under " + number);
     }
 
-    /** Goes to the view kept under that number, where there is one. */
+    /** Goes to the view kept under that number; says so where there is none. */
     public void recallView(int number) {
-        Optional.ofNullable(views.get(number)).ifPresent(view -> moveCamera(_ -> view));
+        Optional.ofNullable(views.get(number))
+                .ifPresentOrElse(
+                        view -> moveCamera(_ -> view),
+                        () -> notice("No view is kept under " + number + "; Ctrl+" + number + " keeps this one"));
     }
 
     /** From now on each pulse moves the camera that way, until told otherwise. */

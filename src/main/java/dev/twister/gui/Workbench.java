@@ -63,6 +63,7 @@ final class Workbench implements AutoCloseable {
         panel = new Panel(studio, engines, files, actions);
         menu = new MenuView(studio, settings, files, actions);
         pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
+        menu.explainKeys(root.getScene(), studio);
         root.setTop(menu);
         root.setRight(panel);
         picture.addOverlay(new SelectionView(picture, studio));

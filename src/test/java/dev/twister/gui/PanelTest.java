@@ -12,6 +12,7 @@ import dev.twister.kernel.Layout;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -628,6 +629,22 @@ class PanelTest {
         assertThat(panel.isVisible()).isFalse();
         driver.type(row("Exposure").keys());
         assertThat(panel.isVisible()).isTrue();
+    }
+
+    @Test
+    void keysThatDoNothingSayWhy() {
+        driver.type(KeyCode.ESCAPE);
+        driver.run(() -> driver.studio.select(Layout.LIGHT));
+        driver.type(KeyCode.DELETE);
+        assertThat(driver.notice()).isEqualTo("The light can't be deleted");
+        driver.run(() -> driver.studio.select(Layout.NOTHING));
+        driver.type(KeyCode.DELETE);
+        assertThat(driver.notice()).isEqualTo("Nothing is selected");
+        driver.run(() -> driver.studio.show(new OpenedScene(Path.of("test.json"), driver.studio.original())));
+        driver.type(Command.UNDO.keys());
+        assertThat(driver.notice()).isEqualTo("Nothing to undo");
+        driver.type(Command.REDO.keys());
+        assertThat(driver.notice()).isEqualTo("Nothing to redo");
     }
 
     @Test

@@ -47,7 +47,7 @@ class NumberSettingTest {
     @MethodSource("all")
     void nothingElseIsWritten(NumberSetting setting) {
         double before = setting.read(scene);
-        Scene there = setting.write(scene, setting.numberAt(0.9));
+        Scene there = setting.write(scene, setting.around(before).numberAt(0.9));
         assertThat(there).isNotEqualTo(scene);
         assertThat(setting.write(there, before)).isEqualTo(scene);
     }
