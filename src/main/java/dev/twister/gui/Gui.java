@@ -31,6 +31,7 @@ public final class Gui {
      */
     public static void run(Scene scene, Path file, boolean asked, Optional<String> engine, ShippedFolders shipped) {
         Display.check();
+        Language.choose();
         // The readers of PNG and JPEG skies are AWT's, which must not open a display of its own beside JavaFX's.
         System.setProperty("java.awt.headless", "true");
         Logger logger = Logger.getLogger("javafx");
