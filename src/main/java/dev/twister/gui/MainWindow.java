@@ -43,7 +43,7 @@ final class MainWindow implements AutoCloseable {
         this.stage = stage;
         this.studio = studio;
         picture = new PictureView(studio);
-        frameTimes = new FrameTimesView(studio.frames(), picture.widthProperty());
+        frameTimes = new FrameTimesView(studio, picture.widthProperty());
         StackPane middle = new StackPane(picture, frameTimes);
         StackPane.setAlignment(frameTimes, Pos.TOP_LEFT);
         // Large text in the panel takes the room from the picture, not from itself.

@@ -136,6 +136,15 @@ public final class Studio implements AutoCloseable {
                         request.scene().spheres(), scene.get().spheres(), request.number() < numbered));
     }
 
+    /** The samples per pixel of the picture that is shown, where it is finished and no other one is being drawn. */
+    Optional<Integer> restingSamples() {
+        return picture.get()
+                .filter(shown -> shown.request().number() == requests
+                        && !shown.request().isContinuous()
+                        && shown.samples() >= shown.request().refineTo())
+                .map(DrawnPicture::samples);
+    }
+
     /** What the drawing thread has to say. */
     public ReadOnlyObjectProperty<DrawingStatus> drawingProperty() {
         return drawing.getReadOnlyProperty();
