@@ -26,6 +26,7 @@ final class MainWindow implements AutoCloseable {
     private final PictureView picture;
     private final FrameTimesView frameTimes;
     private final StatusLine status;
+    private final HeapKeeper heap = new HeapKeeper();
     private final Reading reading = new Reading();
     private final Workbench workbench;
     private final AnimationTimer timer;
@@ -93,6 +94,7 @@ final class MainWindow implements AutoCloseable {
         frameTimes.refresh(pulseNanos);
         workbench.pulse(pulseNanos);
         status.pulse(pulseNanos);
+        heap.pulse(pulseNanos, studio.restingSamples().isPresent());
     }
 
     /** Up to the end of the layout; what the graphics card's thread does comes after that. */
