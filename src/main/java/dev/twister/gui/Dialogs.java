@@ -57,6 +57,11 @@ final class Dialogs {
                 Answer.CANCEL);
     }
 
+    /** Asks under which sky a scene is to be opened whose own cannot be read. */
+    void askForSky(String problem, Answer choose, Answer present) {
+        ask("sky-question", "Couldn't load the scene's sky", problem, choose, present, Answer.CANCEL);
+    }
+
     /** Asks what to do with changes that were not saved before the program ended. */
     void askToRestore(String name, Instant when, Answer restore, Answer discard, Answer later) {
         ask(

@@ -162,8 +162,39 @@ final class FileActions {
                 }),
                 problem -> {
                     forgetWhereGone(file);
-                    complain("This scene cannot be opened", problem);
+                    offerAnotherSky(file, problem);
                 },
+                () -> {});
+    }
+
+    /** Where only the sky is at fault, the scene can be had with another. */
+    private void offerAnotherSky(Path file, Throwable problem) {
+        Path present = studio.scene().skybox();
+        reading.begin(
+                name(file),
+                () -> OpenedScene.readUnder(present, file),
+                _ -> dialogs.askForSky(
+                        explain(problem),
+                        new Answer(
+                                "Choose a sky…",
+                                () -> choice.panorama(folder()).ifPresent(sky -> openUnder(sky, file))),
+                        new Answer("Use the present sky", () -> openUnder(present, file))),
+                _ -> complain("This scene cannot be opened", problem),
+                () -> {});
+    }
+
+    private void openUnder(Path sky, Path file) {
+        reading.begin(
+                name(file),
+                () -> {
+                    studio.readSky(sky);
+                    return OpenedScene.readUnder(sky, file);
+                },
+                opened -> afterSaving(() -> {
+                    studio.restore(opened, opened.scene());
+                    remember(file);
+                }),
+                problem -> complain("This sky cannot be used", problem),
                 () -> {});
     }
 
@@ -239,7 +270,7 @@ final class FileActions {
                     if (known.isOverwrittenBy(file)) {
                         return Optional.<EditedFile>empty();
                     }
-                    SceneWriter.write(version.scene(), file);
+                    SceneWriter.write(version.scene(), file, known.path());
                     return Optional.of(new EditedFile(file, FileMark.of(file)));
                 },
                 written -> {

@@ -3,8 +3,9 @@ package dev.twister.gui;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.gui.model.AutosaveFolder;
+import dev.twister.gui.model.DroppedFile;
 import dev.twister.gui.model.SettingsStore;
-import dev.twister.scene.Scene;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -22,14 +23,19 @@ public final class Gui {
     /**
      * Shows the window and returns when it has been closed.
      *
-     * @param scene shown first
-     * @param file where it came from
+     * @param opened shown first
+     * @param panorama made its sky, as if it were dropped on the window
      * @param asked whether it was asked for by name, and is to be among the recent ones
      * @param engine the id of what draws first; where it is not said, the one that was chosen last in the window
      * @param shipped what is offered and not written to
      * @throws NoDisplayException where there is no screen
      */
-    public static void run(Scene scene, Path file, boolean asked, Optional<String> engine, ShippedFolders shipped) {
+    public static void run(
+            OpenedScene opened,
+            Optional<Path> panorama,
+            boolean asked,
+            Optional<String> engine,
+            ShippedFolders shipped) {
         Display.check();
         Language.choose();
         // The readers of PNG and JPEG skies are AWT's, which must not open a display of its own beside JavaFX's.
@@ -39,7 +45,7 @@ public final class Gui {
         double textScale = TextScale.ofSystem();
         CompletableFuture<Runnable> end = new CompletableFuture<>();
         try {
-            Platform.startup(() -> open(scene, file, asked, engine, shipped, textScale, end));
+            Platform.startup(() -> open(opened, panorama, asked, engine, shipped, textScale, end));
         } catch (RuntimeException | LinkageError problem) {
             throw new NoDisplayException(Display.explain(problem), problem);
         }
@@ -51,9 +57,14 @@ public final class Gui {
         }
     }
 
+    /** Whether that is a panorama's file that is there, by its name and its first bytes. */
+    public static boolean isPanorama(Path file) {
+        return Files.isRegularFile(file) && DroppedFile.kind(file) == DroppedFile.Kind.SKYBOX;
+    }
+
     private static void open(
-            Scene scene,
-            Path file,
+            OpenedScene opened,
+            Optional<Path> panorama,
             boolean asked,
             Optional<String> engine,
             ShippedFolders shipped,
@@ -66,7 +77,7 @@ public final class Gui {
             String id = engine.orElse(found.settings().engine());
             // Looking for engines takes TornadoVM a second: that is left to the thread that opens this one.
             EngineOffer offer = EngineOffer.working(id, "", "", () -> Engines.open(id));
-            Studio studio = Studio.start(new OpenedScene(file, scene), offer);
+            Studio studio = Studio.start(opened, offer);
             MainWindow window = new MainWindow(
                     stage,
                     studio,
@@ -76,13 +87,14 @@ public final class Gui {
                             found,
                             AutosaveFolder.ofThisUser(),
                             shipped,
-                            Optional.of(file).filter(_ -> asked),
+                            Optional.of(opened.file().path()).filter(_ -> asked),
                             textScale));
             stage.setOnHidden(_ -> {
                 window.close();
                 end.complete(window::awaitFiles);
             });
             window.show();
+            panorama.ifPresent(window.workbench().files()::open);
         } catch (RuntimeException | LinkageError problem) {
             end.completeExceptionally(problem);
         }

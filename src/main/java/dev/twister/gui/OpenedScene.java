@@ -27,4 +27,10 @@ public record OpenedScene(EditedFile file, Scene scene) {
         FileMark mark = FileMark.of(file);
         return new OpenedScene(new EditedFile(file, mark), SceneReader.read(file));
     }
+
+    /** The same with another sky than the file's. */
+    static OpenedScene readUnder(Path skybox, Path file) {
+        FileMark mark = FileMark.of(file);
+        return new OpenedScene(new EditedFile(file, mark), SceneReader.readUnder(skybox, file));
+    }
 }

@@ -67,7 +67,8 @@ final class SelectionSection extends VBox {
     private static String hint(Scene scene, int body) {
         int spheres = scene.spheres().size();
         if (BodyEdits.isPoured(scene, body)) {
-            return "Poured sphere " + (BodyNumber.sphere(body) - spheres + 1) + ". Physics moves it; it can't be edited.";
+            return "Poured sphere " + (BodyNumber.sphere(body) - spheres + 1)
+                    + ". Physics moves it; it can't be edited.";
         }
         return switch (body) {
             case BodyNumber.NONE ->

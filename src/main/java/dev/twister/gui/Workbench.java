@@ -17,6 +17,11 @@ import javafx.stage.WindowEvent;
 
 /** Menu, panel, dialogs, and what is kept between runs: all of the window around the picture. */
 final class Workbench implements AutoCloseable {
+    /** For the picture, beside the panel where it is shown. */
+    private static final double LEAST_PICTURE = 240;
+
+    private static final double LEAST_HEIGHT = 240;
+
     private final Stage stage;
     private final Studio studio;
     private final PictureView picture;
@@ -75,6 +80,10 @@ final class Workbench implements AutoCloseable {
                 panel::offerSkies,
                 problem -> studio.notice(FileActions.explain(problem)));
         restore();
+        stage.setMinHeight(LEAST_HEIGHT);
+        panel.visibleProperty().subscribe(_ -> limitWidth());
+        // Style sheets say it, in the text's size.
+        panel.minWidthProperty().subscribe(_ -> limitWidth());
         options.asked().ifPresent(files::remember);
         studio.engineProperty()
                 .subscribe((_, choice) ->
@@ -184,6 +193,12 @@ final class Workbench implements AutoCloseable {
                 settings.change(kept -> kept.withView(number, camera));
             }
         });
+    }
+
+    /** The panel hides no picture. */
+    private void limitWidth() {
+        double beside = panel.isVisible() ? Math.max(0, panel.getMinWidth()) : 0;
+        stage.setMinWidth(Math.min(Screen.getPrimary().getVisualBounds().getWidth(), beside + LEAST_PICTURE));
     }
 
     private void showPanel(boolean shown) {

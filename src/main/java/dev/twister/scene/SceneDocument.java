@@ -1,6 +1,9 @@
 package dev.twister.scene;
 
 import java.nio.file.Path;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** A scene file's text: reads it and writes it, with the skybox's path as it stands there. */
 final class SceneDocument {
@@ -26,8 +29,13 @@ final class SceneDocument {
         return scene.withSkybox(skyboxes.find(fields.get("skybox"), scene.skybox()));
     }
 
-    /** Fields in a fixed order, one line per part and one line per sphere. */
-    static String of(Scene scene) {
-        return "{\n  " + String.join(",\n  ", SceneFormat.SCENE.members(scene)) + "\n}\n";
+    /** Fields in a fixed order, one line per part and one line per sphere; first, where there is one, the schema. */
+    static String of(Scene scene, Optional<String> schema) {
+        Stream<String> named =
+                schema.map(reference -> JsonText.member(SchemaReference.FIELD, JsonText.string(reference))).stream();
+        return "{\n  "
+                + Stream.concat(named, SceneFormat.SCENE.members(scene).stream())
+                        .collect(Collectors.joining(",\n  "))
+                + "\n}\n";
     }
 }

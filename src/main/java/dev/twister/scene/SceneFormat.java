@@ -152,7 +152,7 @@ final class SceneFormat {
             Scene.under(Path.of("")),
             List.of(
                     // For editors.
-                    sparse("$schema", REFERENCE, _ -> "", (scene, _) -> scene),
+                    sparse(SchemaReference.FIELD, REFERENCE, _ -> "", (scene, _) -> scene),
                     VERSION,
                     written("name", new Text(0, SceneLimits.MAX_NAME_LENGTH), Scene::name, Scene::withName),
                     written(

@@ -21,6 +21,15 @@ public final class SceneReader {
         return SceneDocument.parse(source, (place, name) -> skybox(place, file, name));
     }
 
+    /**
+     * Reads a scene file as {@link #read} does, but for its skybox: another one takes its place, whether it is there or not.
+     *
+     * @throws SceneException if the file cannot be read or is not a valid scene; the message is one line
+     */
+    public static Scene readUnder(Path skybox, Path file) {
+        return SceneDocument.parse(SourceFile.read(file), (_, _) -> skybox);
+    }
+
     private static Path skybox(Place place, Path scene, Path name) {
         Path file = beside(scene.toAbsolutePath(), name);
         Path found = Stream.of(

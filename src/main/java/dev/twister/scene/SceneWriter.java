@@ -16,7 +16,7 @@ public final class SceneWriter {
 
     /**
      * Writes a scene, whole or not at all: an existing file is replaced only once the new one is safely on the disk. The
-     * same scene gives the same bytes. The skybox is written relative to the file's folder, where it can be; it need not
+     * same scene gives the same bytes, but for a {@code $schema} that an existing file has, which is kept. The skybox is written relative to the file's folder, where it can be; it need not
      * be there.
      *
      * @param file a file in an existing folder
@@ -24,12 +24,21 @@ public final class SceneWriter {
      *     line
      */
     public static void write(Scene scene, Path file) {
+        write(scene, file, file);
+    }
+
+    /**
+     * Writes a scene, as {@link #write(Scene, Path)}.
+     *
+     * @param like the file whose {@code $schema} is kept, where it has one; need not exist
+     */
+    public static void write(Scene scene, Path file, Path like) {
         String name = file.toString();
         if (Files.exists(file) && !Files.isRegularFile(file)) {
             throw failure(name, "is a folder or a device, but must be a file");
         }
         try {
-            String text = SceneDocument.of(scene.withSkybox(relative(scene.skybox(), file)));
+            String text = SceneDocument.of(scene.withSkybox(relative(scene.skybox(), file)), SchemaReference.of(like));
             check(text, name);
             WholeFile.replace(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
         } catch (NoSuchFileException e) {

@@ -120,9 +120,6 @@ class FilesTest {
         HALF_A_SCENE(folder -> Files.writeString(
                 folder.resolve("half.json"),
                 Files.readString(Path.of("scenes", "teaching.json")).substring(0, 300))),
-        NO_SKY(folder -> Files.writeString(
-                folder.resolve("no-sky.json"),
-                Files.readString(Path.of("scenes", "teaching.json")).replace("day.hdr", "night.hdr"))),
         HUGE_SCENE(folder -> sized(folder.resolve("huge.json"), 65L << 20)),
         BROKEN_HDR(folder ->
                 Files.writeString(folder.resolve("broken.hdr"), "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 9")),
@@ -334,6 +331,43 @@ class FilesTest {
         driver.await(() -> driver.studio.fileProperty().get().path().equals(mine));
         assertThat(SceneReader.read(mine)).isEqualTo(scene());
         assertThat(shipped).hasBinaryContent(before);
+    }
+
+    @Test
+    void aSceneWhoseSkyIsMissingIsOpenedWithAnother() throws IOException {
+        Path file = Files.writeString(
+                folder.resolve("scenes").resolve("no-sky.json"),
+                Files.readString(Path.of("scenes", "teaching.json")).replace("day.hdr", "night.hdr"));
+        Path sky = Files.copy(Path.of("skyboxes", "sunset.hdr"), folder.resolve("evening.hdr"));
+        Path before = scene().skybox();
+        drop(file);
+        DialogPane question = awaitDialog("sky-question");
+        assertThat(question.getContentText()).isEqualTo(commandLinesMessage(file));
+        answer(question, "Use the present sky");
+        driver.await(() -> driver.studio.fileProperty().get().path().equals(file));
+        assertThat(scene().skybox()).isEqualTo(before);
+        assertThat(WindowDriver.call(driver.studio.editsProperty()::get).changed())
+                .isTrue();
+
+        driver.files.choose(sky);
+        drop(file);
+        answer(awaitDialog("sky-question"), "Choose a sky…");
+        answer(awaitDialog("save-question"), "Don't save");
+        driver.await(() -> driver.studio.scene().skybox().equals(sky));
+    }
+
+    @Test
+    void theSchemaThatAFileNamesIsKept() throws IOException {
+        Path named = folder.resolve("scenes").resolve("start.json");
+        change();
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+        driver.await(() -> !driver.studio.editsProperty().get().changed());
+        assertThat(named).content().contains("\"$schema\": \"scene.schema.json\"");
+        Path copy = folder.resolve("scenes").resolve("copy.json");
+        driver.files.choose(copy);
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL, KeyCode.SHIFT);
+        driver.await(() -> driver.studio.fileProperty().get().path().equals(copy));
+        assertThat(copy).content().contains("\"$schema\": \"scene.schema.json\"");
     }
 
     @Test

@@ -519,6 +519,13 @@ class PanelTest {
         driver.run(() -> inOpenWindows(".hyperlink", Hyperlink.class).fire());
         driver.pulse();
         Node colors = WindowDriver.call(() -> inOpenWindows(".color-rect-border", Node.class));
+        assertThat(WindowDriver.call(() -> inOpenWindows("#settings-pane", Pane.class).getChildren().stream()
+                        .filter(Node::isVisible)
+                        .filter(Label.class::isInstance)
+                        .map(label -> ((Label) label).getText())
+                        .toList()))
+                .doesNotContain("Opacity:")
+                .contains("Hue:");
         Bounds place = WindowDriver.call(() -> colors.localToScreen(colors.getLayoutBounds()));
         List<Scene> seen = new ArrayList<>();
         driver.withRobot(hand -> hand.mouseMove(place.getCenterX(), place.getCenterY()));
