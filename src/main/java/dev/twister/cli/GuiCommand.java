@@ -44,8 +44,7 @@ final class GuiCommand implements Callable<Integer> {
         engineId.filter(id -> !Engines.isDevice(id))
                 .ifPresent(id -> Engines.offer(id).check());
         Gui.run(
-                OpenedScene.read(file),
-                panorama,
+                panorama.map(sky -> OpenedScene.readUnder(sky, file)).orElseGet(() -> OpenedScene.read(file)),
                 sceneName.isPresent() && panorama.isEmpty(),
                 engineId,
                 new ShippedFolders(Home.scenes(), Home.skyboxes()));

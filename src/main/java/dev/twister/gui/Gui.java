@@ -24,18 +24,12 @@ public final class Gui {
      * Shows the window and returns when it has been closed.
      *
      * @param opened shown first
-     * @param panorama made its sky, as if it were dropped on the window
      * @param asked whether it was asked for by name, and is to be among the recent ones
      * @param engine the id of what draws first; where it is not said, the one that was chosen last in the window
      * @param shipped what is offered and not written to
      * @throws NoDisplayException where there is no screen
      */
-    public static void run(
-            OpenedScene opened,
-            Optional<Path> panorama,
-            boolean asked,
-            Optional<String> engine,
-            ShippedFolders shipped) {
+    public static void run(OpenedScene opened, boolean asked, Optional<String> engine, ShippedFolders shipped) {
         Display.check();
         Language.choose();
         // The readers of PNG and JPEG skies are AWT's, which must not open a display of its own beside JavaFX's.
@@ -45,7 +39,7 @@ public final class Gui {
         double textScale = TextScale.ofSystem();
         CompletableFuture<Runnable> end = new CompletableFuture<>();
         try {
-            Platform.startup(() -> open(opened, panorama, asked, engine, shipped, textScale, end));
+            Platform.startup(() -> open(opened, asked, engine, shipped, textScale, end));
         } catch (RuntimeException | LinkageError problem) {
             throw new NoDisplayException(Display.explain(problem), problem);
         }
@@ -64,7 +58,6 @@ public final class Gui {
 
     private static void open(
             OpenedScene opened,
-            Optional<Path> panorama,
             boolean asked,
             Optional<String> engine,
             ShippedFolders shipped,
@@ -94,7 +87,6 @@ public final class Gui {
                 end.complete(window::awaitFiles);
             });
             window.show();
-            panorama.ifPresent(window.workbench().files()::open);
         } catch (RuntimeException | LinkageError problem) {
             end.completeExceptionally(problem);
         }

@@ -28,9 +28,15 @@ public record OpenedScene(EditedFile file, Scene scene) {
         return new OpenedScene(new EditedFile(file, mark), SceneReader.read(file));
     }
 
-    /** The same with another sky than the file's. */
-    static OpenedScene readUnder(Path skybox, Path file) {
+    /**
+     * The same with another sky than the file's.
+     *
+     * @throws dev.twister.scene.SceneException where it is not a scene
+     */
+    public static OpenedScene readUnder(Path skybox, Path file) {
         FileMark mark = FileMark.of(file);
-        return new OpenedScene(new EditedFile(file, mark), SceneReader.readUnder(skybox, file));
+        return new OpenedScene(
+                new EditedFile(file, mark),
+                SceneReader.readUnder(skybox.toAbsolutePath().normalize(), file));
     }
 }
