@@ -29,6 +29,9 @@ final class FileActions {
     private final BooleanSupplier takeTyped;
     private int saving;
 
+    /** Used by the thread alone that writes scenes. */
+    private Optional<EditedFile> lastWritten = Optional.empty();
+
     /**
      * Actions on the scene that the studio has.
      *
@@ -205,10 +208,11 @@ final class FileActions {
      * @param failed called when they cannot be
      */
     void restore(Autosave autosave, Runnable then, Runnable failed) {
+        Path present = studio.scene().skybox();
         reading.begin(
                 name(autosave.edited().path()),
                 () -> {
-                    Scene edited = studio.read(autosave.file()).scene();
+                    Scene edited = edited(autosave.file(), present);
                     return new Restored(before(autosave.edited(), edited), edited);
                 },
                 restored -> afterSaving(() -> {
@@ -220,6 +224,15 @@ final class FileActions {
                     complain("Couldn't restore the changes", problem);
                 },
                 failed);
+    }
+
+    /** The edits, under the present sky where their own cannot be read any more. */
+    private Scene edited(Path autosaved, Path present) {
+        try {
+            return studio.read(autosaved).scene();
+        } catch (SceneException | SkyException _) {
+            return OpenedScene.readUnder(present, autosaved).scene();
+        }
     }
 
     private record Restored(OpenedScene before, Scene edited) {}
@@ -267,11 +280,12 @@ final class FileActions {
         saving++;
         errands.keepScene(
                 () -> {
-                    if (known.isOverwrittenBy(file)) {
+                    if (known.isOverwrittenBy(file) && !isOwn(file)) {
                         return Optional.<EditedFile>empty();
                     }
                     SceneWriter.write(version.scene(), file, known.path());
-                    return Optional.of(new EditedFile(file, FileMark.of(file)));
+                    lastWritten = Optional.of(new EditedFile(file, FileMark.of(file)));
+                    return lastWritten;
                 },
                 written -> {
                     saving--;
@@ -281,6 +295,13 @@ final class FileActions {
                     saving--;
                     complain("The scene was not saved", problem);
                 });
+    }
+
+    /** Whether a file is as it was written here last, of which {@code known} need not have been told yet. */
+    private boolean isOwn(Path file) {
+        return lastWritten
+                .filter(own -> own.path().equals(file) && !own.isOverwrittenBy(file))
+                .isPresent();
     }
 
     private void saved(SceneHistory.Version version, EditedFile written, Runnable then) {

@@ -135,6 +135,20 @@ class AutosaveTest {
     }
 
     @Test
+    void editsWhoseSkyIsGoneAreRestoredUnderThePresentOne() throws IOException {
+        Path sky = Files.copy(Path.of("skyboxes", "sunset.hdr"), parent.resolve("gone.hdr"));
+        try (Autosave autosave = folder.begin(new EditedFile(file, FileMark.of(file)))) {
+            autosave.write(edited.withSkybox(sky));
+        }
+        Files.delete(sky);
+        try (WindowDriver driver = open()) {
+            driver.answer(driver.awaitDialog("restore-question"), "Restore");
+            driver.await(() -> driver.studio.editsProperty().get().changed());
+            assertThat(WindowDriver.call(driver.studio::scene)).isEqualTo(edited);
+        }
+    }
+
+    @Test
     void whatIsDiscardedIsGoneAndWhatIsLeftForLaterIsNot() throws IOException {
         leave(file);
         leave(file);

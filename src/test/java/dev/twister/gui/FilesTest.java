@@ -303,6 +303,21 @@ class FilesTest {
     }
 
     @Test
+    void savingTwiceInARowAsksNothing() {
+        Path start = folder.resolve("scenes").resolve("start.json");
+        driver.run(() -> {
+            FileActions files = driver.window.workbench().files();
+            change();
+            files.save();
+            change();
+            files.save();
+        });
+        driver.await(() -> !driver.studio.editsProperty().get().changed());
+        assertThat(dialog("overwrite-question")).isEmpty();
+        assertThat(SceneReader.read(start)).isEqualTo(scene());
+    }
+
+    @Test
     void aFileThatIsGoneIsWrittenAnew() throws IOException {
         Path start = folder.resolve("scenes").resolve("start.json");
         Files.delete(start);
