@@ -32,9 +32,13 @@ if errorlevel 1 goto fail
 rem The user's collector wins: the JVM takes one.
 set collector="@%TWISTER_HOME%\scripts\collector.options"
 for %%V in (JAVA_TOOL_OPTIONS JDK_JAVA_OPTIONS TWISTER_JAVA_OPTIONS _JAVA_OPTIONS) do set %%V 2>nul | findstr /r /c:"-XX:+Use[A-Za-z0-9]*GC\>" >nul && set "collector="
+rem GraalVM has Graal as a library, and takes it for C2's place; it does not turn the Vector API into instructions. The user's choice wins.
+set "jit="
+if exist "%jdk%\bin\jvmcicompiler.dll" set jit="@%TWISTER_HOME%\scripts\jit.options"
+for %%V in (JAVA_TOOL_OPTIONS JDK_JAVA_OPTIONS TWISTER_JAVA_OPTIONS _JAVA_OPTIONS) do set %%V 2>nul | findstr /r /c:"-XX:[+-]UseJVMCICompiler" /c:"-XX:[+-]UseGraalJIT" >nul && set "jit="
 :run
 if defined sdk goto run_with_sdk
-"%jdk%\bin\java" "@%TWISTER_HOME%\scripts\jvm.options" %collector% %TWISTER_JAVA_OPTIONS% -cp "%jar%;%target%\lib\*" dev.twister.cli.Main %*
+"%jdk%\bin\java" "@%TWISTER_HOME%\scripts\jvm.options" %collector% %jit% %TWISTER_JAVA_OPTIONS% -cp "%jar%;%target%\lib\*" dev.twister.cli.Main %*
 exit /b
 
 :run_with_sdk
@@ -48,7 +52,7 @@ if errorlevel 1 call :build_engine
 if errorlevel 2 goto go_without_sdk
 if errorlevel 1 goto fail
 set "TORNADOVM_HOME=%sdk%"
-"%jdk%\bin\java" "@%engine%\argfile" "@%TWISTER_HOME%\scripts\tornado.options" "@%TWISTER_HOME%\scripts\jvm.options" %collector% %TWISTER_JAVA_OPTIONS% -cp "%jar%;%target%\lib\*;%engine%\classes" dev.twister.cli.Main %*
+"%jdk%\bin\java" "@%engine%\argfile" "@%TWISTER_HOME%\scripts\tornado.options" "@%TWISTER_HOME%\scripts\jvm.options" %collector% %jit% %TWISTER_JAVA_OPTIONS% -cp "%jar%;%target%\lib\*;%engine%\classes" dev.twister.cli.Main %*
 exit /b
 
 rem A JDK without what the SDK's argument file names (JVMCI, say) still runs everything that needs no device.

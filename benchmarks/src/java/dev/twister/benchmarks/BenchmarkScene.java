@@ -4,7 +4,7 @@ import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneGenerator;
 import dev.twister.scene.SceneReader;
-import dev.twister.sky.SkyboxReader;
+import dev.twister.world.SceneImages;
 import dev.twister.world.World;
 import java.nio.file.Path;
 
@@ -30,7 +30,7 @@ final class BenchmarkScene {
     }
 
     private static World world(Scene scene, RenderSettings settings) {
-        World world = World.of(scene, SkyboxReader.read(scene.skybox()));
+        World world = World.of(scene, SceneImages.read(scene, _ -> {}));
         world.setSettings(settings);
         return world;
     }

@@ -2,6 +2,7 @@ package dev.twister.benchmarks;
 
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.Material;
 import dev.twister.kernel.Shadow;
 import dev.twister.scene.RenderSettings;
 import dev.twister.world.FrameInput;
@@ -83,7 +84,14 @@ public class CrowdBenchmark {
             path[Layout.ORIGIN + 1] = 2 * high[1] - low[1];
             path[Layout.ORIGIN + 2] = z(i);
             sum += Hit.find(
-                    path, input.bodies().places(), input.bodies().hierarchy(), input.bodyCount(), scratch, Hit.WALK);
+                    path,
+                    input.bodies().places(),
+                    input.bodies().looks(),
+                    input.bodies().hierarchy(),
+                    input.bodyCount(),
+                    scratch,
+                    Hit.WALK,
+                    Material.PLAIN);
         }
         return sum;
     }
@@ -110,10 +118,12 @@ public class CrowdBenchmark {
                     Layout.PLANE,
                     input.view().properties(),
                     light,
+                    input.bodies().looks(),
                     input.view().shadowDisc(),
                     input.bodies().hierarchy(),
                     Layout.root(input.bodyCount()),
-                    scratch);
+                    scratch,
+                    Material.PLAIN);
         }
         return sum;
     }

@@ -4,6 +4,7 @@ import dev.twister.kernel.Camera;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Light;
+import dev.twister.kernel.Material;
 import dev.twister.kernel.Shadow;
 import dev.twister.kernel.Sky;
 import dev.twister.scene.RenderSettings;
@@ -83,7 +84,14 @@ public class KernelStepBenchmark {
             path[Layout.DIRECTION + 1] = directionY[i];
             path[Layout.DIRECTION + 2] = directionZ[i];
             sum += Hit.find(
-                    path, input.bodies().places(), input.bodies().hierarchy(), input.bodyCount(), scratch, Hit.ALL);
+                    path,
+                    input.bodies().places(),
+                    input.bodies().looks(),
+                    input.bodies().hierarchy(),
+                    input.bodyCount(),
+                    scratch,
+                    Hit.ALL,
+                    Material.PLAIN);
         }
         return sum;
     }
@@ -118,10 +126,12 @@ public class KernelStepBenchmark {
                     Layout.PLANE,
                     input.view().properties(),
                     input.bodies().places(),
+                    input.bodies().looks(),
                     input.view().shadowDisc(),
                     input.bodies().hierarchy(),
                     Layout.root(input.bodyCount()),
-                    scratch);
+                    scratch,
+                    Material.PLAIN);
         }
         return sum;
     }

@@ -19,10 +19,15 @@ public final class JsonReport {
      * @throws IOException as {@link WholeFile#write}
      */
     public static void write(BenchmarkReport report, Path file) throws IOException {
+        write(tree(report), file);
+    }
+
+    /** Writes any tree of maps, lists and values so. */
+    static void write(Map<String, Object> tree, Path file) throws IOException {
         byte[] json = JsonMapper.builder()
                 .enable(SerializationFeature.INDENT_OUTPUT)
                 .build()
-                .writeValueAsBytes(tree(report));
+                .writeValueAsBytes(tree);
         WholeFile.write(file, out -> {
             out.write(json);
             out.write('\n');

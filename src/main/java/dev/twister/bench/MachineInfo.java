@@ -58,8 +58,7 @@ public record MachineInfo(
     }
 
     private static String compilerAndJvm() {
-        boolean graal =
-                JvmOptions.value("UseJVMCICompiler").filter("true"::equals).isPresent();
+        boolean graal = JvmOptions.value(Jit.USES_GRAAL).filter("true"::equals).isPresent();
         return (graal ? "Graal" : "C2") + ", " + System.getProperty("java.vm.name", "unknown JVM");
     }
 }

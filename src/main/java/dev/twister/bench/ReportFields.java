@@ -63,12 +63,15 @@ final class ReportFields {
                 .ifPresent(factor -> fields.put("speedupOverSequential", ReportNumbers.rounded(factor)));
         report.speedupOver(JvmEngines.PARALLEL, measurement)
                 .ifPresent(factor -> fields.put("speedupOverParallel", ReportNumbers.rounded(factor)));
-        PictureComparison comparison = measurement.comparison();
+        putComparison(fields, measurement.comparison());
+        return fields;
+    }
+
+    static void putComparison(Map<String, Object> fields, PictureComparison comparison) {
         fields.put("differingPixels", comparison.differingPixels());
         fields.put("allowedDifferingPixels", comparison.allowedPixels());
         fields.put("largestDifference", comparison.largestDifference());
         fields.put("samePicture", comparison.withinTolerance());
-        return fields;
     }
 
     private static void putTimes(Map<String, Object> fields, Measurement measurement) {

@@ -44,8 +44,20 @@ public final class ReportTable {
     }
 
     private static List<String> heading(BenchmarkReport report) {
-        MachineInfo machine = report.machine();
         BenchmarkPlan plan = report.plan();
+        String measured = String.format(
+                Locale.ROOT,
+                "scene %s%s; up to %d + %d frames in %s s",
+                report.scene(),
+                plan.hasOneFigure() ? ", " + plan.settings().getFirst().shading() : "",
+                plan.warmupFrames(),
+                plan.frames(),
+                ReportNumbers.shortest(plan.maxSeconds()));
+        return joined(machine(report.machine()), List.of(measured));
+    }
+
+    /** What it ran on, in two lines. */
+    static List<String> machine(MachineInfo machine) {
         return List.of(
                 String.format(
                         Locale.ROOT,
@@ -63,15 +75,7 @@ public final class ReportTable {
                         machine.jit(),
                         machine.tornadoVm()
                                 .map(version -> ", TornadoVM " + version)
-                                .orElse("")),
-                String.format(
-                        Locale.ROOT,
-                        "scene %s%s; up to %d + %d frames in %s s",
-                        report.scene(),
-                        plan.hasOneFigure() ? ", " + plan.settings().getFirst().shading() : "",
-                        plan.warmupFrames(),
-                        plan.frames(),
-                        ReportNumbers.shortest(plan.maxSeconds())));
+                                .orElse("")));
     }
 
     private static List<String> table(BenchmarkReport report) {
@@ -83,6 +87,11 @@ public final class ReportTable {
             List<String> row = row(report, measurement);
             rows.add(moving ? joined(row, motion(measurement)) : row);
         }
+        return aligned(rows);
+    }
+
+    /** Rows as lines, the first three columns to the left. */
+    static List<String> aligned(List<List<String>> rows) {
         int[] widths = IntStream.range(0, rows.getFirst().size())
                 .map(column -> rows.stream()
                         .mapToInt(row -> row.get(column).length())
@@ -134,7 +143,7 @@ public final class ReportTable {
         return speedup.map(factor -> ReportNumbers.legible(factor, 2)).orElse("-");
     }
 
-    private static String shortened(String device) {
+    static String shortened(String device) {
         return device.length() <= MAX_DEVICE_LENGTH ? device : device.substring(0, MAX_DEVICE_LENGTH - 1) + "…";
     }
 }

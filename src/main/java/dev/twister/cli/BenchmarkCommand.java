@@ -3,13 +3,13 @@ package dev.twister.cli;
 import dev.twister.bench.Benchmark;
 import dev.twister.bench.BenchmarkPlan;
 import dev.twister.bench.BenchmarkReport;
+import dev.twister.bench.Jit;
+import dev.twister.bench.JitReport;
 import dev.twister.bench.MotionPlan;
 import dev.twister.bench.PaperFolder;
 import dev.twister.bench.PaperPlan;
 import dev.twister.bench.ReportTable;
 import dev.twister.engine.EngineOffer;
-import dev.twister.engine.Engines;
-import dev.twister.engine.auto.FastestEngine;
 import dev.twister.image.PictureSize;
 import dev.twister.physics.Simulation;
 import dev.twister.scene.Scene;
@@ -23,7 +23,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -43,6 +42,7 @@ import picocli.CommandLine.Spec;
             "  twister benchmark spheres-100 --engine parallel --engine tornado --size 1080p --size 4k",
             "  twister benchmark pour-100000 --physics --start 30 --engine vector --size 720p",
             "  twister benchmark --paper --quick --output my-machine",
+            "  twister benchmark --quick --engine vector --engine parallel --jit c2,graal",
             "",
             "Exit code 1 says that an engine failed or drew another picture."
         })
@@ -135,13 +135,44 @@ final class BenchmarkCommand implements Callable<Integer> {
             description = "The folder for --paper; " + PAPER_FOLDER + " where not said.")
     private Optional<Path> output = Optional.empty();
 
+    @Option(
+            names = "--jit",
+            paramLabel = "JIT",
+            split = ",",
+            completionCandidates = Completions.OfJit.class,
+            description =
+                    "Run once per compiler, each in a JVM of its own, and compare: ${COMPLETION-CANDIDATES}. graal"
+                            + " needs GraalVM or a TornadoVM SDK. Default: this JVM's.")
+    private List<Jit> jits = new ArrayList<>();
+
     @Mixin
     private MotionOptions motion;
 
     @Override
     public Integer call() throws IOException {
         motion.check();
+        if (!jits.isEmpty()) {
+            return compareJits();
+        }
         return paper ? evaluate() : compare();
+    }
+
+    private int compareJits() throws IOException {
+        if (paper || csv.isPresent()) {
+            throw new BadInputException("--jit does not go with --paper and --csv");
+        }
+        ReportFiles files = new ReportFiles(json, Optional.empty());
+        files.check();
+        // An error in these should not come out once for each JVM.
+        engineIds();
+        files.checkKeeps(SceneFiles.find(sceneName));
+        List<String> arguments = spec.commandLine().getParseResult().originalArgs();
+        JitReport report = new JitRuns(arguments).run(jits.stream().distinct().toList());
+        spec.commandLine().getOut().println(report.table());
+        if (json.isPresent()) {
+            report.write(json.get());
+        }
+        return report.passed() ? Main.OK : Main.FAILED;
     }
 
     private int evaluate() throws IOException {
@@ -186,7 +217,7 @@ final class BenchmarkCommand implements Callable<Integer> {
         files.check();
         Path file = SceneFiles.find(sceneName);
         Scene scene = SceneReader.read(file);
-        files.checkKeeps(file, scene.skybox());
+        files.checkKeeps(SkyFiles.inputs(file, scene));
         BenchmarkReport report = run(plan, scene, files);
         spec.commandLine().getOut().println(ReportTable.of(report));
         files.write(report);
@@ -194,8 +225,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     }
 
     private BenchmarkReport run(BenchmarkPlan plan, Scene scene, ReportFiles files) {
-        World world =
-                World.of(scene, SkyFiles.read(scene.skybox(), spec.commandLine().getErr()));
+        World world = World.of(scene, SkyFiles.readAll(scene, spec.commandLine().getErr()));
         Optional<MotionPlan> moving = motion.isOn()
                 ? Optional.of(new MotionPlan(scene, motion.startSeconds(), motion.secondsPerFrame()))
                 : Optional.empty();
@@ -223,21 +253,9 @@ final class BenchmarkCommand implements Callable<Integer> {
     }
 
     private List<String> engineIds() {
-        List<EngineOffer> offers = Engines.offers();
-        if (engines.isEmpty()) {
-            return offers.stream()
-                    .filter(EngineOffer::works)
-                    .map(EngineOffer::id)
-                    .filter(id -> !id.equals(FastestEngine.AUTO))
-                    .toList();
-        }
-        // An error in the last name should not come out after minutes of measuring the others.
-        return engines.stream()
-                .map(name -> Engines.find(offers, name)
-                        .map(EngineOffer::id)
-                        .orElseThrow(() -> new BadInputException("--engine is '" + name + "', but must be one of "
-                                + offers.stream().map(EngineOffer::id).collect(Collectors.joining(", ")))))
-                .distinct()
+        return EngineNames.chosen(engines).stream()
+                .filter(offer -> !engines.isEmpty() || offer.works())
+                .map(EngineOffer::id)
                 .toList();
     }
 }

@@ -20,13 +20,12 @@ final class BenchmarkLine implements BenchmarkProgress, AutoCloseable {
     private final PrintWriter err;
     private final ReportFiles files;
     private final ProgressLine line;
+    private final BenchmarkBar bar;
     private final Thread hook = Thread.ofPlatform().name("unfinished").unstarted(() -> LastWrites.run(this::giveUp));
     private volatile String engine = "benchmark";
     private volatile String task = engine;
     private Optional<BenchmarkReport> latest = Optional.empty();
     private boolean ended;
-    private long next;
-    private long drawn;
 
     /**
      * Shows the bar.
@@ -41,24 +40,20 @@ final class BenchmarkLine implements BenchmarkProgress, AutoCloseable {
         long engines = plan.engines().size();
         line = ProgressLine.start(
                 err, "benchmark", settings + engines * (1 + settings * (stepsToStart + plan.framesEach())));
+        bar = new BenchmarkBar(line);
         Runtime.getRuntime().addShutdownHook(hook);
     }
 
-    /** An engine whose time was up early has drawn fewer frames than foreseen: the bar jumps over the rest. */
     @Override
     public void begins(String engine, PictureSize size, int frames) {
         this.engine = engine;
         task = engine + " " + size;
-        drawn = next;
-        next += frames;
-        line.stepTo(drawn);
-        line.says(task);
+        bar.begins(engine, size, frames);
     }
 
     @Override
     public void drewFrame() {
-        drawn++;
-        line.stepTo(drawn);
+        bar.drewFrame();
     }
 
     @Override

@@ -6,7 +6,7 @@ import dev.twister.scene.Vector3;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
-/** Where the picture is seen from, instead of the scene's own camera; within what a scene file may have. */
+/** Where the picture is seen from and through which lens, instead of the scene's own camera; within what a scene file may have. */
 final class CameraOptions {
     @Option(
             names = "--camera",
@@ -27,12 +27,27 @@ final class CameraOptions {
             description = "The angle over the picture's shorter side, 1 to 179.")
     private Optional<Double> fieldOfView = Optional.empty();
 
+    @Option(
+            names = "--aperture",
+            paramLabel = "METERS",
+            description = "The lens's radius, 0 or more; with 0 everything is sharp.")
+    private Optional<Double> aperture = Optional.empty();
+
+    @Option(
+            names = "--focus",
+            paramLabel = "METERS",
+            description = "How far ahead things are sharp, with an aperture above 0.")
+    private Optional<Double> focusDistance = Optional.empty();
+
     Camera over(Camera camera) {
         return camera.withPosition(position.map(CameraOptions::checked).orElse(camera.position()))
                 .withYaw(Ranges.check("--yaw", yaw.orElse(camera.yawDegrees()), SceneLimits.YAW))
                 .withPitch(Ranges.check("--pitch", pitch.orElse(camera.pitchDegrees()), SceneLimits.PITCH))
                 .withFieldOfView(Ranges.check(
-                        "--fov", fieldOfView.orElse(camera.fieldOfViewDegrees()), SceneLimits.FIELD_OF_VIEW));
+                        "--fov", fieldOfView.orElse(camera.fieldOfViewDegrees()), SceneLimits.FIELD_OF_VIEW))
+                .withAperture(Ranges.check("--aperture", aperture.orElse(camera.aperture()), SceneLimits.APERTURE))
+                .withFocusDistance(Ranges.check(
+                        "--focus", focusDistance.orElse(camera.focusDistance()), SceneLimits.FOCUS_DISTANCE));
     }
 
     private static Vector3 checked(Vector3 place) {

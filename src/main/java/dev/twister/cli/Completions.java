@@ -1,5 +1,6 @@
 package dev.twister.cli;
 
+import dev.twister.bench.Jit;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.scene.ToneMap;
@@ -39,6 +40,13 @@ final class Completions {
         @Override
         public Iterator<String> iterator() {
             return ChoiceConverter.names(ToneMap.class).iterator();
+        }
+    }
+
+    static final class OfJit implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return ChoiceConverter.names(Jit.class).iterator();
         }
     }
 

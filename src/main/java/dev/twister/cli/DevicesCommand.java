@@ -1,13 +1,18 @@
 package dev.twister.cli;
 
+import dev.twister.bench.DeviceCheckPlan;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.engine.auto.FastestEngine;
+import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -17,8 +22,17 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "devices",
         description = "Shows the engines and devices that work here, and for those that do not, what to install.",
-        footer = {"", "Examples:", "  twister devices", "  twister devices --measure"})
-final class DevicesCommand implements Runnable {
+        footer = {
+            "",
+            "Examples:",
+            "  twister devices",
+            "  twister devices --measure",
+            "  twister devices --check",
+            "  twister devices --check --engine tornado:0:0 --json device.json",
+            "",
+            "Exit code 1 says that in a check an engine failed or drew another picture."
+        })
+final class DevicesCommand implements Callable<Integer> {
     private static final double NANOS_PER_MILLI = 1e6;
 
     @Spec
@@ -29,9 +43,42 @@ final class DevicesCommand implements Runnable {
             description = "Measure anew which engine 'auto' takes, and wait until devices are ready for it.")
     private boolean measure;
 
+    @Option(
+            names = "--check",
+            description =
+                    "Compare each engine's pictures of all shipped scenes with sequential's, measure it, and print a"
+                            + " table in Markdown to paste into a report. Takes about a minute per engine on a small machine.")
+    private boolean check;
+
+    @Option(
+            names = "--engine",
+            paramLabel = "ENGINE",
+            completionCandidates = Completions.OfEngine.class,
+            description = "Repeatable; with --check. Default: every engine except auto.")
+    private List<String> engines = new ArrayList<>();
+
+    @Option(names = "--json", paramLabel = "FILE", description = "With --check: also write the results as JSON.")
+    private Optional<Path> json = Optional.empty();
+
     @Override
-    public void run() {
+    public Integer call() throws IOException {
         PrintWriter out = spec.commandLine().getOut();
+        if (!check && (json.isPresent() || !engines.isEmpty())) {
+            throw new BadInputException("--engine and --json go with --check");
+        }
+        if (check && measure) {
+            throw new BadInputException("--check and --measure are two tasks; give one of them");
+        }
+        if (check) {
+            DeviceChecking checking = new DeviceChecking(
+                    DeviceCheckPlan.USUAL, out, spec.commandLine().getErr());
+            return checking.run(EngineNames.chosen(engines), json) ? Main.OK : Main.FAILED;
+        }
+        list(out);
+        return Main.OK;
+    }
+
+    private void list(PrintWriter out) {
         List<EngineOffer> offers = Engines.offers();
         FastestEngine fastest = FastestEngine.ofThisMachine();
         if (measure) {

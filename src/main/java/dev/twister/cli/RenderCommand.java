@@ -110,12 +110,11 @@ final class RenderCommand implements Callable<Integer> {
         PictureOutput pictures = PictureOutput.of(output, frames, overwrite);
         Path file = SceneFiles.find(sceneName);
         Scene scene = sky.over(SceneReader.read(file));
-        pictures.checkKeeps(file, scene.skybox());
+        pictures.checkKeeps(SkyFiles.inputs(file, scene));
         RenderSettings settings = settings(scene.settings());
         PictureMemory.check(
                 new PictureSize(settings.width(), settings.height()), BandedDrawing.bytesPerPixel(pictures.isLinear()));
-        World world =
-                World.of(scene, SkyFiles.read(scene.skybox(), spec.commandLine().getErr()));
+        World world = World.of(scene, SkyFiles.readAll(scene, spec.commandLine().getErr()));
         world.setCamera(camera.over(scene.camera()));
         world.setSettings(settings);
         if (motion.isOn()) {

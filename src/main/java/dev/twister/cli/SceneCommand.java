@@ -19,7 +19,7 @@ import picocli.CommandLine.Spec;
 /** {@code twister scene}: makes scenes, and checks them. */
 @Command(
         name = "scene",
-        description = "Makes a scene of many spheres, or checks a scene file and its skybox.",
+        description = "Makes a scene of many spheres, or checks a scene file, its skybox and its textures.",
         footer = {
             "",
             "Examples:",
@@ -58,8 +58,8 @@ final class SceneCommand implements Callable<Integer> {
         @Option(names = "--seed", paramLabel = "S", description = "Another number, another scene; 1 where not said.")
         private long seed = 1;
 
-        @Option(names = "--skybox", paramLabel = "FILE", description = "The panorama; the day sky where not said.")
-        private Optional<Path> skybox = Optional.empty();
+        @ArgGroup(exclusive = false)
+        private SkyOptions sky = new SkyOptions();
 
         @Option(
                 names = {"-o", "--output"},
@@ -79,20 +79,26 @@ final class SceneCommand implements Callable<Integer> {
     private String check(String name) {
         Path file = SceneFiles.find(name);
         Scene scene = SceneReader.read(file);
-        SkyFiles.read(scene.skybox(), spec.commandLine().getErr());
-        return file + ": valid, " + spheres(scene);
+        SkyFiles.readAll(scene, spec.commandLine().getErr());
+        return file + ": valid, " + spheres(scene)
+                + also(scene.materials().size(), "material")
+                + also(scene.textures().size(), "texture");
     }
 
     private String generate(Generation wanted) throws IOException {
         Ranges.check("--spheres", wanted.count, 1, SceneGenerator.MAX_SPHERES);
         OutputFile.check("--output", wanted.output);
-        Path skybox = wanted.skybox.orElseGet(() -> Home.skyboxes().resolve(ShippedSky.DAY.fileName()));
-        OutputFile.checkKeeps("--output", wanted.output, skybox);
+        Path day = Home.skyboxes().resolve(ShippedSky.DAY.fileName());
+        Scene scene = wanted.sky.over(SceneGenerator.spheres(wanted.count, wanted.seed, day));
+        OutputFile.checkKeeps("--output", wanted.output, scene.skybox());
         // As --check does: a scene that no command can draw is not to be written.
-        SkyFiles.read(skybox, spec.commandLine().getErr());
-        Scene scene = SceneGenerator.spheres(wanted.count, wanted.seed, skybox);
+        SkyFiles.read(scene.skybox(), spec.commandLine().getErr());
         SceneWriter.write(scene, wanted.output);
         return wanted.output + ": " + spheres(scene);
+    }
+
+    private static String also(int count, String what) {
+        return count == 0 ? "" : ", " + count + " " + what + (count == 1 ? "" : "s");
     }
 
     private static String spheres(Scene scene) {

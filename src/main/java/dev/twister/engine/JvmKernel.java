@@ -22,6 +22,7 @@ public final class JvmKernel {
     /** Draws the pixels of a row of the band, from one column to before another. */
     public void drawRow(FrameInput input, Frame frame, int row, int firstColumn, int endColumn) {
         int search = HitSearch.of(input);
+        int materials = input.bodies().materials();
         int output = frame.isLinear() ? PixelKernel.LINEAR : PixelKernel.ARGB;
         View view = input.view();
         Bodies bodies = input.bodies();
@@ -41,10 +42,11 @@ public final class JvmKernel {
                     panorama.texels(),
                     panorama.dimensions(),
                     view.shadowDisc(),
-                    view.pixelOffsets(),
+                    view.pixelSamples(),
                     path,
                     scratch,
                     search,
+                    materials,
                     output);
         }
     }
@@ -62,7 +64,9 @@ public final class JvmKernel {
                 input.panorama().texels(),
                 input.panorama().dimensions(),
                 input.view().shadowDisc(),
+                input.view().pixelSamples(),
                 scratch,
-                HitSearch.of(input));
+                HitSearch.of(input),
+                input.bodies().materials());
     }
 }

@@ -8,6 +8,7 @@ import dev.twister.gui.model.FileMark;
 import dev.twister.gui.model.SceneHistory;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
+import dev.twister.scene.SceneReader;
 import dev.twister.scene.SceneWriter;
 import dev.twister.sky.SkyException;
 import java.io.IOException;
@@ -175,7 +176,11 @@ final class FileActions {
         Path present = studio.scene().skybox();
         reading.begin(
                 name(file),
-                () -> OpenedScene.readUnder(present, file),
+                () -> {
+                    OpenedScene read = OpenedScene.readUnder(present, file);
+                    studio.readTextures(read.scene());
+                    return read;
+                },
                 _ -> dialogs.askForSky(
                         explain(problem),
                         new Answer(
@@ -191,7 +196,9 @@ final class FileActions {
                 name(file),
                 () -> {
                     studio.readSky(sky);
-                    return OpenedScene.readUnder(sky, file);
+                    OpenedScene read = OpenedScene.readUnder(sky, file);
+                    studio.readTextures(read.scene());
+                    return read;
                 },
                 opened -> afterSaving(() -> {
                     studio.restore(opened, opened.scene());
@@ -226,12 +233,22 @@ final class FileActions {
                 failed);
     }
 
-    /** The edits, under the present sky where their own cannot be read any more. */
+    /** The edits; under the present sky where their own cannot be read any more. */
     private Scene edited(Path autosaved, Path present) {
         try {
             return studio.read(autosaved).scene();
         } catch (SceneException | SkyException _) {
-            return OpenedScene.readUnder(present, autosaved).scene();
+            Scene edits = SceneReader.readWithoutPictures(autosaved);
+            return isReadable(edits.skybox()) ? edits : edits.withSkybox(present);
+        }
+    }
+
+    private boolean isReadable(Path panorama) {
+        try {
+            studio.readSky(panorama);
+            return true;
+        } catch (SkyException _) {
+            return false;
         }
     }
 

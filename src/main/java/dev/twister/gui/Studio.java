@@ -379,14 +379,14 @@ public final class Studio implements AutoCloseable {
     }
 
     /**
-     * Reads a scene and its sky, and shows nothing yet; any thread may do so.
+     * Reads a scene, its sky and its textures, and shows nothing yet; any thread may do so.
      *
      * @throws dev.twister.scene.SceneException where it is not a scene
-     * @throws dev.twister.sky.SkyException where its sky cannot be read
+     * @throws dev.twister.sky.SkyException where its sky or a texture cannot be read
      */
     public OpenedScene read(Path scenesFile) {
         OpenedScene read = OpenedScene.read(scenesFile);
-        skies.refresh(read.scene().skybox());
+        skies.refresh(read.scene());
         return read;
     }
 
@@ -470,12 +470,21 @@ public final class Studio implements AutoCloseable {
         skies.refresh(panorama);
     }
 
-    /** The panorama that the drawing thread waits for. */
+    /**
+     * Reads a scene's textures, so that it can be shown; any thread may do so.
+     *
+     * @throws dev.twister.sky.SkyException where one cannot be read
+     */
+    public void readTextures(Scene textured) {
+        skies.refreshTextures(textured);
+    }
+
+    /** The panorama or texture that the drawing thread waits for. */
     Optional<Path> skyBeingRead() {
         return skies.beingRead();
     }
 
-    /** The drawing thread waits no more for a panorama, and draws without it. */
+    /** The drawing thread waits no more for a panorama or a texture, and draws without it. */
     void cancelSky() {
         skies.cancel();
     }

@@ -5,8 +5,8 @@ public final class Camera {
     private Camera() {}
 
     /**
-     * Starts the path of a view ray: its origin and direction, no body to leave, a throughput of 1. Its radiance stays as
-     * it is.
+     * Starts the path of a pinhole's view ray: its origin and direction, no body to leave, a throughput of 1. Its radiance
+     * stays as it is.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param x in pixels from the picture's left border
@@ -29,7 +29,10 @@ public final class Camera {
         path[Layout.ORIGIN + 1] = camera[Layout.CAMERA_POSITION + 1];
         path[Layout.ORIGIN + 2] = camera[Layout.CAMERA_POSITION + 2];
         path[Layout.LEAVING] = Layout.NOTHING;
+        path[Layout.INSIDE] = 0f;
         path[Layout.THROUGHPUT] = 1f;
+        path[Layout.THROUGHPUT + 1] = 1f;
+        path[Layout.THROUGHPUT + 2] = 1f;
     }
 
     /** From left to right; the middle of the width is exactly 0. */

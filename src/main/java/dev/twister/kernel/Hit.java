@@ -15,26 +15,45 @@ public final class Hit {
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param places {@link Layout#PLACE_STRIDE} floats a body
+     * @param looks {@link Layout#LOOK_STRIDE} floats a body
      * @param hierarchy over the spheres
      * @param bodies how many there are
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
      * @param search {@link #ALL} or {@link #WALK}
+     * @param materials {@link Material#PLAIN} or {@link Material#ANY}
      */
-    public static int find(float[] path, float[] places, float[] hierarchy, int bodies, float[] scratch, int search) {
-        int body = amongFirst(path, places, search == WALK ? Layout.FIRST_SPHERE : bodies);
+    public static int find(
+            float[] path,
+            float[] places,
+            float[] looks,
+            float[] hierarchy,
+            int bodies,
+            float[] scratch,
+            int search,
+            int materials) {
+        int body = amongFirst(path, places, looks, search == WALK ? Layout.FIRST_SPHERE : bodies, materials);
         if (search == WALK) {
-            body = onWalk(path, body, hierarchy, Layout.root(bodies), scratch);
+            body = onWalk(path, body, looks, hierarchy, Layout.root(bodies), scratch, materials);
         }
         return body;
     }
 
-    private static int amongFirst(float[] path, float[] places, int count) {
-        int ignored = (int) path[Layout.LEAVING];
+    /** The body that the ray is to pass by: the one that it leaves, unless it goes on inside. */
+    private static int ignored(float[] path, int materials) {
+        int leaving = (int) path[Layout.LEAVING];
+        if (materials == Material.ANY) {
+            leaving = path[Layout.INSIDE] > 0f ? Layout.NOTHING : leaving;
+        }
+        return leaving;
+    }
+
+    private static int amongFirst(float[] path, float[] places, float[] looks, int count, int materials) {
+        int ignored = ignored(path, materials);
         float closest = Intersection.MISS;
         int hit = Layout.NOTHING;
         for (int body = 0; body < count; body++) {
             if (body != ignored) {
-                float distance = distance(path, body, places);
+                float distance = distance(path, body, places, looks, materials);
                 hit = distance < closest ? body : hit;
                 closest = distance < closest ? distance : closest;
             }
@@ -43,35 +62,43 @@ public final class Hit {
         return hit;
     }
 
-    private static float distance(float[] path, int body, float[] places) {
+    private static float distance(float[] path, int body, float[] places, float[] looks, int materials) {
         int place = Layout.PLACE_STRIDE * body;
         float distance;
         if (body == Layout.PLANE) {
             distance = Intersection.plane(
                     places[place + 1],
                     places[place + Layout.PLACE_SIZE],
-                    path[Layout.ORIGIN],
+                    path[Layout.ORIGIN] - places[place],
                     path[Layout.ORIGIN + 1],
-                    path[Layout.ORIGIN + 2],
+                    path[Layout.ORIGIN + 2] - places[place + 2],
                     path[Layout.DIRECTION],
                     path[Layout.DIRECTION + 1],
                     path[Layout.DIRECTION + 2]);
         } else {
-            distance = sphere(path, places, place);
+            distance = sphere(path, places, place, body, looks, materials);
         }
         return distance;
     }
 
-    /** Distance to a sphere whose center and radius are at that place of an array. */
-    private static float sphere(float[] path, float[] spheres, int at) {
-        return Intersection.sphere(
-                spheres[at] - path[Layout.ORIGIN],
-                spheres[at + 1] - path[Layout.ORIGIN + 1],
-                spheres[at + 2] - path[Layout.ORIGIN + 2],
-                spheres[at + Layout.PLACE_SIZE],
-                path[Layout.DIRECTION],
-                path[Layout.DIRECTION + 1],
-                path[Layout.DIRECTION + 2]);
+    /** Distance to a sphere whose center and radius are at that place of an array. Who is inside sees one that transmits. */
+    private static float sphere(float[] path, float[] spheres, int at, int body, float[] looks, int materials) {
+        float x = spheres[at] - path[Layout.ORIGIN];
+        float y = spheres[at + 1] - path[Layout.ORIGIN + 1];
+        float z = spheres[at + 2] - path[Layout.ORIGIN + 2];
+        float radius = spheres[at + Layout.PLACE_SIZE];
+        float directionX = path[Layout.DIRECTION];
+        float directionY = path[Layout.DIRECTION + 1];
+        float directionZ = path[Layout.DIRECTION + 2];
+        float distance = Intersection.sphere(x, y, z, radius, directionX, directionY, directionZ);
+        if (materials == Material.ANY) {
+            int own = body == (int) path[Layout.LEAVING] ? 1 : 0;
+            int transmits = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0f ? 1 : 0;
+            if ((transmits & (own | (distance == Intersection.MISS ? 1 : 0))) != 0) {
+                distance = Intersection.sphereFromInside(x, y, z, radius, directionX, directionY, directionZ);
+            }
+        }
+        return distance;
     }
 
     /**
@@ -80,7 +107,8 @@ public final class Hit {
      * @param first the closest hit so far
      * @param root where in the hierarchy its root is
      */
-    private static int onWalk(float[] path, int first, float[] hierarchy, int root, float[] scratch) {
+    private static int onWalk(
+            float[] path, int first, float[] looks, float[] hierarchy, int root, float[] scratch, int materials) {
         float originX = path[Layout.ORIGIN];
         float originY = path[Layout.ORIGIN + 1];
         float originZ = path[Layout.ORIGIN + 2];
@@ -108,7 +136,7 @@ public final class Hit {
                 }
                 next = near <= path[Layout.DISTANCE] ? link + swapped : Layout.NO_NODE;
             }
-            hit = inLeaf(path, hit, hierarchy, link, spheres);
+            hit = inLeaf(path, hit, looks, hierarchy, link, spheres, materials);
             while (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
                 waiting = waiting - 1;
                 float entry = scratch[Layout.SCRATCH_STACK + 2 * waiting + 1];
@@ -122,15 +150,16 @@ public final class Hit {
     }
 
     /** The closest hit so far, or a sphere of the leaf that is closer. */
-    private static int inLeaf(float[] path, int first, float[] hierarchy, int link, int spheres) {
-        int ignored = (int) path[Layout.LEAVING];
+    private static int inLeaf(
+            float[] path, int first, float[] looks, float[] hierarchy, int link, int spheres, int materials) {
+        int ignored = ignored(path, materials);
         float closest = path[Layout.DISTANCE];
         int hit = first;
         for (int sphere = 0; sphere < spheres; sphere++) {
             int at = link + Layout.SPHERE_STRIDE * sphere;
-            float distance = sphere(path, hierarchy, at);
+            int body = (int) hierarchy[at + Layout.SPHERE_BODY];
+            float distance = sphere(path, hierarchy, at, body, looks, materials);
             if (distance <= closest) {
-                int body = (int) hierarchy[at + Layout.SPHERE_BODY];
                 int closer = (distance < closest ? 1 : 0) | (body < hit ? 1 : 0);
                 int taken = closer & (body != ignored ? 1 : 0);
                 hit = taken != 0 ? body : hit;

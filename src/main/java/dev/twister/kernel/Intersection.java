@@ -16,7 +16,8 @@ public final class Intersection {
     /**
      * Distance to the near side of a sphere; {@link #MISS} where the ray passes it, or where the near side is not in
      * front. The discriminant comes from the ray's perpendicular distance to the center, which keeps its digits where
-     * the sphere is small and far.
+     * the sphere is small and far. Whether the origin is outside is asked of the origin alone: for one on the surface, it
+     * is the same in all directions.
      *
      * @param x the center, seen from the ray's origin
      */
@@ -30,7 +31,27 @@ public final class Intersection {
         float distance = MISS;
         if (halfChordSquared >= 0f) {
             float near = along - (float) Math.sqrt(halfChordSquared);
-            distance = near > 0f ? near : MISS;
+            int inFront = (along > 0f ? 1 : 0) & (x * x + y * y + z * z > radius * radius ? 1 : 0);
+            distance = inFront != 0 ? Math.max(near, 0f) : MISS;
+        }
+        return distance;
+    }
+
+    /**
+     * Distance to the far side of a sphere, which is what a ray from inside meets; {@link #MISS} where the ray passes it, or
+     * where the far side is not in front. The center is seen from the ray's origin.
+     */
+    public static float sphereFromInside(
+            float x, float y, float z, float radius, float directionX, float directionY, float directionZ) {
+        float along = x * directionX + y * directionY + z * directionZ;
+        float acrossX = x - along * directionX;
+        float acrossY = y - along * directionY;
+        float acrossZ = z - along * directionZ;
+        float halfChordSquared = radius * radius - (acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ);
+        float distance = MISS;
+        if (halfChordSquared >= 0f) {
+            float far = along + (float) Math.sqrt(halfChordSquared);
+            distance = far > 0f ? far : MISS;
         }
         return distance;
     }
@@ -40,6 +61,8 @@ public final class Intersection {
      *
      * @param height the plane's, in meters
      * @param size the square's side, in meters
+     * @param originX from the square's center
+     * @param originZ from the square's center
      */
     public static float plane(
             float height,
@@ -60,7 +83,7 @@ public final class Intersection {
         return distance;
     }
 
-    /** 1 where a point of the plane lies on its square of that side, else 0. */
+    /** 1 where a point of the plane, seen from the square's center, lies on its square of that side, else 0. */
     static int isOnSquare(float x, float z, float size) {
         float reach = PLANE_REACH * size;
         return (Math.abs(x) <= reach ? 1 : 0) & (Math.abs(z) <= reach ? 1 : 0);

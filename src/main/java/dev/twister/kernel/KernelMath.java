@@ -32,6 +32,15 @@ public final class KernelMath {
     public static final float TEN_THIRDS_5 = -0.08731597f;
     public static final float TEN_THIRDS_6 = 0.012356257f;
 
+    /** {@code sin(2 pi x)} for x in [-0.25, 0.25] is {@code x (SINE_0 + SINE_1 x^2 + SINE_2 x^4 + ...)}. */
+    private static final float SINE_0 = 6.2831855f;
+
+    private static final float SINE_1 = -41.3417f;
+    private static final float SINE_2 = 81.605225f;
+    private static final float SINE_3 = -76.70428f;
+    private static final float SINE_4 = 42.00978f;
+    private static final float SINE_5 = -14.393967f;
+
     private KernelMath() {}
 
     /** The largest whole number that is not above {@code x}, for |x| below 2^31. */
@@ -98,6 +107,23 @@ public final class KernelMath {
         float quadrant = absY > absX ? HALF_PI - octant : octant;
         float half = x < 0f ? PI - quadrant : quadrant;
         return y < 0f ? -half : half;
+    }
+
+    /** The sine of an angle in whole turns, in [0, 1), within 4e-7. */
+    static float sineOfTurns(float turns) {
+        float x = turns > 0.75f ? turns - 1f : turns > 0.25f ? 0.5f - turns : turns;
+        float s = x * x;
+        float polynomial = SINE_5;
+        polynomial = polynomial * s + SINE_4;
+        polynomial = polynomial * s + SINE_3;
+        polynomial = polynomial * s + SINE_2;
+        polynomial = polynomial * s + SINE_1;
+        return x * (polynomial * s + SINE_0);
+    }
+
+    /** The cosine of an angle in whole turns, in [0, 1), within 4e-7. */
+    static float cosineOfTurns(float turns) {
+        return sineOfTurns(turns < 0.75f ? turns + 0.25f : turns - 0.75f);
     }
 
     /** The arc tangent of a ratio in [0, 1]: a minimax polynomial in its square. */

@@ -24,7 +24,24 @@ public final class Layout {
     /** {@code 1 / tan(fov / 2)}: how far the eye is behind the viewport, whose shorter half side is 1. */
     public static final int CAMERA_EYE_DISTANCE = 12;
 
-    public static final int CAMERA_LENGTH = 13;
+    /** The lens's radius in meters; 0 for a pinhole. */
+    public static final int CAMERA_APERTURE = 13;
+
+    /** How far ahead the plane is that is sharp, in meters. */
+    public static final int CAMERA_FOCUS = 14;
+
+    public static final int CAMERA_LENGTH = 15;
+
+    /**
+     * {@code float[] pixelSamples}, {@value #SAMPLE_STRIDE} floats a sample: its place in the pixel, x and y in (0, 1); then pairs
+     * of numbers in [0, 1), one pair for the lens and one for the surface of each of the first {@value #SAMPLE_SURFACES}
+     * bounces, which the next ones take again.
+     */
+    public static final int SAMPLE_LENS = 2;
+
+    public static final int SAMPLE_SURFACE = 4;
+    public static final int SAMPLE_SURFACES = 6;
+    public static final int SAMPLE_STRIDE = SAMPLE_SURFACE + 2 * SAMPLE_SURFACES;
 
     /** {@code float[] properties}; counts are whole numbers held exactly by a float. */
     public static final int SHADOW_SAMPLES = 0;
@@ -71,13 +88,32 @@ public final class Layout {
     /** {@code float[] looks}, {@value #LOOK_STRIDE} floats a body: the color, then what it is made of. */
     public static final int LOOK_REFLECTIVITY = 3;
 
-    public static final int LOOK_STRIDE = 4;
+    /** In [0, 1]; 0 where no ray goes on from the body. */
+    public static final int LOOK_ROUGHNESS = 4;
 
-    /** {@code int[] skyDimensions}: width and height in texels. */
+    /** In [0, 1]. */
+    public static final int LOOK_TRANSMISSION = 5;
+
+    /** Index of refraction in [1, 4]; 0 where nothing is transmitted. */
+    public static final int LOOK_IOR = 6;
+
+    /** Which of the pictures after the panorama multiplies the color, from 1 on; 0 for none. */
+    public static final int LOOK_TEXTURE = 7;
+
+    public static final int LOOK_STRIDE = 8;
+
+    /**
+     * {@code int[] skyDimensions}: the panorama's width and height in texels; then, for each texture, where its first float is
+     * in {@code sky}, its width and its height.
+     */
     public static final int SKY_WIDTH = 0;
 
     public static final int SKY_HEIGHT = 1;
     public static final int SKY_DIMENSIONS_LENGTH = 2;
+    public static final int TEXTURE_START = 0;
+    public static final int TEXTURE_WIDTH = 1;
+    public static final int TEXTURE_HEIGHT = 2;
+    public static final int TEXTURE_STRIDE = 3;
 
     /**
      * {@code float[] hierarchy}, a bounding volume hierarchy over the spheres: first the spheres, each of a leaf beside the
@@ -122,41 +158,78 @@ public final class Layout {
      */
     public static final int SCRATCH_STACK = CANDIDATE_STRIDE * MOST_CANDIDATES;
 
-    public static final int SCRATCH_LENGTH = SCRATCH_STACK + 2 * MOST_ANCESTORS;
+    /** With materials of any kind the scratch goes on: what each remembered candidate transmits, then the waiting rays. */
+    public static final int SCRATCH_TRANSMISSIONS = SCRATCH_STACK + 2 * MOST_ANCESTORS;
+
+    public static final int SCRATCH_RAYS = SCRATCH_TRANSMISSIONS + MOST_CANDIDATES;
+
+    /** Of two rays the fainter is followed first, and it has no more than half of the throughput: no more rays wait. */
+    public static final int MOST_WAITING_RAYS = 10;
+
+    /** A waiting ray: the first floats of its path, and how many surfaces it has left. */
+    public static final int RAY_BOUNCE = 11;
+
+    public static final int RAY_STRIDE = 12;
+
+    /** How long the scratch is where all materials are {@link Material#PLAIN}. */
+    public static final int PLAIN_SCRATCH_LENGTH = SCRATCH_TRANSMISSIONS;
+
+    public static final int SCRATCH_LENGTH = SCRATCH_RAYS + RAY_STRIDE * MOST_WAITING_RAYS;
 
     /**
-     * {@code float[] path}, a thread's own: the ray, the body that it leaves, what part of the radiance found from here on
-     * reaches the pixel, and the radiance so far.
+     * {@code float[] path}, a thread's own: the ray, the body that it leaves and whether it goes on inside that body (1, else 0),
+     * what part of the radiance found from here on reaches the pixel, for each channel, and the radiance so far.
      */
     public static final int ORIGIN = 0;
 
     public static final int DIRECTION = 3;
     public static final int LEAVING = 6;
-    public static final int THROUGHPUT = 7;
-    public static final int RADIANCE = 8;
+    public static final int INSIDE = 7;
+    public static final int THROUGHPUT = 8;
+    public static final int RADIANCE = 11;
+
+    /** Column and row of the pixel in the whole picture, and where in {@code pixelSamples} its sample is. */
+    public static final int PIXEL_COLUMN = 14;
+
+    public static final int PIXEL_ROW = 15;
+    public static final int PIXEL_SAMPLE = 16;
 
     /** What the ray meets: how far away, where, which way the surface faces, and what it is made of. */
-    public static final int DISTANCE = 11;
+    public static final int DISTANCE = 17;
 
-    public static final int POINT = 12;
-    public static final int NORMAL = 15;
-    public static final int ALBEDO = 18;
-    public static final int REFLECTIVITY = 21;
+    public static final int POINT = 18;
+    public static final int NORMAL = 21;
+    public static final int ALBEDO = 24;
+    public static final int REFLECTIVITY = 27;
 
     /** The light's center, seen from the point: a unit vector, the distance, and the cosine against the normal. */
-    public static final int TO_LIGHT = 22;
+    public static final int TO_LIGHT = 28;
 
-    public static final int LIGHT_DISTANCE = 25;
-    public static final int NORMAL_DOT_LIGHT = 26;
+    public static final int LIGHT_DISTANCE = 31;
+    public static final int NORMAL_DOT_LIGHT = 32;
 
     /** The axes U (its x is 0) and W of the light's disc, and tangent and secant of its half angle as the point sees it. */
-    public static final int DISC_U_Y = 27;
+    public static final int DISC_U_Y = 33;
 
-    public static final int DISC_U_Z = 28;
-    public static final int DISC_W = 29;
-    public static final int DISC_TANGENT = 32;
-    public static final int DISC_SECANT = 33;
-    public static final int PATH_LENGTH = 34;
+    public static final int DISC_U_Z = 34;
+    public static final int DISC_W = 35;
+    public static final int DISC_TANGENT = 38;
+    public static final int DISC_SECANT = 39;
+
+    /** How long the path is where all materials are {@link Material#PLAIN}. */
+    public static final int PLAIN_PATH_LENGTH = 40;
+
+    /** Whether the ray comes from inside the body (1, else 0), and the rest of what it is made of. */
+    public static final int FROM_INSIDE = 40;
+
+    public static final int ROUGHNESS = 41;
+    public static final int TRANSMISSION = 42;
+    public static final int IOR = 43;
+
+    /** The normal of the surface's facet that reflects and refracts, turned against the ray. */
+    public static final int FACET = 44;
+
+    public static final int PATH_LENGTH = 47;
 
     /** The largest reflectivity, at which a body is a perfect mirror. */
     public static final float MAX_REFLECTIVITY = 128f;

@@ -16,7 +16,7 @@ public final class Light {
     public static void add(float[] path, float[] looks) {
         for (int channel = 0; channel < 3; channel++) {
             path[Layout.RADIANCE + channel] = path[Layout.RADIANCE + channel]
-                    + path[Layout.THROUGHPUT] * looks[Layout.LOOK_STRIDE * Layout.LIGHT + channel];
+                    + path[Layout.THROUGHPUT + channel] * looks[Layout.LOOK_STRIDE * Layout.LIGHT + channel];
         }
     }
 

@@ -5,17 +5,32 @@ public final class Material {
     /** What checks are moved by, in meters, so that no edge is at a round number, where rounding alone decides. */
     public static final float CHECKER_SHIFT = 0x1p-10f;
 
+    /** Values of the argument {@code materials}: all bodies have but color and reflectivity, or any of them may have more. */
+    public static final int PLAIN = 0;
+
+    public static final int ANY = 1;
+
     private Material() {}
 
     /**
-     * Writes the albedo and the reflectivity at {@link Layout#POINT}.
+     * Writes what the body is made of at {@link Layout#POINT}; where all are plain, the albedo and the reflectivity alone.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param body the plane or a sphere
      * @param looks {@link Layout#LOOK_STRIDE} floats a body
      * @param properties {@link Layout#PROPERTIES_LENGTH} floats
+     * @param sky the panorama's texels, then those of the textures
+     * @param skyDimensions with those of the textures
+     * @param materials {@link #PLAIN} or {@link #ANY}
      */
-    public static void find(float[] path, int body, float[] looks, float[] properties) {
+    public static void find(
+            float[] path,
+            int body,
+            float[] looks,
+            float[] properties,
+            float[] sky,
+            int[] skyDimensions,
+            int materials) {
         int look = Layout.LOOK_STRIDE * body;
         float red = looks[look];
         float green = looks[look + 1];
@@ -30,6 +45,15 @@ public final class Material {
         path[Layout.ALBEDO + 1] = green;
         path[Layout.ALBEDO + 2] = blue;
         path[Layout.REFLECTIVITY] = looks[look + Layout.LOOK_REFLECTIVITY];
+        if (materials == ANY) {
+            path[Layout.ROUGHNESS] = looks[look + Layout.LOOK_ROUGHNESS];
+            path[Layout.TRANSMISSION] = looks[look + Layout.LOOK_TRANSMISSION];
+            path[Layout.IOR] = looks[look + Layout.LOOK_IOR];
+            int texture = (int) looks[look + Layout.LOOK_TEXTURE];
+            if (texture > 0) {
+                Texture.multiply(path, body, texture, sky, skyDimensions);
+            }
+        }
     }
 
     /** 1 where {@code floor(x + s) + floor(z + s)} is even (the plane's first color), else 0; s is {@link #CHECKER_SHIFT}. */

@@ -16,9 +16,11 @@ public final class PixelKernel {
      * @param row in [0, rows) of the band
      * @param pixels {@code int[width * rows]} where the output is ARGB, else any
      * @param radiance {@code float[3 * width * rows]} where the output is LINEAR, else any
-     * @param path {@link Layout#PATH_LENGTH} floats of this thread's own
-     * @param scratch {@link Layout#SCRATCH_LENGTH} floats of this thread's own
+     * @param path {@link Layout#PATH_LENGTH} floats of this thread's own; {@link Layout#PLAIN_PATH_LENGTH} do for plain materials
+     * @param scratch {@link Layout#SCRATCH_LENGTH} floats of this thread's own; {@link Layout#PLAIN_SCRATCH_LENGTH} do for plain
+     *     materials
      * @param search {@link Hit#ALL} or {@link Hit#WALK}
+     * @param materials {@link Material#PLAIN} or {@link Material#ANY}
      * @param output {@link #ARGB} or {@link #LINEAR}
      */
     public static void draw(
@@ -35,19 +37,27 @@ public final class PixelKernel {
             float[] sky,
             int[] skyDimensions,
             float[] shadowDisc,
-            float[] pixelOffsets,
+            float[] pixelSamples,
             float[] path,
             float[] scratch,
             int search,
+            int materials,
             int output) {
         int samples = (int) properties[Layout.PIXEL_SAMPLES];
         path[Layout.RADIANCE] = 0f;
         path[Layout.RADIANCE + 1] = 0f;
         path[Layout.RADIANCE + 2] = 0f;
         for (int sample = 0; sample < samples; sample++) {
-            float x = column + pixelOffsets[2 * sample];
-            float y = dimensions[Layout.FIRST_ROW] + row + pixelOffsets[2 * sample + 1];
+            int at = Layout.SAMPLE_STRIDE * sample;
+            float x = column + pixelSamples[at];
+            float y = dimensions[Layout.FIRST_ROW] + row + pixelSamples[at + 1];
             Camera.start(path, x, y, dimensions, camera);
+            path[Layout.PIXEL_COLUMN] = column;
+            path[Layout.PIXEL_ROW] = dimensions[Layout.FIRST_ROW] + row;
+            path[Layout.PIXEL_SAMPLE] = at;
+            if (camera[Layout.CAMERA_APERTURE] > 0f) {
+                Lens.bend(path, camera, pixelSamples);
+            }
             Path.follow(
                     path,
                     0,
@@ -59,8 +69,10 @@ public final class PixelKernel {
                     sky,
                     skyDimensions,
                     shadowDisc,
+                    pixelSamples,
                     scratch,
-                    search);
+                    search,
+                    materials);
         }
         int pixel = row * dimensions[Layout.WIDTH] + column;
         float average = 1f / samples;

@@ -45,8 +45,8 @@ final class PlaneShadow {
                     + distance * (path[Layout.DISC_U_Z] * x + path[Layout.DISC_W + 2] * y)
                     - path[Layout.POINT + 2];
             blocks = Intersection.isOnSquare(
-                    path[Layout.POINT] + part * toX,
-                    path[Layout.POINT + 2] + part * toZ,
+                    path[Layout.POINT] + part * toX - places[plane],
+                    path[Layout.POINT + 2] + part * toZ - places[plane + 2],
                     places[plane + Layout.PLACE_SIZE]);
         }
         return blocks;

@@ -34,27 +34,31 @@ public final class Shadow {
     private Shadow() {}
 
     /**
-     * S in [0, 1] at {@link Layout#POINT}: 1 - blocked / samples; 1 where S would change nothing, as the light is behind
-     * the surface or adds less than the ambient light.
+     * S in [0, 1] at {@link Layout#POINT}: 1 - blocked / samples, where a body that transmits blocks but a part; 1 where S would
+     * change nothing, as the light is behind the surface or adds less than the ambient light.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param own the body that the point lies on
      * @param properties {@link Layout#PROPERTIES_LENGTH} floats
      * @param places {@link Layout#PLACE_STRIDE} floats a body
+     * @param looks {@link Layout#LOOK_STRIDE} floats a body
      * @param shadowDisc the unit sunflower, {@code float[2 * samples]}
      * @param hierarchy over the spheres
      * @param root where in the hierarchy its root is, see {@link Layout#root}
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
+     * @param materials {@link Material#PLAIN} or {@link Material#ANY}
      */
     public static float visible(
             float[] path,
             int own,
             float[] properties,
             float[] places,
+            float[] looks,
             float[] shadowDisc,
             float[] hierarchy,
             int root,
-            float[] scratch) {
+            float[] scratch,
+            int materials) {
         float cosine = path[Layout.NORMAL_DOT_LIGHT];
         int matters = (cosine > properties[Layout.AMBIENT] ? 1 : 0)
                 | ((cosine > 0f ? 1 : 0) & (path[Layout.REFLECTIVITY] > 0f ? 1 : 0));
@@ -64,13 +68,25 @@ public final class Shadow {
             float discRadius = 2f * places[Layout.PLACE_STRIDE * Layout.LIGHT + Layout.PLACE_SIZE];
             float sampleScale = face(path, discRadius, samples, shadowDisc);
             int plane = PlaneShadow.mayBlock(path, own, discRadius, places);
-            int count = candidates(path, own, hierarchy, root, scratch);
+            int count = candidates(path, own, looks, hierarchy, root, scratch, materials);
             visible = count == ALL_HIDDEN ? 0f : 1f;
             int inDoubt = (count > 0 ? 1 : 0) | ((count == 0 ? 1 : 0) & plane);
             if (inDoubt != 0) {
-                int blocked = blocked(
-                        path, own, plane, count, samples, sampleScale, places, shadowDisc, hierarchy, root, scratch);
-                visible = 1f - (float) blocked / samples;
+                float blocked = blocked(
+                        path,
+                        own,
+                        plane,
+                        count,
+                        samples,
+                        sampleScale,
+                        places,
+                        looks,
+                        shadowDisc,
+                        hierarchy,
+                        root,
+                        scratch,
+                        materials);
+                visible = 1f - blocked / samples;
             }
         }
         return visible;
@@ -110,7 +126,7 @@ public final class Shadow {
      *
      * @param plane whether it may block any
      */
-    private static int blocked(
+    private static float blocked(
             float[] path,
             int own,
             int plane,
@@ -118,36 +134,69 @@ public final class Shadow {
             int samples,
             float sampleScale,
             float[] places,
+            float[] looks,
             float[] shadowDisc,
             float[] hierarchy,
             int root,
-            float[] scratch) {
+            float[] scratch,
+            int materials) {
         float distance = path[Layout.LIGHT_DISTANCE];
         int remembered = Math.min(count, Layout.MOST_CANDIDATES);
         int alone = ((count == 1 ? 1 : 0) & (1 - plane)) != 0 ? liesBetween(scratch, distance) : 0;
-        int blocked = alone != 0 ? blockedByOne(scratch, shadowDisc, sampleScale, samples) : 0;
+        float blocked = alone != 0
+                ? blockedByOne(scratch, shadowDisc, sampleScale, samples)
+                        * (1f - rememberedTransmission(scratch, 0, materials))
+                : 0f;
         int firstSample = alone != 0 ? samples : 0;
         for (int sample = firstSample; sample < samples; sample++) {
             float x = shadowDisc[2 * sample] * sampleScale;
             float y = shadowDisc[2 * sample + 1] * sampleScale;
-            int hit = plane != 0 ? PlaneShadow.blocks(path, x, y, places) : 0;
-            for (int candidate = 0; candidate < remembered && hit == 0; candidate++) {
-                hit = blocks(
+            float pastPlane = 1f;
+            if (plane != 0) {
+                pastPlane =
+                        PlaneShadow.blocks(path, x, y, places) != 0 ? transmission(looks, Layout.PLANE, materials) : 1f;
+            }
+            float light = pastPlane;
+            int lit = light > 0f ? 1 : 0;
+            for (int candidate = 0; candidate < remembered && lit != 0; candidate++) {
+                float transmission = rememberedTransmission(scratch, candidate, materials);
+                int hit = blocks(
                         scratch[Layout.CANDIDATE_STRIDE * candidate],
                         scratch[Layout.CANDIDATE_STRIDE * candidate + 1],
                         scratch[Layout.CANDIDATE_STRIDE * candidate + 2],
                         scratch[Layout.CANDIDATE_STRIDE * candidate + 3],
                         x,
                         y,
-                        distance);
+                        distance,
+                        transmission);
+                light = hit != 0 ? light * transmission : light;
+                lit = light > 0f ? 1 : 0;
             }
-            int forgotten = (count > Layout.MOST_CANDIDATES ? 1 : 0) & (hit == 0 ? 1 : 0);
+            int forgotten = (count > Layout.MOST_CANDIDATES ? 1 : 0) & lit;
             if (forgotten != 0) {
-                hit = ShadowRay.blocked(path, own, x, y, hierarchy, root, scratch);
+                light = pastPlane * ShadowRay.light(path, own, x, y, looks, hierarchy, root, scratch, materials);
             }
-            blocked = blocked + hit;
+            blocked = blocked + (1f - light);
         }
         return blocked;
+    }
+
+    /** What a remembered candidate transmits, in [0, 1]. */
+    private static float rememberedTransmission(float[] scratch, int candidate, int materials) {
+        float transmission = 0f;
+        if (materials == Material.ANY) {
+            transmission = scratch[Layout.SCRATCH_TRANSMISSIONS + candidate];
+        }
+        return transmission;
+    }
+
+    /** What a body transmits, in [0, 1]. */
+    static float transmission(float[] looks, int body, int materials) {
+        float transmission = 0f;
+        if (materials == Material.ANY) {
+            transmission = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION];
+        }
+        return transmission;
     }
 
     /**
@@ -156,7 +205,8 @@ public final class Shadow {
      *
      * @return how many there are, at least if there are more, or {@link #ALL_HIDDEN}
      */
-    private static int candidates(float[] path, int own, float[] hierarchy, int root, float[] scratch) {
+    private static int candidates(
+            float[] path, int own, float[] looks, float[] hierarchy, int root, float[] scratch, int materials) {
         float inverseX = NodeBox.inverse(path[Layout.TO_LIGHT]);
         float inverseY = NodeBox.inverse(path[Layout.TO_LIGHT + 1]);
         float inverseZ = NodeBox.inverse(path[Layout.TO_LIGHT + 2]);
@@ -180,7 +230,7 @@ public final class Shadow {
                 }
                 next = near < NodeBox.PASSED ? link + swapped : Layout.NO_NODE;
             }
-            count = addLeaf(path, own, count, hierarchy, link, spheres, scratch);
+            count = addLeaf(path, own, count, looks, hierarchy, link, spheres, scratch, materials);
             if (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
                 waiting = waiting - 1;
                 next = (int) scratch[Layout.SCRATCH_STACK + waiting];
@@ -197,7 +247,15 @@ public final class Shadow {
      * @return how many there are now, or {@link #ALL_HIDDEN}
      */
     private static int addLeaf(
-            float[] path, int own, int found, float[] hierarchy, int link, int spheres, float[] scratch) {
+            float[] path,
+            int own,
+            int found,
+            float[] looks,
+            float[] hierarchy,
+            int link,
+            int spheres,
+            float[] scratch,
+            int materials) {
         int count = found;
         for (int sphere = 0; sphere < spheres && count != ALL_HIDDEN; sphere++) {
             int at = link + Layout.SPHERE_STRIDE * sphere;
@@ -210,16 +268,17 @@ public final class Shadow {
                 float a = x * path[Layout.TO_LIGHT] + y * path[Layout.TO_LIGHT + 1] + z * path[Layout.TO_LIGHT + 2];
                 float u = path[Layout.DISC_U_Y] * y + path[Layout.DISC_U_Z] * z;
                 float w = path[Layout.DISC_W] * x + path[Layout.DISC_W + 1] * y + path[Layout.DISC_W + 2] * z;
-                int judgement = judge(
-                        a,
-                        u,
-                        w,
-                        radius,
-                        path[Layout.LIGHT_DISTANCE],
-                        path[Layout.DISC_TANGENT],
-                        path[Layout.DISC_SECANT]);
+                float distance = path[Layout.LIGHT_DISTANCE];
+                float tangent = path[Layout.DISC_TANGENT];
+                float secant = path[Layout.DISC_SECANT];
+                int judgement = judge(a, u, w, radius, distance, tangent, secant);
+                if (transmission(looks, body, materials) > 0f) {
+                    judgement =
+                            mayReach(a, u * u + w * w, radius, distance, tangent, secant) != 0 ? CANDIDATE : HARMLESS;
+                }
                 if (judgement == CANDIDATE) {
                     remember(count, a, u, w, radius, scratch);
+                    rememberTransmission(count, transmission(looks, body, materials), scratch, materials);
                     count = count + 1;
                 }
                 count = judgement == HIDES_ALL ? ALL_HIDDEN : count;
@@ -234,6 +293,14 @@ public final class Shadow {
             scratch[Layout.CANDIDATE_STRIDE * candidate + 1] = u;
             scratch[Layout.CANDIDATE_STRIDE * candidate + 2] = w;
             scratch[Layout.CANDIDATE_STRIDE * candidate + 3] = radius * radius;
+        }
+    }
+
+    private static void rememberTransmission(int candidate, float transmission, float[] scratch, int materials) {
+        if (materials == Material.ANY) {
+            if (candidate < Layout.MOST_CANDIDATES) {
+                scratch[Layout.SCRATCH_TRANSMISSIONS + candidate] = transmission;
+            }
         }
     }
 
@@ -252,13 +319,17 @@ public final class Shadow {
 
     /** 1 where a sphere may meet the cone, with its center at a along the axis and a square of {@code across} beside it. */
     static int mayMeet(float a, float across, float radius, float distance, float tangent, float secant) {
+        return mayReach(a, across, radius, distance, tangent, secant) & (a * a + across > radius * radius ? 1 : 0);
+    }
+
+    /** The same for a sphere that is seen from inside too. */
+    private static int mayReach(float a, float across, float radius, float distance, float tangent, float secant) {
         float reach =
                 (a * tangent + radius * secant) * RELATIVE_MARGIN + ABSOLUTE_MARGIN * (Math.abs(a) + distance + radius);
         return (a + radius > 0f ? 1 : 0)
                 & (a - radius < distance * RELATIVE_MARGIN ? 1 : 0)
                 & (reach > 0f ? 1 : 0)
-                & (across <= reach * reach ? 1 : 0)
-                & (a * a + across > radius * radius ? 1 : 0);
+                & (across <= reach * reach ? 1 : 0);
     }
 
     /** 1 where the first candidate lies wholly between the point and the disc: then only its distance from a ray counts. */
@@ -287,10 +358,11 @@ public final class Shadow {
     }
 
     /**
-     * 1 where a sphere blocks the shadow ray through (1, x, y) * distance: its line is met, and the near side lies
-     * between the point and the sample. A point inside the sphere does not see it.
+     * 1 where a sphere meets the shadow ray through (1, x, y) * distance: its line is met, and the near side lies
+     * between the point and the sample. A point inside the sphere does not see it, unless it transmits: then the far side counts.
      */
-    static int blocks(float a, float u, float w, float radiusSquared, float x, float y, float distance) {
+    static int blocks(
+            float a, float u, float w, float radiusSquared, float x, float y, float distance, float transmission) {
         float p = u - a * x;
         float q = w - a * y;
         float moment = p * y - q * x;
@@ -304,7 +376,8 @@ public final class Shadow {
             float beyondSquared = beyondA * beyondA + beyondU * beyondU + beyondW * beyondW;
             int before = (along < distance * lengthSquared ? 1 : 0) | (beyondSquared < radiusSquared ? 1 : 0);
             int outside = a * a + u * u + w * w > radiusSquared ? 1 : 0;
-            blocks = (along > 0f ? 1 : 0) & before & outside;
+            int leaves = (transmission > 0f ? 1 : 0) & (beyondSquared >= radiusSquared ? 1 : 0);
+            blocks = outside != 0 ? (along > 0f ? 1 : 0) & before : leaves;
         }
         return blocks;
     }

@@ -5,11 +5,21 @@ final class ShadowRay {
     private ShadowRay() {}
 
     /**
-     * 1 where any sphere blocks the ray through (1, x, y) * distance, in the frame of A, U (whose x is 0) and W.
+     * What the spheres let pass of the ray through (1, x, y) * distance, in the frame of A, U (whose x is 0) and W: in
+     * [0, 1], 0 where an opaque one blocks it.
      *
      * @param start the node to start at, or {@link Layout#NO_NODE}, which blocks nothing
      */
-    static int blocked(float[] path, int own, float x, float y, float[] hierarchy, int start, float[] scratch) {
+    static float light(
+            float[] path,
+            int own,
+            float x,
+            float y,
+            float[] looks,
+            float[] hierarchy,
+            int start,
+            float[] scratch,
+            int materials) {
         float pointX = path[Layout.POINT];
         float pointY = path[Layout.POINT + 1];
         float pointZ = path[Layout.POINT + 2];
@@ -26,7 +36,7 @@ final class ShadowRay {
         float inverseY = NodeBox.inverse(axisY + uY * x + wY * y);
         float inverseZ = NodeBox.inverse(axisZ + uZ * x + wZ * y);
         float end = distance * Shadow.RELATIVE_MARGIN;
-        int blocked = 0;
+        float light = 1f;
         int node = start;
         int waiting = 0;
         while (node != Layout.NO_NODE) {
@@ -45,7 +55,8 @@ final class ShadowRay {
                 int only = second < end ? link + Layout.NODE_STRIDE : Layout.NO_NODE;
                 next = first < end ? link : only;
             }
-            for (int sphere = 0; sphere < spheres && blocked == 0; sphere++) {
+            int lit = light > 0f ? 1 : 0;
+            for (int sphere = 0; sphere < spheres && lit != 0; sphere++) {
                 int at = link + Layout.SPHERE_STRIDE * sphere;
                 int body = (int) hierarchy[at + Layout.SPHERE_BODY];
                 if (body != own) {
@@ -53,22 +64,26 @@ final class ShadowRay {
                     float toY = hierarchy[at + 1] - pointY;
                     float toZ = hierarchy[at + 2] - pointZ;
                     float radius = hierarchy[at + Layout.SPHERE_RADIUS];
-                    blocked = Shadow.blocks(
+                    float transmission = Shadow.transmission(looks, body, materials);
+                    int hit = Shadow.blocks(
                             toX * axisX + toY * axisY + toZ * axisZ,
                             uY * toY + uZ * toZ,
                             wX * toX + wY * toY + wZ * toZ,
                             radius * radius,
                             x,
                             y,
-                            distance);
+                            distance,
+                            transmission);
+                    light = hit != 0 ? light * transmission : light;
+                    lit = light > 0f ? 1 : 0;
                 }
             }
             if (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
                 waiting = waiting - 1;
                 next = (int) scratch[Layout.SCRATCH_STACK + waiting];
             }
-            node = blocked == 0 ? next : Layout.NO_NODE;
+            node = light > 0f ? next : Layout.NO_NODE;
         }
-        return blocked;
+        return light;
     }
 }

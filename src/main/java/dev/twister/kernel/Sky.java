@@ -20,10 +20,10 @@ public final class Sky {
         int height = skyDimensions[Layout.SKY_HEIGHT];
         float column = column(path[Layout.DIRECTION], path[Layout.DIRECTION + 2], properties[Layout.SKY_TURN], width);
         float row = row(path[Layout.DIRECTION], path[Layout.DIRECTION + 1], path[Layout.DIRECTION + 2], height);
-        float weight = path[Layout.THROUGHPUT] * properties[Layout.SKY_STRENGTH];
+        float strength = properties[Layout.SKY_STRENGTH];
         for (int channel = 0; channel < 3; channel++) {
-            path[Layout.RADIANCE + channel] =
-                    path[Layout.RADIANCE + channel] + weight * radiance(sky, width, height, column, row, channel);
+            path[Layout.RADIANCE + channel] = path[Layout.RADIANCE + channel]
+                    + path[Layout.THROUGHPUT + channel] * strength * radiance(sky, width, height, column, row, channel);
         }
     }
 

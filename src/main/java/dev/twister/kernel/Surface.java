@@ -5,6 +5,21 @@ public final class Surface {
     private Surface() {}
 
     /**
+     * Turns the normal of a sphere against a ray that comes from inside, as it can where the sphere transmits.
+     *
+     * @param path {@link Layout#PATH_LENGTH} floats, after {@link #find} and {@link Material#find}
+     * @param body the plane or a sphere
+     */
+    static void face(float[] path, int body) {
+        int transmits = (body == Layout.PLANE ? 0 : 1) & (path[Layout.TRANSMISSION] > 0f ? 1 : 0);
+        int inside = transmits & (Facet.directionDot(path, Layout.NORMAL) > 0f ? 1 : 0);
+        path[Layout.FROM_INSIDE] = inside;
+        for (int axis = 0; axis < 3; axis++) {
+            path[Layout.NORMAL + axis] = inside != 0 ? -path[Layout.NORMAL + axis] : path[Layout.NORMAL + axis];
+        }
+    }
+
+    /**
      * Writes the point and the unit normal where the path's ray meets the body at {@link Layout#DISTANCE}. A sphere's
      * point lies on it to the last digits; the plane's normal is (0, 1, 0), seen from either side.
      *

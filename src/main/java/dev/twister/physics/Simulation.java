@@ -238,16 +238,23 @@ public final class Simulation implements AutoCloseable {
      * Where the bodies are, a new array each time: between the last two steps, by the time that is ahead of a step; so
      * the picture is less than a step behind.
      *
-     * @return {@code float[3 * room]}, as {@link World#setBodyPositions} takes it
+     * @return {@code float[3 * room]}, as {@link World#setBodyPositions} takes it for a world that begins where the scene does
      */
     public float[] positions() {
+        return positions(new Vector3(0, 0, 0));
+    }
+
+    private float[] positions(Vector3 origin) {
         float share = (float) (ahead / STEP_SECONDS);
         float[] positions = new float[3 * (bodies.state.length - BodyStore.FIRST_SPHERE + Layout.FIRST_SPHERE)];
-        positions[3 * Layout.PLANE + 1] = (float) surroundings.height();
-        put(BodyStore.LIGHT, positions, Layout.LIGHT, 1);
+        double[] start = {origin.x(), origin.y(), origin.z()};
+        positions[3 * Layout.PLANE] = (float) (0 - origin.x());
+        positions[3 * Layout.PLANE + 1] = (float) (surroundings.height() - origin.y());
+        positions[3 * Layout.PLANE + 2] = (float) (0 - origin.z());
+        put(BodyStore.LIGHT, start, positions, Layout.LIGHT, 1);
         inChunks((from, to) -> {
             for (int body = Math.max(from, BodyStore.FIRST_SPHERE); body < to; body++) {
-                put(body, positions, Layout.FIRST_SPHERE + bodies.sphere[body], share);
+                put(body, start, positions, Layout.FIRST_SPHERE + bodies.sphere[body], share);
             }
         });
         return positions;
@@ -255,7 +262,7 @@ public final class Simulation implements AutoCloseable {
 
     /** Moves a world's bodies to where they are here; it must be of the same scene. */
     public void place(World world) {
-        world.setBodyPositions(positions(), bodies());
+        world.setBodyPositions(positions(world.origin()), bodies());
     }
 
     /** Lets the threads go. */
@@ -348,11 +355,11 @@ public final class Simulation implements AutoCloseable {
         team.inChunks(firstBody, bodies.count, Survey.BODIES_AT_ONCE, work);
     }
 
-    private void put(int body, float[] positions, int place, float share) {
+    private void put(int body, double[] origin, float[] positions, int place, float share) {
         for (int axis = 0; axis < 3; axis++) {
             double before = bodies.before[3 * body + axis];
             double now = bodies.numbers[BodyStore.STRIDE * body + BodyStore.POSITION + axis];
-            positions[3 * place + axis] = (float) (before + (now - before) * share);
+            positions[3 * place + axis] = (float) (before + (now - before) * share - origin[axis]);
         }
     }
 

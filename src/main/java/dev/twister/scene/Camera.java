@@ -1,16 +1,24 @@
 package dev.twister.scene;
 
 /**
- * Where a picture is seen from.
+ * Where a picture is seen from, and through which lens.
  *
- * @param position the rays' origin, in meters
+ * @param position the lens's center, in meters
  * @param yawDegrees turn about y; positive looks right
  * @param pitchDegrees turn about x, in [-90, 90]; positive looks down
  * @param fieldOfViewDegrees the angle over the shorter side of the picture, in [1, 179]
+ * @param aperture the lens's radius in meters, 0 or more; with 0 all is sharp
+ * @param focusDistance how far ahead the plane is that is sharp, in meters, above 0
  */
-public record Camera(Vector3 position, double yawDegrees, double pitchDegrees, double fieldOfViewDegrees) {
-    /** At the origin, level, along z, with a field of view of 60 degrees. */
-    static final Camera DEFAULT = new Camera(new Vector3(0, 0, 0), 0, 0, 60);
+public record Camera(
+        Vector3 position,
+        double yawDegrees,
+        double pitchDegrees,
+        double fieldOfViewDegrees,
+        double aperture,
+        double focusDistance) {
+    /** A pinhole at the origin, level, along z, with a field of view of 60 degrees. */
+    static final Camera DEFAULT = new Camera(new Vector3(0, 0, 0), 0, 0, 60, 0, 10);
 
     /** A camera whose other properties are the defaults; angles in degrees. */
     public static Camera of(Vector3 position, double yaw, double pitch, double fieldOfView) {
@@ -18,18 +26,26 @@ public record Camera(Vector3 position, double yawDegrees, double pitchDegrees, d
     }
 
     public Camera withPosition(Vector3 newPosition) {
-        return new Camera(newPosition, yawDegrees, pitchDegrees, fieldOfViewDegrees);
+        return new Camera(newPosition, yawDegrees, pitchDegrees, fieldOfViewDegrees, aperture, focusDistance);
     }
 
     public Camera withYaw(double newYawDegrees) {
-        return new Camera(position, newYawDegrees, pitchDegrees, fieldOfViewDegrees);
+        return new Camera(position, newYawDegrees, pitchDegrees, fieldOfViewDegrees, aperture, focusDistance);
     }
 
     public Camera withPitch(double newPitchDegrees) {
-        return new Camera(position, yawDegrees, newPitchDegrees, fieldOfViewDegrees);
+        return new Camera(position, yawDegrees, newPitchDegrees, fieldOfViewDegrees, aperture, focusDistance);
     }
 
     public Camera withFieldOfView(double newFieldOfViewDegrees) {
-        return new Camera(position, yawDegrees, pitchDegrees, newFieldOfViewDegrees);
+        return new Camera(position, yawDegrees, pitchDegrees, newFieldOfViewDegrees, aperture, focusDistance);
+    }
+
+    public Camera withAperture(double newAperture) {
+        return new Camera(position, yawDegrees, pitchDegrees, fieldOfViewDegrees, newAperture, focusDistance);
+    }
+
+    public Camera withFocusDistance(double newFocusDistance) {
+        return new Camera(position, yawDegrees, pitchDegrees, fieldOfViewDegrees, aperture, newFocusDistance);
     }
 }

@@ -8,10 +8,12 @@ import java.util.function.Function;
  *
  * @param <R> the record that the object is read as
  * @param <T> the field's value
+ * @param since the version of the format that first has it
  * @param get the record's value
  * @param with the record with another value
  */
-record Field<R, T>(String name, Presence presence, ValueType<T> type, Function<R, T> get, BiFunction<R, T, R> with) {
+record Field<R, T>(
+        String name, Presence presence, int since, ValueType<T> type, Function<R, T> get, BiFunction<R, T, R> with) {
     /** Where a field stands. */
     enum Presence {
         /** In every file. */
@@ -23,15 +25,31 @@ record Field<R, T>(String name, Presence presence, ValueType<T> type, Function<R
     }
 
     static <R, T> Field<R, T> required(String name, ValueType<T> type, Function<R, T> get, BiFunction<R, T, R> with) {
-        return new Field<>(name, Presence.REQUIRED, type, get, with);
+        return new Field<>(name, Presence.REQUIRED, 1, type, get, with);
     }
 
     static <R, T> Field<R, T> written(String name, ValueType<T> type, Function<R, T> get, BiFunction<R, T, R> with) {
-        return new Field<>(name, Presence.WRITTEN, type, get, with);
+        return new Field<>(name, Presence.WRITTEN, 1, type, get, with);
     }
 
     static <R, T> Field<R, T> sparse(String name, ValueType<T> type, Function<R, T> get, BiFunction<R, T, R> with) {
-        return new Field<>(name, Presence.SPARSE, type, get, with);
+        return new Field<>(name, Presence.SPARSE, 1, type, get, with);
+    }
+
+    /** The same field, which only files of that version and later may have. */
+    Field<R, T> from(int version) {
+        return new Field<>(name, presence, version, type, get, with);
+    }
+
+    /** The same field of an object that stands for a record which holds this one's. */
+    <S> Field<S, T> within(Function<S, R> part, BiFunction<S, R, S> withPart) {
+        return new Field<>(
+                name,
+                presence,
+                since,
+                type,
+                part.andThen(get),
+                (whole, value) -> withPart.apply(whole, with.apply(part.apply(whole), value)));
     }
 
     boolean isRequired() {
@@ -46,6 +64,11 @@ record Field<R, T>(String name, Presence presence, ValueType<T> type, Function<R
     /** Whether the field is left out of the text of a record, as a default says the same. */
     boolean isLeftOut(R record, R defaults) {
         return presence == Presence.SPARSE && get.apply(record).equals(get.apply(defaults));
+    }
+
+    /** The version of the format that the field's value needs. */
+    int version(R record) {
+        return Math.max(since, type.version(get.apply(record)));
     }
 
     String write(R record) {

@@ -27,10 +27,18 @@ record Fields(Place object, ObjectValue value) {
     Optional<Place> find(String name) {
         for (Member member : value.members()) {
             if (member.name().equals(name)) {
-                return Optional.of(new Place(object.source(), path(name), member.value()));
+                return Optional.of(at(member));
             }
         }
         return Optional.empty();
+    }
+
+    List<Member> members() {
+        return value.members();
+    }
+
+    Place at(Member member) {
+        return new Place(object.source(), path(member.name()), member.value());
     }
 
     /** A field that {@link #check} has required. */
@@ -54,7 +62,7 @@ record Fields(Place object, ObjectValue value) {
                         + String.join(", ", allowed));
     }
 
-    private SceneException failure(int offset, String what) {
+    SceneException failure(int offset, String what) {
         return object.source().failure(offset, what);
     }
 }

@@ -26,7 +26,8 @@ final class LocatedTree {
     /** The deepest value of a scene lies 4 levels down. */
     private static final int MAX_DEPTH = 16;
 
-    private static final int MAX_FIELDS = 64;
+    /** No object of a scene has more fields than there may be materials. */
+    private static final int MAX_FIELDS = SceneLimits.MAX_MATERIALS;
 
     /** A sphere is 11 values; the largest file could hold 33 million. */
     private static final int MAX_VALUES = 8_000_000;

@@ -36,19 +36,6 @@ record Place(SourceText source, JsonPath path, LocatedValue value) {
         throw refused("true or false");
     }
 
-    /** A string within a length in code points, without control characters. */
-    String text(int minLength, int maxLength) {
-        if (value instanceof TextValue found) {
-            int length = found.text().codePointCount(0, found.text().length());
-            boolean plain = found.text().chars().noneMatch(Character::isISOControl);
-            if (plain && length >= minLength && length <= maxLength) {
-                return found.text();
-            }
-        }
-        throw refused(
-                "a string of " + minLength + " to " + maxLength + " characters, none of them a control character");
-    }
-
     String oneOf(List<String> allowed) {
         if (value instanceof TextValue found && allowed.contains(found.text())) {
             return found.text();

@@ -14,7 +14,7 @@ import java.util.List;
  * @param minRadius of a sphere, in metres, above 0
  * @param maxRadius of a sphere, in metres; the radii are even between the two
  * @param palette the colours
- * @param reflectivity p in [0, 128], as a sphere's
+ * @param material what the spheres are made of; their colors are the palette's
  * @param seed another one gives other places, radii and colours
  */
 public record Pour(
@@ -26,10 +26,15 @@ public record Pour(
         double minRadius,
         double maxRadius,
         Palette palette,
-        double reflectivity,
+        Material material,
         int seed) {
     /** One sphere of radius 0.1 m at the origin; to be changed by {@code with...} methods. */
-    public static final Pour DEFAULT = new Pour(1, 1, new Vector3(0, 0, 0), 1, 1, 0.1, 0.1, Palette.DUSK, 8, 1);
+    public static final Pour DEFAULT =
+            new Pour(1, 1, new Vector3(0, 0, 0), 1, 1, 0.1, 0.1, Palette.DUSK, Material.DEFAULT.withReflectivity(8), 1);
+
+    public double reflectivity() {
+        return material.reflectivity();
+    }
 
     /** The spheres in the order in which they come out, where they start: none that is out touches the next. */
     public List<Sphere> spheres() {
@@ -45,38 +50,42 @@ public record Pour(
     }
 
     public Pour withCount(int newCount) {
-        return new Pour(newCount, rate, position, width, speed, minRadius, maxRadius, palette, reflectivity, seed);
+        return new Pour(newCount, rate, position, width, speed, minRadius, maxRadius, palette, material, seed);
     }
 
     public Pour withRate(double newRate) {
-        return new Pour(count, newRate, position, width, speed, minRadius, maxRadius, palette, reflectivity, seed);
+        return new Pour(count, newRate, position, width, speed, minRadius, maxRadius, palette, material, seed);
     }
 
     public Pour withPosition(Vector3 newPosition) {
-        return new Pour(count, rate, newPosition, width, speed, minRadius, maxRadius, palette, reflectivity, seed);
+        return new Pour(count, rate, newPosition, width, speed, minRadius, maxRadius, palette, material, seed);
     }
 
     public Pour withWidth(double newWidth) {
-        return new Pour(count, rate, position, newWidth, speed, minRadius, maxRadius, palette, reflectivity, seed);
+        return new Pour(count, rate, position, newWidth, speed, minRadius, maxRadius, palette, material, seed);
     }
 
     public Pour withSpeed(double newSpeed) {
-        return new Pour(count, rate, position, width, newSpeed, minRadius, maxRadius, palette, reflectivity, seed);
+        return new Pour(count, rate, position, width, newSpeed, minRadius, maxRadius, palette, material, seed);
     }
 
     public Pour withRadii(double newMinRadius, double newMaxRadius) {
-        return new Pour(count, rate, position, width, speed, newMinRadius, newMaxRadius, palette, reflectivity, seed);
+        return new Pour(count, rate, position, width, speed, newMinRadius, newMaxRadius, palette, material, seed);
     }
 
     public Pour withPalette(Palette newPalette) {
-        return new Pour(count, rate, position, width, speed, minRadius, maxRadius, newPalette, reflectivity, seed);
+        return new Pour(count, rate, position, width, speed, minRadius, maxRadius, newPalette, material, seed);
+    }
+
+    public Pour withMaterial(Material newMaterial) {
+        return new Pour(count, rate, position, width, speed, minRadius, maxRadius, palette, newMaterial, seed);
     }
 
     public Pour withReflectivity(double newReflectivity) {
-        return new Pour(count, rate, position, width, speed, minRadius, maxRadius, palette, newReflectivity, seed);
+        return withMaterial(material.withReflectivity(newReflectivity));
     }
 
     public Pour withSeed(int newSeed) {
-        return new Pour(count, rate, position, width, speed, minRadius, maxRadius, palette, reflectivity, newSeed);
+        return new Pour(count, rate, position, width, speed, minRadius, maxRadius, palette, material, newSeed);
     }
 }

@@ -39,7 +39,10 @@ final class PouredSpheres {
                 spout.x() + outward * StrictMath.cos(angle), spout.y(), spout.z() + outward * StrictMath.sin(angle));
         double radius = pour.minRadius() + (pour.maxRadius() - pour.minRadius()) * random.nextDouble();
         Rgb color = pour.palette().at(progress * 0.8 + 0.2 * random.nextDouble());
-        return Sphere.of(position, radius, color, pour.reflectivity());
+        return Sphere.DEFAULT
+                .withPosition(position)
+                .withRadius(radius)
+                .withMaterial(pour.material().withColor(color));
     }
 
     private static double spacing(Pour pour) {

@@ -1,8 +1,11 @@
 package dev.twister.scene;
 
 import java.nio.file.Path;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Optional;
+import java.util.SequencedMap;
 import java.util.stream.Stream;
 
 /**
@@ -10,6 +13,7 @@ import java.util.stream.Stream;
  *
  * @param name a short title, may be empty
  * @param description a sentence for a person, may be empty
+ * @param materials those that bodies share by name, in the file's order; what a body has of one is in the body
  * @param spheres those that are there from the start
  * @param skybox the panorama's file, already resolved against the scene file's folder
  * @param skyRotationDegrees how far the panorama is turned to the right, about the y axis
@@ -23,6 +27,7 @@ public record Scene(
         String description,
         Camera camera,
         Light light,
+        SequencedMap<String, Material> materials,
         Plane plane,
         List<Sphere> spheres,
         Path skybox,
@@ -32,12 +37,13 @@ public record Scene(
         RenderSettings settings,
         Physics physics,
         Optional<Pour> pour) {
-    /** The version of the file format that this program reads and writes. */
-    public static final int VERSION = 1;
+    /** The newest version of the file format; the older ones are read too. */
+    public static final int VERSION = 2;
 
     public static final double DEFAULT_AMBIENT = 0.2;
 
     public Scene {
+        materials = Collections.unmodifiableSequencedMap(new LinkedHashMap<>(materials));
         spheres = List.copyOf(spheres);
     }
 
@@ -48,6 +54,7 @@ public record Scene(
                 "",
                 Camera.DEFAULT,
                 Light.DEFAULT,
+                new LinkedHashMap<>(),
                 Plane.DEFAULT,
                 List.of(),
                 skybox,
@@ -66,12 +73,21 @@ public record Scene(
                 .orElse(spheres);
     }
 
+    /**
+     * The files of the textures, each once, with the place in a scene file that first names it, such as
+     * {@code $.materials.earth.texture}.
+     */
+    public SequencedMap<Path, String> textures() {
+        return TexturePlaces.of(this);
+    }
+
     public Scene withName(String newName) {
         return new Scene(
                 newName,
                 description,
                 camera,
                 light,
+                materials,
                 plane,
                 spheres,
                 skybox,
@@ -89,6 +105,7 @@ public record Scene(
                 newDescription,
                 camera,
                 light,
+                materials,
                 plane,
                 spheres,
                 skybox,
@@ -106,6 +123,7 @@ public record Scene(
                 description,
                 newCamera,
                 light,
+                materials,
                 plane,
                 spheres,
                 skybox,
@@ -123,6 +141,25 @@ public record Scene(
                 description,
                 camera,
                 newLight,
+                materials,
+                plane,
+                spheres,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
+    }
+
+    public Scene withMaterials(SequencedMap<String, Material> newMaterials) {
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                newMaterials,
                 plane,
                 spheres,
                 skybox,
@@ -140,6 +177,7 @@ public record Scene(
                 description,
                 camera,
                 light,
+                materials,
                 newPlane,
                 spheres,
                 skybox,
@@ -157,6 +195,7 @@ public record Scene(
                 description,
                 camera,
                 light,
+                materials,
                 plane,
                 newSpheres,
                 skybox,
@@ -174,6 +213,7 @@ public record Scene(
                 description,
                 camera,
                 light,
+                materials,
                 plane,
                 spheres,
                 newSkybox,
@@ -191,6 +231,7 @@ public record Scene(
                 description,
                 camera,
                 light,
+                materials,
                 plane,
                 spheres,
                 skybox,
@@ -208,6 +249,7 @@ public record Scene(
                 description,
                 camera,
                 light,
+                materials,
                 plane,
                 spheres,
                 skybox,
@@ -225,6 +267,7 @@ public record Scene(
                 description,
                 camera,
                 light,
+                materials,
                 plane,
                 spheres,
                 skybox,
@@ -242,6 +285,7 @@ public record Scene(
                 description,
                 camera,
                 light,
+                materials,
                 plane,
                 spheres,
                 skybox,
@@ -259,6 +303,7 @@ public record Scene(
                 description,
                 camera,
                 light,
+                materials,
                 plane,
                 spheres,
                 skybox,
@@ -276,6 +321,7 @@ public record Scene(
                 description,
                 camera,
                 light,
+                materials,
                 plane,
                 spheres,
                 skybox,

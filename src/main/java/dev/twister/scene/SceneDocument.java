@@ -1,41 +1,58 @@
 package dev.twister.scene;
 
-import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.Optional;
+import java.util.SequencedMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** A scene file's text: reads it and writes it, with the skybox's path as it stands there. */
+/** A scene file's text: reads it and writes it. */
 final class SceneDocument {
-    /** Finds the skybox's file by what the scene calls it, and throws the place's failure if it will not do. */
-    interface SkyboxFinder {
-        Path find(Place place, Path name);
-    }
-
     private SceneDocument() {}
 
     /**
      * @throws SceneException if the text is not a valid scene
      */
-    static Scene parse(SourceText source, SkyboxFinder skyboxes) {
+    static Scene parse(SourceText source, NamedFiles files) {
         Place root = new Place(source, new JsonPath.Root(), LocatedTree.parse(source));
         Fields fields = root.fields();
         // Before the fields' names, which another version may have changed.
-        fields.find(SceneFormat.VERSION.name()).ifPresent(SceneFormat.VERSION.type()::read);
-        Scene scene = SceneFormat.SCENE.read(root);
+        int version = fields.find(SceneFormat.VERSION_FIELD)
+                .map(SceneFormat.VERSION::read)
+                .orElse(Scene.VERSION);
+        Scene scene = new SceneFormat(version, materials(fields, version, files), files)
+                .scene()
+                .read(root);
         scene.pour()
                 .ifPresent(pour -> PourRules.check(
                         pour, fields.get("pour").fields(), scene.spheres().size()));
-        return scene.withSkybox(skyboxes.find(fields.get("skybox"), scene.skybox()));
+        return scene;
     }
 
-    /** Fields in a fixed order, one line per part and one line per sphere; first, where there is one, the schema. */
-    static String of(Scene scene, Optional<String> schema) {
+    /**
+     * Fields in a fixed order, one line per part, per material and per sphere; of the oldest version that has all that the
+     * scene needs.
+     *
+     * @param schema stands first, where there is one
+     */
+    static String of(Scene scene, NamedFiles files, Optional<String> schema) {
+        int version =
+                new SceneFormat(Scene.VERSION, scene.materials(), files).scene().version(scene);
+        SceneFormat format = new SceneFormat(version, scene.materials(), files);
         Stream<String> named =
                 schema.map(reference -> JsonText.member(SchemaReference.FIELD, JsonText.string(reference))).stream();
         return "{\n  "
-                + Stream.concat(named, SceneFormat.SCENE.members(scene).stream())
-                        .collect(Collectors.joining(",\n  "))
+                + Stream.concat(named, format.scene().members(scene).stream()).collect(Collectors.joining(",\n  "))
                 + "\n}\n";
+    }
+
+    // Before the bodies, which name them.
+    private static SequencedMap<String, Material> materials(Fields fields, int version, NamedFiles files) {
+        SequencedMap<String, Material> none = new LinkedHashMap<>();
+        return version < SceneFormat.MATERIALS_SINCE
+                ? none
+                : fields.find(SceneFormat.MATERIALS)
+                        .map(new SceneFormat(version, none, files).materials()::read)
+                        .orElse(none);
     }
 }

@@ -16,56 +16,68 @@ import dev.twister.scene.ValueType.Version;
 import dev.twister.scene.ValueType.WholeNumber;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.SequencedMap;
 
-/** The fields of a scene file: the one list that reader and writer go by, and that the schema is held to. */
+/**
+ * The fields of a scene file of some version: the one list that reader and writer go by, and that the schema is held to.
+ */
 final class SceneFormat {
+    static final String VERSION_FIELD = "version";
+    static final String MATERIALS = "materials";
+    static final String SKYBOX = "skybox";
+
+    /** The version that first has named materials. */
+    static final int MATERIALS_SINCE = 2;
+
+    private static final String MATERIAL = "material";
+
     private static final ValueType<Vector3> POSITION = ValueType.vector(SceneLimits.POSITION);
     private static final ValueType<Double> LENGTH = new Decimal(SceneLimits.LENGTH);
     private static final ValueType<Rgb> ALBEDO = ValueType.color(SceneLimits.ALBEDO);
-    private static final ValueType<Double> REFLECTIVITY = new Decimal(SceneLimits.REFLECTIVITY);
     private static final ValueType<Boolean> FLAG = new Flag();
     private static final ValueType<String> REFERENCE = new Text(0, SceneLimits.MAX_PATH_LENGTH);
 
-    static final Structure<Camera> CAMERA = new Structure<>(
-            Camera.DEFAULT,
-            List.of(
-                    required("position", POSITION, Camera::position, Camera::withPosition),
-                    required("yaw", new Decimal(SceneLimits.YAW), Camera::yawDegrees, Camera::withYaw),
-                    required("pitch", new Decimal(SceneLimits.PITCH), Camera::pitchDegrees, Camera::withPitch),
-                    required(
-                            "fieldOfView",
-                            new Decimal(SceneLimits.FIELD_OF_VIEW),
-                            Camera::fieldOfViewDegrees,
-                            Camera::withFieldOfView)));
+    private static final List<Field<Camera, ?>> CAMERA = List.of(
+            required("position", POSITION, Camera::position, Camera::withPosition),
+            required("yaw", new Decimal(SceneLimits.YAW), Camera::yawDegrees, Camera::withYaw),
+            required("pitch", new Decimal(SceneLimits.PITCH), Camera::pitchDegrees, Camera::withPitch),
+            required(
+                    "fieldOfView",
+                    new Decimal(SceneLimits.FIELD_OF_VIEW),
+                    Camera::fieldOfViewDegrees,
+                    Camera::withFieldOfView),
+            sparse("aperture", new Decimal(SceneLimits.APERTURE), Camera::aperture, Camera::withAperture)
+                    .from(2),
+            sparse(
+                            "focusDistance",
+                            new Decimal(SceneLimits.FOCUS_DISTANCE),
+                            Camera::focusDistance,
+                            Camera::withFocusDistance)
+                    .from(2));
 
-    static final Structure<Light> LIGHT = new Structure<>(
+    private static final Structure<Light> LIGHT = new Structure<>(
             Light.DEFAULT,
             List.of(
                     required("position", POSITION, Light::position, Light::withPosition),
                     required("radius", LENGTH, Light::radius, Light::withRadius),
                     required("color", ValueType.color(SceneLimits.RADIANCE), Light::color, Light::withColor)));
 
-    static final Structure<Plane> PLANE = new Structure<>(
-            Plane.DEFAULT,
-            List.of(
-                    required("size", LENGTH, Plane::size, Plane::withSize),
-                    required("height", new Decimal(SceneLimits.POSITION), Plane::height, Plane::withHeight),
-                    required(
-                            "colors",
-                            new Array<>(ALBEDO, 2, 2, "an array of 2 colors"),
-                            plane -> List.of(plane.evenColor(), plane.oddColor()),
-                            (plane, colors) -> plane.withColors(colors.getFirst(), colors.getLast())),
-                    required("reflectivity", REFLECTIVITY, Plane::reflectivity, Plane::withReflectivity)));
+    private static final List<Field<Plane, ?>> PLANE = List.of(
+            required("size", LENGTH, Plane::size, Plane::withSize),
+            required("height", new Decimal(SceneLimits.POSITION), Plane::height, Plane::withHeight));
 
-    static final Structure<Sphere> SPHERE = new Structure<>(
-            Sphere.DEFAULT,
-            List.of(
-                    required("position", POSITION, Sphere::position, Sphere::withPosition),
-                    required("radius", LENGTH, Sphere::radius, Sphere::withRadius),
-                    required("color", ALBEDO, Sphere::color, Sphere::withColor),
-                    required("reflectivity", REFLECTIVITY, Sphere::reflectivity, Sphere::withReflectivity)));
+    private static final Field<Plane, List<Rgb>> PLANE_COLORS = required(
+            "colors",
+            new Array<>(ALBEDO, 2, 2, "an array of 2 colors"),
+            plane -> List.of(plane.evenColor(), plane.oddColor()),
+            (plane, colors) -> plane.withColors(colors.getFirst(), colors.getLast()));
 
-    static final Structure<RenderSettings> RENDERING = new Structure<>(
+    private static final List<Field<Sphere, ?>> SPHERE = List.of(
+            required("position", POSITION, Sphere::position, Sphere::withPosition),
+            required("radius", LENGTH, Sphere::radius, Sphere::withRadius));
+
+    private static final Structure<RenderSettings> RENDERING = new Structure<>(
             RenderSettings.DEFAULT,
             List.of(
                     written(
@@ -105,7 +117,7 @@ final class SceneFormat {
                             RenderSettings::withToneMap),
                     written("srgb", FLAG, RenderSettings::srgb, RenderSettings::withSrgb)));
 
-    static final Structure<Physics> PHYSICS = new Structure<>(
+    private static final Structure<Physics> PHYSICS = new Structure<>(
             Physics.DEFAULT,
             List.of(
                     written("gravity", ValueType.vector(SceneLimits.GRAVITY), Physics::gravity, Physics::withGravity),
@@ -119,82 +131,153 @@ final class SceneFormat {
                     written("walls", FLAG, Physics::walls, Physics::withWalls),
                     written("solidLight", FLAG, Physics::solidLight, Physics::withSolidLight)));
 
-    static final Structure<Pour> POUR = new Structure<>(
-            Pour.DEFAULT,
-            List.of(
-                    required(
-                            "count",
-                            new WholeNumber(new Range(1, SceneLimits.MAX_SPHERES, "spheres")),
-                            Pour::count,
-                            Pour::withCount),
-                    required("rate", new Decimal(SceneLimits.POUR_RATE), Pour::rate, Pour::withRate),
-                    required("position", POSITION, Pour::position, Pour::withPosition),
-                    required("width", LENGTH, Pour::width, Pour::withWidth),
-                    required("speed", new Decimal(SceneLimits.POUR_SPEED), Pour::speed, Pour::withSpeed),
-                    required(
-                            "radius",
-                            new Array<>(LENGTH, 2, 2, "an array of 2 numbers [least, most]"),
-                            pour -> List.of(pour.minRadius(), pour.maxRadius()),
-                            (pour, radii) -> pour.withRadii(radii.getFirst(), radii.getLast())),
-                    required("palette", new Choice<>(Palette.class), Pour::palette, Pour::withPalette),
-                    required("reflectivity", REFLECTIVITY, Pour::reflectivity, Pour::withReflectivity),
-                    required("seed", new WholeNumber(SceneLimits.SEED), Pour::seed, Pour::withSeed)));
+    private static final List<Field<Pour, ?>> POUR = List.of(
+            required(
+                    "count",
+                    new WholeNumber(new Range(1, SceneLimits.MAX_SPHERES, "spheres")),
+                    Pour::count,
+                    Pour::withCount),
+            required("rate", new Decimal(SceneLimits.POUR_RATE), Pour::rate, Pour::withRate),
+            required("position", POSITION, Pour::position, Pour::withPosition),
+            required("width", LENGTH, Pour::width, Pour::withWidth),
+            required("speed", new Decimal(SceneLimits.POUR_SPEED), Pour::speed, Pour::withSpeed),
+            required(
+                    "radius",
+                    new Array<>(LENGTH, 2, 2, "an array of 2 numbers [least, most]"),
+                    pour -> List.of(pour.minRadius(), pour.maxRadius()),
+                    (pour, radii) -> pour.withRadii(radii.getFirst(), radii.getLast())),
+            required("palette", new Choice<>(Palette.class), Pour::palette, Pour::withPalette));
+
+    private static final Field<Pour, Integer> POUR_SEED =
+            required("seed", new WholeNumber(SceneLimits.SEED), Pour::seed, Pour::withSeed);
 
     private static final Structure<Double> SHADING = new Structure<>(
             Scene.DEFAULT_AMBIENT,
             List.of(written("ambient", new Decimal(SceneLimits.AMBIENT), ambient -> ambient, (_, ambient) -> ambient)));
 
-    static final Field<Scene, Integer> VERSION =
-            required("version", new Version(Scene.VERSION), _ -> Scene.VERSION, (scene, _) -> scene);
+    static final Version VERSION = new Version(Scene.VERSION);
 
-    /** The skybox's path is as it stands in the file. */
-    static final Structure<Scene> SCENE = new Structure<>(
-            Scene.under(Path.of("")),
-            List.of(
-                    // For editors.
-                    sparse(SchemaReference.FIELD, REFERENCE, _ -> "", (scene, _) -> scene),
-                    VERSION,
-                    written("name", new Text(0, SceneLimits.MAX_NAME_LENGTH), Scene::name, Scene::withName),
-                    written(
-                            "description",
-                            new Text(0, SceneLimits.MAX_DESCRIPTION_LENGTH),
-                            Scene::description,
-                            Scene::withDescription),
-                    required("camera", CAMERA, Scene::camera, Scene::withCamera),
-                    required("light", LIGHT, Scene::light, Scene::withLight),
-                    required("plane", PLANE, Scene::plane, Scene::withPlane),
-                    required(
-                            "skybox",
-                            new FilePath(new Text(1, SceneLimits.MAX_PATH_LENGTH)),
-                            Scene::skybox,
-                            Scene::withSkybox),
-                    sparse(
-                            "skyRotation",
-                            new Decimal(SceneLimits.SKY_ROTATION),
-                            Scene::skyRotationDegrees,
-                            Scene::withSkyRotation),
-                    sparse(
-                            "skyStrength",
-                            new Decimal(SceneLimits.SKY_STRENGTH),
-                            Scene::skyStrength,
-                            Scene::withSkyStrength),
-                    written("shading", SHADING, Scene::ambient, Scene::withAmbient),
-                    written("rendering", RENDERING, Scene::settings, Scene::withSettings),
-                    sparse("physics", PHYSICS, Scene::physics, Scene::withPhysics),
-                    sparse(
-                            "pour",
-                            ValueType.present(POUR),
-                            Scene::pour,
-                            (scene, pour) -> scene.withPour(pour.orElseThrow())),
-                    required(
-                            "spheres",
-                            new Lines<>(new Array<>(
-                                    SPHERE,
-                                    0,
-                                    SceneLimits.MAX_SPHERES,
-                                    "an array of 0 to " + SceneLimits.MAX_SPHERES + " spheres")),
-                            Scene::spheres,
-                            Scene::withSpheres)));
+    private final int version;
+    private final NamedMaterials named;
+    private final MaterialFormat material;
+    private final MaterialFormat uncolored;
+    private final FilePath file;
 
-    private SceneFormat() {}
+    /**
+     * The format of a file.
+     *
+     * @param materials those that the file's bodies may name
+     * @param files how files' paths are read and written
+     */
+    SceneFormat(int version, SequencedMap<String, Material> materials, NamedFiles files) {
+        this.version = version;
+        named = NamedMaterials.of(materials);
+        file = new FilePath(new Text(1, SceneLimits.MAX_PATH_LENGTH), files);
+        material = MaterialFormat.whole(file);
+        uncolored = MaterialFormat.uncolored(file);
+    }
+
+    Structure<Camera> camera() {
+        return Structure.of(version, Camera.DEFAULT, CAMERA);
+    }
+
+    ValueType<SequencedMap<String, Material>> materials() {
+        return new Members<>(
+                new Text(1, SceneLimits.MAX_NAME_LENGTH),
+                Structure.of(version, Material.DEFAULT, material.fields()),
+                SceneLimits.MAX_MATERIALS);
+    }
+
+    /** With a named material, whose color is the even checks', the odd ones have it too unless another is given. */
+    Shaped<Plane> plane() {
+        Field<Plane, Material> name = required(
+                        MATERIAL,
+                        named,
+                        Plane::material,
+                        (plane, material) -> plane.withMaterial(material).withOddColor(material.color()))
+                .from(2);
+        Field<Plane, Optional<Rgb>> oddColor = Field.<Plane, Optional<Rgb>>sparse(
+                        "oddColor",
+                        ValueType.present(ALBEDO),
+                        plane -> Optional.of(plane.oddColor()).filter(color -> !color.equals(plane.evenColor())),
+                        (plane, color) -> plane.withOddColor(color.orElseThrow()))
+                .from(2);
+        return new Shaped<>(
+                MATERIAL,
+                structure(
+                        Plane.DEFAULT.withOddColor(Plane.DEFAULT.evenColor()), List.of(PLANE, List.of(name, oddColor))),
+                structure(
+                        Plane.DEFAULT,
+                        List.of(PLANE, List.of(PLANE_COLORS), uncolored.within(Plane::material, Plane::withMaterial))),
+                plane -> named.have(plane.material()));
+    }
+
+    Shaped<Sphere> sphere() {
+        Field<Sphere, Material> name = required(MATERIAL, named, Sphere::material, Sphere::withMaterial)
+                .from(2);
+        return new Shaped<>(
+                MATERIAL,
+                structure(Sphere.DEFAULT, List.of(SPHERE, List.of(name))),
+                structure(Sphere.DEFAULT, List.of(SPHERE, material.within(Sphere::material, Sphere::withMaterial))),
+                sphere -> named.have(sphere.material()));
+    }
+
+    Structure<Pour> pour() {
+        return structure(
+                Pour.DEFAULT, List.of(POUR, uncolored.within(Pour::material, Pour::withMaterial), List.of(POUR_SEED)));
+    }
+
+    private <R> Structure<R> structure(R defaults, List<List<Field<R, ?>>> parts) {
+        return Structure.of(
+                version, defaults, parts.stream().flatMap(List::stream).toList());
+    }
+
+    Structure<Scene> scene() {
+        return Structure.of(
+                version,
+                Scene.under(Path.of("")),
+                List.of(
+                        // For editors.
+                        sparse(SchemaReference.FIELD, REFERENCE, _ -> "", (scene, _) -> scene),
+                        required(VERSION_FIELD, VERSION, _ -> version, (scene, _) -> scene),
+                        written("name", new Text(0, SceneLimits.MAX_NAME_LENGTH), Scene::name, Scene::withName),
+                        written(
+                                "description",
+                                new Text(0, SceneLimits.MAX_DESCRIPTION_LENGTH),
+                                Scene::description,
+                                Scene::withDescription),
+                        required("camera", camera(), Scene::camera, Scene::withCamera),
+                        required("light", LIGHT, Scene::light, Scene::withLight),
+                        sparse(MATERIALS, materials(), Scene::materials, Scene::withMaterials)
+                                .from(MATERIALS_SINCE),
+                        required("plane", plane(), Scene::plane, Scene::withPlane),
+                        required(SKYBOX, file, Scene::skybox, Scene::withSkybox),
+                        sparse(
+                                "skyRotation",
+                                new Decimal(SceneLimits.SKY_ROTATION),
+                                Scene::skyRotationDegrees,
+                                Scene::withSkyRotation),
+                        sparse(
+                                "skyStrength",
+                                new Decimal(SceneLimits.SKY_STRENGTH),
+                                Scene::skyStrength,
+                                Scene::withSkyStrength),
+                        written("shading", SHADING, Scene::ambient, Scene::withAmbient),
+                        written("rendering", RENDERING, Scene::settings, Scene::withSettings),
+                        sparse("physics", PHYSICS, Scene::physics, Scene::withPhysics),
+                        sparse(
+                                "pour",
+                                ValueType.present(pour()),
+                                Scene::pour,
+                                (scene, pour) -> scene.withPour(pour.orElseThrow())),
+                        required(
+                                "spheres",
+                                new Lines<>(new Array<>(
+                                        sphere(),
+                                        0,
+                                        SceneLimits.MAX_SPHERES,
+                                        "an array of 0 to " + SceneLimits.MAX_SPHERES + " spheres")),
+                                Scene::spheres,
+                                Scene::withSpheres)));
+    }
 }

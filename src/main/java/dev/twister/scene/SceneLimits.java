@@ -11,9 +11,14 @@ public final class SceneLimits {
     public static final Range YAW = new Range(-1e6, 1e6, "degrees");
     public static final Range PITCH = new Range(-90, 90, "degrees");
     public static final Range FIELD_OF_VIEW = new Range(1, 179, "degrees");
+    public static final Range APERTURE = new Range(0, 1e6, "metres");
+    public static final Range FOCUS_DISTANCE = LENGTH;
     public static final Range ALBEDO = new Range(0, 1);
     public static final Range RADIANCE = new Range(0, 1e6);
     public static final Range REFLECTIVITY = new Range(0, 128);
+    public static final Range ROUGHNESS = new Range(0, 1);
+    public static final Range TRANSMISSION = new Range(0, 1);
+    public static final Range IOR = new Range(1, 4);
     public static final Range AMBIENT = new Range(0, 1);
     public static final Range SKY_ROTATION = YAW;
     public static final Range SKY_STRENGTH = new Range(0, 1e6);
@@ -33,6 +38,7 @@ public final class SceneLimits {
     public static final Range SEED = new Range(0, Integer.MAX_VALUE);
 
     public static final int MAX_SPHERES = 500_000;
+    public static final int MAX_MATERIALS = 256;
     public static final int MAX_NAME_LENGTH = 200;
     public static final int MAX_DESCRIPTION_LENGTH = 2000;
     public static final int MAX_PATH_LENGTH = 1000;

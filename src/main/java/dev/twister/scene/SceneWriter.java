@@ -7,8 +7,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.util.Comparator;
-import java.util.stream.Stream;
 
 /** Writes scene files that {@link SceneReader} reads back to an equal scene. */
 public final class SceneWriter {
@@ -16,8 +14,9 @@ public final class SceneWriter {
 
     /**
      * Writes a scene, whole or not at all: an existing file is replaced only once the new one is safely on the disk. The
-     * same scene gives the same bytes, but for a {@code $schema} that an existing file has, which is kept. The skybox is written relative to the file's folder, where it can be; it need not
-     * be there.
+     * same scene gives the same bytes, but for a {@code $schema} that an existing file has, which is kept. The skybox and
+     * textures are written relative to the file's folder, where they can be; they need not be there. The file is of the
+     * oldest version of the format that has all that the scene needs.
      *
      * @param file a file in an existing folder
      * @throws SceneException if a value of the scene is out of range, or the file cannot be written; the message is one
@@ -38,7 +37,8 @@ public final class SceneWriter {
             throw failure(name, "is a folder or a device, but must be a file");
         }
         try {
-            String text = SceneDocument.of(scene.withSkybox(relative(scene.skybox(), file)), SchemaReference.of(like));
+            String text = SceneDocument.of(
+                    scene, new FilesBeside(file, WholeFile.behindLinks(file), false), SchemaReference.of(like));
             check(text, name);
             WholeFile.replace(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
         } catch (NoSuchFileException e) {
@@ -56,29 +56,7 @@ public final class SceneWriter {
                     name, "the scene takes " + bytes + " bytes; a scene file may have at most " + SourceFile.MAX_BYTES);
         }
         SourceText source = new SourceText(name + " (not written)", text.toCharArray(), text.length());
-        SceneDocument.parse(source, (_, skybox) -> skybox);
-    }
-
-    private static Path relative(Path skybox, Path file) throws IOException {
-        Path sky = FilePaths.walked(skybox);
-        Path folder = FilePaths.real(WholeFile.behindLinks(file).resolveSibling(""));
-        Path named = FilePaths.walked(file.toAbsolutePath().resolveSibling(""));
-        // Links beside the scene, to a folder of skies say, are kept; those on the way to the scene lead elsewhere from
-        // it. What lies beside it stays so: both may be put elsewhere together.
-        return Stream.of(relativized(named, sky), relativized(folder, sky))
-                .filter(path ->
-                        FilePaths.real(FilePaths.walked(folder.resolve(path))).equals(FilePaths.real(sky)))
-                .min(Comparator.comparingInt(Path::getNameCount))
-                .orElseGet(() -> relativized(folder, FilePaths.real(sky)));
-    }
-
-    private static Path relativized(Path folder, Path file) {
-        try {
-            return folder.relativize(file);
-        } catch (IllegalArgumentException e) {
-            // On another drive, which no relative path reaches.
-            return file;
-        }
+        SceneDocument.parse(source, NamedFiles.UNRESOLVED);
     }
 
     private static SceneException failure(String name, String what) {

@@ -9,13 +9,30 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * How a value stands in a scene file.
  *
  * @param <T> what it is read as
  */
-sealed interface ValueType<T> {
+sealed interface ValueType<T>
+        permits Members,
+                NamedMaterials,
+                Shaped,
+                ValueType.Array,
+                ValueType.Choice,
+                ValueType.Converted,
+                ValueType.Decimal,
+                ValueType.FilePath,
+                ValueType.Flag,
+                ValueType.Lines,
+                ValueType.Structure,
+                ValueType.Text,
+                ValueType.Version,
+                ValueType.WholeNumber {
     /**
      * Reads the value.
      *
@@ -25,6 +42,11 @@ sealed interface ValueType<T> {
 
     /** JSON that {@link #read} takes, where the value is in range. */
     String write(T value);
+
+    /** The oldest version of the format that has what this value needs. */
+    default int version(T value) {
+        return 1;
+    }
 
     record Decimal(Range range) implements ValueType<Double> {
         @Override
@@ -62,11 +84,25 @@ sealed interface ValueType<T> {
         }
     }
 
-    /** Lengths are in code points. */
+    /** A string without control characters; lengths are in code points. */
     record Text(int minLength, int maxLength) implements ValueType<String> {
+        boolean allows(String text) {
+            int length = text.codePointCount(0, text.length());
+            boolean plain = text.chars().noneMatch(Character::isISOControl);
+            return plain && length >= minLength && length <= maxLength;
+        }
+
+        /** Those that are allowed, in messages. */
+        String allowed() {
+            return "a string of " + minLength + " to " + maxLength + " characters, none of them a control character";
+        }
+
         @Override
         public String read(Place place) {
-            return place.text(minLength, maxLength);
+            if (place.value() instanceof LocatedValue.TextValue found && allows(found.text())) {
+                return found.text();
+            }
+            throw place.refused(allowed());
         }
 
         @Override
@@ -76,12 +112,12 @@ sealed interface ValueType<T> {
     }
 
     /** A file's path with forward slashes, so that a scene made on one system reads on every other. */
-    record FilePath(Text text) implements ValueType<Path> {
+    record FilePath(Text text, NamedFiles files) implements ValueType<Path> {
         @Override
         public Path read(Place place) {
             String name = text.read(place);
             try {
-                return Path.of(name);
+                return files.find(place, Path.of(name));
             } catch (InvalidPathException e) {
                 throw place.refused("a file's path, relative to the scene file's folder");
             }
@@ -89,7 +125,7 @@ sealed interface ValueType<T> {
 
         @Override
         public String write(Path value) {
-            return text.write(value.toString().replace(File.separatorChar, '/'));
+            return text.write(files.name(value).toString().replace(File.separatorChar, '/'));
         }
     }
 
@@ -114,19 +150,25 @@ sealed interface ValueType<T> {
         }
     }
 
-    /** The number of the only version of the format that this program reads. */
-    record Version(int number) implements ValueType<Integer> {
+    /** The number of a version of the format that this program reads: the newest, or an older one. */
+    record Version(int newest) implements ValueType<Integer> {
         @Override
         public Integer read(Place place) {
-            if (!(place.value() instanceof LocatedValue.NumberValue found) || found.number() != number) {
-                throw place.refused(number + ", the version of the format that this program reads");
+            if (place.value() instanceof LocatedValue.NumberValue found
+                    && numbers().contains(found.number())) {
+                return (int) found.number();
             }
-            return number;
+            throw place.refused(numbers().stream().map(JsonText::number).collect(Collectors.joining(" or "))
+                    + ", the versions of the format that this program reads");
         }
 
         @Override
         public String write(Integer value) {
             return value.toString();
+        }
+
+        private List<Double> numbers() {
+            return IntStream.rangeClosed(1, newest).asDoubleStream().boxed().toList();
         }
     }
 
@@ -145,6 +187,15 @@ sealed interface ValueType<T> {
         public String write(List<T> value) {
             return JsonText.array(value.stream().map(item::write).toList());
         }
+
+        @Override
+        public int version(List<T> value) {
+            int version = 1;
+            for (T each : value) {
+                version = Math.max(version, item.version(each));
+            }
+            return version;
+        }
     }
 
     /** A long array: one line per item, at the top level of the document. */
@@ -159,6 +210,11 @@ sealed interface ValueType<T> {
             List<String> items = value.stream().map(array.item()::write).toList();
             return items.isEmpty() ? "[]" : "[\n    " + String.join(",\n    ", items) + "\n  ]";
         }
+
+        @Override
+        public int version(List<T> value) {
+            return array.version(value);
+        }
     }
 
     /** A value of another type that stands for this one. */
@@ -172,6 +228,11 @@ sealed interface ValueType<T> {
         public String write(T value) {
             return stored.write(encode.apply(value));
         }
+
+        @Override
+        public int version(T value) {
+            return stored.version(encode.apply(value));
+        }
     }
 
     /**
@@ -179,11 +240,42 @@ sealed interface ValueType<T> {
      *
      * @param defaults has the values of the fields that a file leaves out
      * @param fields in the order in which they are written
+     * @param newer fields that only later versions of the format have
      */
-    record Structure<R>(R defaults, List<Field<R, ?>> fields) implements ValueType<R> {
+    record Structure<R>(R defaults, List<Field<R, ?>> fields, List<Field<R, ?>> newer) implements ValueType<R> {
+        /** As every version of the format has it. */
+        Structure(R defaults, List<Field<R, ?>> fields) {
+            this(defaults, fields, List.of());
+        }
+
+        /** As a version of the format has it, of all the fields that it has in any. */
+        static <R> Structure<R> of(int version, R defaults, List<Field<R, ?>> fields) {
+            return new Structure<>(
+                    defaults,
+                    fields.stream().filter(field -> field.since() <= version).toList(),
+                    fields.stream().filter(field -> field.since() > version).toList());
+        }
+
         @Override
         public R read(Place place) {
-            Fields found = place.fields().check(names(true), names(false));
+            return read(place, List.of());
+        }
+
+        /**
+         * Reads an object.
+         *
+         * @param alternatives fields that it does not have, and that would make it another object
+         */
+        R read(Place place, List<String> alternatives) {
+            Fields found = place.fields();
+            for (Field<R, ?> field : newer) {
+                found.find(field.name()).ifPresent(value -> {
+                    throw value.failure("needs \"version\": " + field.since() + " at the top of the file");
+                });
+            }
+            found.check(
+                    names(true),
+                    Stream.concat(names(false).stream(), alternatives.stream()).toList());
             R record = defaults;
             for (Field<R, ?> field : fields) {
                 Optional<Place> value = found.find(field.name());
@@ -197,6 +289,17 @@ sealed interface ValueType<T> {
         @Override
         public String write(R value) {
             return JsonText.object(members(value));
+        }
+
+        @Override
+        public int version(R value) {
+            int version = 1;
+            for (Field<R, ?> field : fields) {
+                if (!field.isLeftOut(value, defaults)) {
+                    version = Math.max(version, field.version(value));
+                }
+            }
+            return version;
         }
 
         /** The fields that are written, as JSON. */
@@ -215,6 +318,10 @@ sealed interface ValueType<T> {
                     .filter(field -> field.isRequired() == required)
                     .map(Field::name)
                     .toList();
+        }
+
+        List<String> names() {
+            return fields.stream().map(Field::name).toList();
         }
     }
 

@@ -6,6 +6,7 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
@@ -13,6 +14,11 @@ import java.util.function.Consumer;
  * their names end in.
  */
 public final class SkyboxReader {
+    /** What a file's bytes are made a picture by. */
+    interface Decoder {
+        Skybox decode(FileBytes file, Consumer<String> warnings) throws IOException;
+    }
+
     private SkyboxReader() {}
 
     /**
@@ -35,8 +41,12 @@ public final class SkyboxReader {
      * @throws SkyException where there is no such file, it is not a panorama of these kinds, is damaged or too large
      */
     public static Skybox read(Path file, Consumer<String> warnings) {
+        return read(file, warnings, SkyboxReader::decode);
+    }
+
+    static Skybox read(Path file, Consumer<String> warnings, Decoder decoder) {
         try {
-            return readFile(file, warning -> warnings.accept(file + ": " + warning));
+            return readFile(file, warning -> warnings.accept(file + ": " + warning), decoder);
         } catch (AccessDeniedException denied) {
             throw new SkyException(file + ": no permission to read it", denied);
         } catch (IOException problem) {
@@ -44,7 +54,7 @@ public final class SkyboxReader {
         }
     }
 
-    private static Skybox readFile(Path file, Consumer<String> warnings) throws IOException {
+    private static Skybox readFile(Path file, Consumer<String> warnings, Decoder decoder) throws IOException {
         if (!Files.exists(file)) {
             throw new IOException("there is no such file");
         }
@@ -56,7 +66,7 @@ public final class SkyboxReader {
             if (length > SkyboxLimits.FILE_BYTES) {
                 throw new IOException(length + " bytes; at most " + SkyboxLimits.FILE_BYTES + " are allowed");
             }
-            return decode(new FileBytes(channel), warnings);
+            return decoder.decode(new FileBytes(channel), warnings);
         }
     }
 
@@ -64,12 +74,22 @@ public final class SkyboxReader {
         if (RadianceHeader.startsIn(file)) {
             return RadianceReader.read(file);
         }
+        return decodeOrdinary(file, warnings).orElseThrow(() -> unknown(file, "panorama", "Radiance, PNG and JPEG"));
+    }
+
+    /** The picture of a PNG or JPEG; empty where the first bytes are of neither. */
+    static Optional<Skybox> decodeOrdinary(FileBytes file, Consumer<String> warnings) throws IOException {
         for (OrdinaryImageFormat format : OrdinaryImageFormat.values()) {
             if (format.startsIn(file)) {
-                return OrdinaryImageReader.read(file, format, warnings);
+                return Optional.of(OrdinaryImageReader.read(file, format, warnings));
             }
         }
-        throw new IOException((file.length() > 0 ? "not a panorama by its first bytes" : "an empty file")
-                + "; Radiance, PNG and JPEG are read");
+        return Optional.empty();
+    }
+
+    /** Says that a file's first bytes are of no kind that is read. */
+    static IOException unknown(FileBytes file, String wanted, String kinds) {
+        return new IOException((file.length() > 0 ? "not a " + wanted + " by its first bytes" : "an empty file") + "; "
+                + kinds + " are read");
     }
 }

@@ -25,6 +25,8 @@ final class CameraBasis {
         put(array, Layout.CAMERA_RIGHT, cosYaw, 0, -sinYaw);
         put(array, Layout.CAMERA_UP, sinPitch * sinYaw, cosPitch, sinPitch * cosYaw);
         put(array, Layout.CAMERA_FORWARD, cosPitch * sinYaw, -sinPitch, cosPitch * cosYaw);
+        array[Layout.CAMERA_APERTURE] = (float) camera.aperture();
+        array[Layout.CAMERA_FOCUS] = (float) camera.focusDistance();
         array[Layout.CAMERA_EYE_DISTANCE] = (float) (1 / Math.tan(Math.toRadians(camera.fieldOfViewDegrees()) / 2));
         return array;
     }

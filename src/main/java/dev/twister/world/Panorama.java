@@ -3,10 +3,10 @@ package dev.twister.world;
 import java.util.Arrays;
 
 /**
- * The sky as the kernel reads it.
+ * The sky as the kernel reads it, and the textures after it.
  *
- * @param texels {@code float[3 * width * height]}: linear radiance, row by row from the top
- * @param dimensions {@code int[2]}: width, height in texels
+ * @param texels three floats each: the sky's linear radiance, row by row from the top, then the textures' colors likewise
+ * @param dimensions the sky's width and height in texels; then each texture's first float, width and height
  */
 @SuppressWarnings("ArrayRecordComponent") // identity is what counts, see FrameInput
 public record Panorama(float[] texels, int[] dimensions) {

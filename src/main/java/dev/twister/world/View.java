@@ -7,30 +7,30 @@ import dev.twister.kernel.Layout;
  *
  * @param dimensions {@code int[5]}: width and height of the picture in pixels, first row and number of rows to draw, bodies that
  *     are there
- * @param camera {@code float[13]}: position, right, up, forward, eye distance
+ * @param camera {@code float[15]}: position, right, up, forward, eye distance, aperture, focus distance
  * @param properties {@code float[12]}
  * @param shadowDisc {@code float[2 * shadowSamples]}: the unit sunflower's points, {@code sqrt(i / n)} from the center
- * @param pixelOffsets {@code float[2 * samplesPerPixel]}: the samples' places in a pixel, x and y in (0, 1)
+ * @param pixelSamples {@code float[16 * samplesPerPixel]}: the samples' places in a pixel, and numbers for lens and surfaces
  */
 @SuppressWarnings("ArrayRecordComponent") // identity is what counts, see FrameInput
-public record View(int[] dimensions, float[] camera, float[] properties, float[] shadowDisc, float[] pixelOffsets) {
+public record View(int[] dimensions, float[] camera, float[] properties, float[] shadowDisc, float[] pixelSamples) {
     View withSize(int width, int height) {
         int[] sized = dimensions.clone();
         sized[Layout.WIDTH] = width;
         sized[Layout.HEIGHT] = height;
-        return new View(sized, camera, properties, shadowDisc, pixelOffsets).withRows(0, height);
+        return new View(sized, camera, properties, shadowDisc, pixelSamples).withRows(0, height);
     }
 
     View withRows(int firstRow, int rows) {
         int[] banded = dimensions.clone();
         banded[Layout.FIRST_ROW] = firstRow;
         banded[Layout.ROWS] = rows;
-        return new View(banded, camera, properties, shadowDisc, pixelOffsets);
+        return new View(banded, camera, properties, shadowDisc, pixelSamples);
     }
 
     View withSamples(int first, int samples) {
         float[] counted = properties.clone();
         counted[Layout.PIXEL_SAMPLES] = samples;
-        return new View(dimensions, camera, counted, shadowDisc, PixelOffsets.places(first, samples));
+        return new View(dimensions, camera, counted, shadowDisc, PixelSamples.of(first, samples));
     }
 }

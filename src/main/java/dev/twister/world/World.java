@@ -3,6 +3,7 @@ package dev.twister.world;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
+import dev.twister.scene.Material;
 import dev.twister.scene.Plane;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Rgb;
@@ -18,8 +19,10 @@ import java.util.List;
 public final class World {
     private static final double DEGREES_PER_TURN = 360;
 
+    private final Vector3 origin;
     private final Panorama panorama;
     private final float[] looks;
+    private final int materials;
     private final Rgb planeOddColor;
     private final double ambient;
     private final double skyTurn;
@@ -31,39 +34,56 @@ public final class World {
     private Camera camera;
     private RenderSettings settings;
     private float[] shadowDisc;
-    private float[] pixelOffsets;
+    private float[] pixelSamples;
 
-    private World(Scene scene, Skybox sky) {
+    private World(Scene scene, SceneImages images) {
+        origin = Origin.near(scene.camera().position());
         List<Sphere> spheres = scene.allSpheres();
         bodies = Layout.FIRST_SPHERE + scene.spheres().size();
         int room = Layout.FIRST_SPHERE + spheres.size();
         places = new float[Layout.PLACE_STRIDE * room];
         looks = new float[Layout.LOOK_STRIDE * room];
         Light light = scene.light();
-        put(Layout.LIGHT, light.position(), light.radius(), light.color(), 0);
+        put(Layout.LIGHT, light.position(), light.radius(), Material.DEFAULT.withColor(light.color()), 0);
         Plane plane = scene.plane();
-        put(Layout.PLANE, new Vector3(0, plane.height(), 0), plane.size(), plane.evenColor(), plane.reflectivity());
+        TexelTable texels = new TexelTable(images);
+        Vector3 middle = new Vector3(0, plane.height(), 0);
+        put(Layout.PLANE, middle, plane.size(), plane.material(), texels.number(plane.material()));
         int body = Layout.FIRST_SPHERE;
         for (Sphere sphere : spheres) {
-            put(body++, sphere.position(), sphere.radius(), sphere.color(), sphere.reflectivity());
+            Material material = sphere.material();
+            put(body++, sphere.position(), sphere.radius(), material, texels.number(material));
         }
+        materials = Bodies.materials(looks);
         planeOddColor = plane.oddColor();
         ambient = scene.ambient();
         skyTurn = scene.skyRotationDegrees() / DEGREES_PER_TURN;
         skyStrength = scene.skyStrength();
-        int[] skyDimensions = new int[Layout.SKY_DIMENSIONS_LENGTH];
-        skyDimensions[Layout.SKY_WIDTH] = sky.width();
-        skyDimensions[Layout.SKY_HEIGHT] = sky.height();
-        panorama = new Panorama(sky.radiance(), skyDimensions);
+        panorama = texels.panorama();
         camera = scene.camera();
         settings = scene.settings();
         shadowDisc = SunflowerDisc.points(settings.shadowSamples());
-        pixelOffsets = PixelOffsets.places(settings.samplesPerPixel());
+        pixelSamples = PixelSamples.of(settings.samplesPerPixel());
     }
 
     /** The world at the start, when nothing has been poured yet. */
     public static World of(Scene scene, Skybox sky) {
-        return new World(scene, sky);
+        return of(scene, SceneImages.of(sky));
+    }
+
+    /** The same, of a scene with textures. */
+    public static World of(Scene scene, SceneImages images) {
+        return new World(scene, images);
+    }
+
+    /** Where the coordinates of its snapshots begin, in the scene's own: near the scene's camera. */
+    public Vector3 origin() {
+        return origin;
+    }
+
+    /** Whether its coordinates begin near enough to that camera; else another world of the scene is drawn better. */
+    public boolean isNear(Camera other) {
+        return Origin.isNear(origin, other.position());
     }
 
     public Camera camera() {
@@ -83,7 +103,7 @@ public final class World {
             shadowDisc = SunflowerDisc.points(newSettings.shadowSamples());
         }
         if (newSettings.samplesPerPixel() != settings.samplesPerPixel()) {
-            pixelOffsets = PixelOffsets.places(newSettings.samplesPerPixel());
+            pixelSamples = PixelSamples.of(newSettings.samplesPerPixel());
         }
         settings = newSettings;
     }
@@ -91,7 +111,8 @@ public final class World {
     /**
      * Moves the bodies.
      *
-     * @param positions {@code float[3 * room]}: the centers of the light, the plane and all spheres, poured or not
+     * @param positions {@code float[3 * room]}: the centers of the light, the plane and all spheres, poured or not,
+     *     seen from the {@link #origin}
      * @param newBodies how many of them are there, light and plane included
      * @throws IllegalArgumentException where the length is another one, or there cannot be so many bodies
      */
@@ -120,10 +141,10 @@ public final class World {
             hierarchy = SphereHierarchy.of(places, bodies);
             hierarchyHolds = true;
         }
+        Bodies moved = new Bodies(places, looks, hierarchy, materials, origin);
+        Camera seen = camera.withPosition(moved.seen(camera.position()));
         return new FrameInput(
-                new View(dimensions(), CameraBasis.of(camera), properties(), shadowDisc, pixelOffsets),
-                new Bodies(places, looks, hierarchy),
-                panorama);
+                new View(dimensions(), CameraBasis.of(seen), properties(), shadowDisc, pixelSamples), moved, panorama);
     }
 
     private int[] dimensions() {
@@ -151,15 +172,22 @@ public final class World {
         return properties;
     }
 
-    private void put(int body, Vector3 position, double size, Rgb color, double reflectivity) {
+    private void put(int body, Vector3 position, double size, Material material, int texture) {
         int place = Layout.PLACE_STRIDE * body;
-        places[place] = (float) position.x();
-        places[place + 1] = (float) position.y();
-        places[place + 2] = (float) position.z();
+        places[place] = (float) (position.x() - origin.x());
+        places[place + 1] = (float) (position.y() - origin.y());
+        places[place + 2] = (float) (position.z() - origin.z());
         places[place + Layout.PLACE_SIZE] = (float) size;
         int look = Layout.LOOK_STRIDE * body;
-        putColor(looks, look, color);
-        looks[look + Layout.LOOK_REFLECTIVITY] = (float) reflectivity;
+        putColor(looks, look, material.color());
+        float reflectivity = (float) material.reflectivity();
+        float transmission = (float) material.transmission();
+        looks[look + Layout.LOOK_REFLECTIVITY] = reflectivity;
+        looks[look + Layout.LOOK_TRANSMISSION] = transmission;
+        // What has no effect stays 0, so that the body counts as plain.
+        looks[look + Layout.LOOK_ROUGHNESS] = reflectivity > 0 || transmission > 0 ? (float) material.roughness() : 0;
+        looks[look + Layout.LOOK_IOR] = transmission > 0 ? (float) material.ior() : 0;
+        looks[look + Layout.LOOK_TEXTURE] = texture;
     }
 
     private static void putColor(float[] array, int at, Rgb color) {

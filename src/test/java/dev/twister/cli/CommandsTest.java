@@ -2,10 +2,13 @@ package dev.twister.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.image.PngWriter;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -13,6 +16,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class CommandsTest {
+    private static final Path DAY = Path.of("skyboxes", "day.hdr");
+
     @TempDir
     private Path folder;
 
@@ -81,6 +86,48 @@ class CommandsTest {
         Outcome checked = Outcome.of("scene", "--check", file.toString());
         assertThat(checked.err()).isEmpty();
         assertThat(checked.out()).contains("valid, 12 spheres");
+    }
+
+    @Test
+    void makesASceneUnderATurnedSky() {
+        Path file = folder.resolve("scene.json");
+
+        Outcome made = Outcome.of(
+                "scene", "--spheres", "2", "--sky-rotation", "-30", "--sky-strength", "0.5", "-o", file.toString());
+
+        assertThat(made.err()).isEmpty();
+        Scene scene = SceneReader.read(file);
+        assertThat(scene.skyRotationDegrees()).isEqualTo(-30);
+        assertThat(scene.skyStrength()).isEqualTo(0.5);
+        assertThat(scene.skybox()).hasFileName("day.hdr");
+    }
+
+    @Test
+    void tellsOfMaterialsAndTextures() throws IOException {
+        Path texture = folder.resolve("texture.png");
+        PngWriter.write(texture, 1, 1, new int[] {0x808080}, true);
+        Path file = Files.writeString(folder.resolve("scene.json"), """
+                {"version": 2,
+                 "camera": {"position": [0, 0, 0], "yaw": 0, "pitch": 0, "fieldOfView": 60},
+                 "light": {"position": [0, 9, 0], "radius": 1, "color": [1, 1, 1]},
+                 "materials": {
+                   "glass": {"color": [1, 1, 1], "reflectivity": 0, "transmission": 1},
+                   "stone": {"color": [1, 1, 1], "reflectivity": 0, "texture": "texture.png"}},
+                 "plane": {"size": 9, "height": 0, "material": "stone"},
+                 "skybox": "texture.png", "spheres": []}
+                """);
+
+        assertThat(Outcome.of("scene", "--check", file.toString()).out())
+                .contains("valid, 0 spheres, 2 materials, 1 texture");
+        assertThat(Outcome.of("render", file.toString(), "--skybox", DAY.toString(), "-o", texture.toString())
+                        .err())
+                .contains("would replace " + texture);
+        Files.writeString(texture, "no picture");
+        Outcome broken = Outcome.of("render", file.toString(), "--skybox", DAY.toString(), "-o", file + ".png");
+        assertThat(broken.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(broken.err())
+                .isEqualToIgnoringNewLines("twister: $.materials.stone.texture: " + texture
+                        + ": not a texture by its first bytes; PNG and JPEG are read");
     }
 
     @Test

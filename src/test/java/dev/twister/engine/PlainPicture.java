@@ -42,12 +42,12 @@ public final class PlainPicture {
         path[Layout.RADIANCE] = 0;
         path[Layout.RADIANCE + 1] = 0;
         path[Layout.RADIANCE + 2] = 0;
-        float[] offsets = input.view().pixelOffsets();
+        float[] offsets = input.view().pixelSamples();
         for (int sample = 0; sample < input.samplesPerPixel(); sample++) {
             Camera.start(
                     path,
-                    column + offsets[2 * sample],
-                    row + offsets[2 * sample + 1],
+                    column + offsets[Layout.SAMPLE_STRIDE * sample],
+                    row + offsets[Layout.SAMPLE_STRIDE * sample + 1],
                     input.view().dimensions(),
                     input.view().camera());
             follow();
@@ -60,7 +60,15 @@ public final class PlainPicture {
         float[] looks = input.bodies().looks();
         boolean goesOn = true;
         for (int bounce = 0; bounce <= input.bounces() && goesOn; bounce++) {
-            int body = Hit.find(path, places, input.bodies().hierarchy(), input.bodyCount(), new float[0], Hit.ALL);
+            int body = Hit.find(
+                    path,
+                    places,
+                    looks,
+                    input.bodies().hierarchy(),
+                    input.bodyCount(),
+                    new float[0],
+                    Hit.ALL,
+                    Material.PLAIN);
             goesOn = body >= Layout.PLANE;
             if (body == Layout.NOTHING) {
                 Sky.add(path, input.panorama().texels(), input.panorama().dimensions(), properties);
@@ -68,12 +76,20 @@ public final class PlainPicture {
                 Light.add(path, looks);
             } else {
                 Surface.find(path, body, places);
-                Material.find(path, body, looks, properties);
+                Material.find(
+                        path,
+                        body,
+                        looks,
+                        properties,
+                        input.panorama().texels(),
+                        input.panorama().dimensions(),
+                        Material.PLAIN);
                 Light.aim(path, places);
                 float visible = PlainShadow.visible(path, body, input.shadowSamples(), places, input.bodyCount());
-                int last = bounce == input.bounces() ? 1 : 0;
-                Scatter.shade(path, visible, last, properties[Layout.AMBIENT], looks);
-                Scatter.reflect(path, body);
+                float mirror = bounce == input.bounces() ? 0 : path[Layout.REFLECTIVITY] / Layout.MAX_REFLECTIVITY;
+                float lit = Light.lit(properties[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible);
+                Scatter.shade(path, visible, mirror, 0, lit, looks);
+                Scatter.reflect(path, body, mirror * lit);
                 goesOn = path[Layout.THROUGHPUT] > 0;
             }
         }

@@ -50,6 +50,14 @@ class HitTest {
 
     private static int find(float[] path, int search) {
         float[] hierarchy = SphereHierarchy.of(PLACES, BODIES, 1);
-        return Hit.find(path, PLACES, hierarchy, BODIES, new float[Layout.SCRATCH_LENGTH], search);
+        return Hit.find(
+                path,
+                PLACES,
+                new float[0],
+                hierarchy,
+                BODIES,
+                new float[Layout.SCRATCH_LENGTH],
+                search,
+                Material.PLAIN);
     }
 }

@@ -3,6 +3,9 @@ package dev.twister.kernel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.HashSet;
+import java.util.Random;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -31,6 +34,28 @@ class IntersectionTest {
     @Test
     void sphereIsNotSeenFromItsOwnSurface() {
         assertThat(Intersection.sphere(0, 0, 2, 2, 0, 0, 1)).isEqualTo(Intersection.MISS);
+    }
+
+    /** From the surface it is seen in all directions in which it lies, or in none, whichever rounding says of the origin. */
+    @Test
+    void sphereFromItsSurfaceIsNotSpeckled() {
+        Random random = new Random(20261125);
+        for (int i = 0; i < 200; i++) {
+            float x = random.nextFloat() - 0.5f;
+            float y = random.nextFloat() - 0.5f;
+            float z = random.nextFloat() + 0.1f;
+            float radius = (float) Math.sqrt((double) x * x + y * y + z * z);
+            Set<Boolean> seen = new HashSet<>();
+            for (int ray = 0; ray < 200; ray++) {
+                float tilt = random.nextFloat() - 0.5f;
+                float length = (float) Math.sqrt(1 + tilt * tilt);
+                float distance = Intersection.sphere(x, y, z, radius, 0, tilt / length, 1 / length);
+                if (z + y * tilt > 0) {
+                    seen.add(distance < Intersection.MISS);
+                }
+            }
+            assertThat(seen).hasSizeLessThanOrEqualTo(1);
+        }
     }
 
     @Test

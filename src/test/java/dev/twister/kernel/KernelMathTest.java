@@ -110,6 +110,25 @@ class KernelMathTest {
     }
 
     @Test
+    void sineAndCosineOfTurnsKeepTheirBounds() {
+        double largest = 0;
+        for (int i = 0; i < 1_000_000; i++) {
+            float turns = i * 1e-6f;
+            double angle = turns * 2 * Math.PI;
+            largest = Math.max(largest, Math.abs(KernelMath.sineOfTurns(turns) - StrictMath.sin(angle)));
+            largest = Math.max(largest, Math.abs(KernelMath.cosineOfTurns(turns) - StrictMath.cos(angle)));
+        }
+        assertThat(largest).isLessThan(4e-7);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 0, 1", "0.25, 1, 0", "0.5, 0, -1", "0.75, -1, 0", "0.99999994, 0, 1"})
+    void sineAndCosineOfQuarterTurns(float turns, float sine, float cosine) {
+        assertThat(KernelMath.sineOfTurns(turns)).isCloseTo(sine, within(4e-7f));
+        assertThat(KernelMath.cosineOfTurns(turns)).isCloseTo(cosine, within(4e-7f));
+    }
+
+    @Test
     void tenThirdsPowerKeepsItsBound() {
         double largest = 0;
         for (int i = 0; i <= 100_000; i++) {

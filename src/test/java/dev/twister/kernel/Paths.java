@@ -1,5 +1,7 @@
 package dev.twister.kernel;
 
+import java.util.Arrays;
+
 /** Paths for tests of single steps. */
 final class Paths {
     private Paths() {}
@@ -10,7 +12,7 @@ final class Paths {
         System.arraycopy(origin, 0, path, Layout.ORIGIN, 3);
         System.arraycopy(direction, 0, path, Layout.DIRECTION, 3);
         path[Layout.LEAVING] = leaving;
-        path[Layout.THROUGHPUT] = 1f;
+        Arrays.fill(path, Layout.THROUGHPUT, Layout.THROUGHPUT + 3, 1f);
         return path;
     }
 

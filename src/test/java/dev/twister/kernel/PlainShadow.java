@@ -65,7 +65,10 @@ public final class PlainShadow {
         int hit = 0;
         if (above * (above + toY) < 0f) {
             float part = -above / toY;
-            hit = Intersection.isOnSquare(x + part * toX, z + part * toZ, places[plane + Layout.PLACE_SIZE]);
+            hit = Intersection.isOnSquare(
+                    x + part * toX - places[plane],
+                    z + part * toZ - places[plane + 2],
+                    places[plane + Layout.PLACE_SIZE]);
         }
         return hit;
     }

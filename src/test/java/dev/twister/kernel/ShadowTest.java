@@ -171,10 +171,12 @@ class ShadowTest {
                 own,
                 Paths.properties(samples),
                 places,
+                new float[0],
                 sunflower(samples),
                 SphereHierarchy.of(places, bodies(places), mostInLeaf),
                 Layout.root(bodies(places)),
-                new float[Layout.SCRATCH_LENGTH]);
+                new float[Layout.SCRATCH_LENGTH],
+                Material.PLAIN);
     }
 
     private static float plain(float[] places, float x, float y, float z, int own, int samples) {

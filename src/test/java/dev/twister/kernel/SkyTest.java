@@ -3,6 +3,7 @@ package dev.twister.kernel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -64,7 +65,7 @@ class SkyTest {
     @Test
     void strengthMultipliesTheRadiance() {
         float[] path = Paths.ray(new float[3], new float[] {0, 0, 1}, Layout.NOTHING);
-        path[Layout.THROUGHPUT] = 0.5f;
+        Arrays.fill(path, Layout.THROUGHPUT, Layout.THROUGHPUT + 3, 0.5f);
         float[] properties = new float[Layout.PROPERTIES_LENGTH];
         properties[Layout.SKY_STRENGTH] = 3f;
         Sky.add(path, new float[] {1, 2, 4}, new int[] {1, 1}, properties);

@@ -1,6 +1,7 @@
 package dev.twister.kernel;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.world.RandomCrowds;
 import dev.twister.world.SphereHierarchy;
@@ -27,6 +28,8 @@ class WalkTest {
         Random random = new Random(seed);
         RandomCrowds crowd = RandomCrowds.of(random, 1 + random.nextInt(400));
         int bodies = crowd.bodies();
+        int materials = random.nextInt(2);
+        float[] looks = looks(random, bodies, materials);
         float[] hierarchy = SphereHierarchy.of(crowd.places(), bodies, 1 + random.nextInt(8));
         float[] scratch = new float[Layout.SCRATCH_LENGTH];
         for (int count = 0; count < RAYS; count++) {
@@ -34,8 +37,12 @@ class WalkTest {
             float[] origin = origin(random, crowd, leaving);
             float[] direction = direction(random, crowd, origin);
             float[] path = Paths.ray(origin, direction, leaving);
-            int expected = Hit.find(path, crowd.places(), hierarchy, bodies, scratch, Hit.ALL);
-            int actual = Hit.find(path, crowd.places(), hierarchy, bodies, scratch, Hit.WALK);
+            boolean transmits = leaving > 0 && looks[Layout.LOOK_STRIDE * leaving + Layout.LOOK_TRANSMISSION] > 0;
+            path[Layout.INSIDE] = transmits && random.nextBoolean() ? 1 : 0;
+            int expected = Hit.find(path, crowd.places(), looks, hierarchy, bodies, scratch, Hit.ALL, materials);
+            float distance = path[Layout.DISTANCE];
+            int actual = Hit.find(path, crowd.places(), looks, hierarchy, bodies, scratch, Hit.WALK, materials);
+            assertThat(path[Layout.DISTANCE]).isEqualTo(distance);
             assertThat(actual).as("ray %d of seed %d", count, seed).isEqualTo(expected);
         }
     }
@@ -45,6 +52,8 @@ class WalkTest {
         Random random = new Random(seed);
         RandomCrowds crowd = RandomCrowds.of(random, 1 + random.nextInt(400));
         int bodies = crowd.bodies();
+        int materials = random.nextInt(2);
+        float[] looks = looks(random, bodies, materials);
         float[] hierarchy = SphereHierarchy.of(crowd.places(), bodies, 1 + random.nextInt(8));
         float[] oneLeaf = SphereHierarchy.of(crowd.places(), bodies, bodies);
         float[] scratch = new float[Layout.SCRATCH_LENGTH];
@@ -62,16 +71,25 @@ class WalkTest {
             float[] places = crowd.places().clone();
             places[Layout.PLACE_SIZE] = discRadius / 2;
             float[] path = Paths.lit(point, axis, distance);
-            assertThat(visible(path, own, places, disc, hierarchy, bodies, scratch))
+            float[] properties = Paths.properties(SAMPLES);
+            int root = Layout.root(bodies);
+            float walked =
+                    Shadow.visible(path, own, properties, places, looks, disc, hierarchy, root, scratch, materials);
+            float plain = Shadow.visible(path, own, properties, places, looks, disc, oneLeaf, root, scratch, materials);
+            // Products of the same factors in another order.
+            assertThat(walked)
                     .as("point %d of seed %d", count, seed)
-                    .isEqualTo(visible(path, own, places, disc, oneLeaf, bodies, scratch));
+                    .isCloseTo(plain, within(materials == Material.PLAIN ? 0f : 1e-5f));
         }
     }
 
-    private static float visible(
-            float[] path, int own, float[] places, float[] disc, float[] hierarchy, int bodies, float[] scratch) {
-        return Shadow.visible(
-                path, own, Paths.properties(SAMPLES), places, disc, hierarchy, Layout.root(bodies), scratch);
+    /** Where materials are of any kind, a half of the spheres transmits. */
+    private static float[] looks(Random random, int bodies, int materials) {
+        float[] looks = new float[Layout.LOOK_STRIDE * bodies];
+        for (int body = Layout.FIRST_SPHERE; body < bodies && materials == Material.ANY; body++) {
+            looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] = Math.max(0, 2 * random.nextFloat() - 1);
+        }
+        return looks;
     }
 
     /** On the body that is left, inside a sphere, among them or far away. */

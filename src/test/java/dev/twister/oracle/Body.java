@@ -7,9 +7,16 @@ sealed interface Body permits SphereBody, PlaneBody {
 
     double distance(Ray ray);
 
+    /** The same for a ray that leaves the body's surface and goes on inside. */
+    double distanceInside(Ray ray);
+
+    /** Outward; the plane's points up. */
     Vector normal(Vector point);
+
+    /** Whether a ray meets the surface at that normal from inside. */
+    boolean isMetFromInside(Ray ray, Vector normal);
 
     Color albedo(Vector point);
 
-    double reflectivity();
+    OracleMaterial material();
 }

@@ -18,6 +18,14 @@ record Color(double red, double green, double blue) {
         return new Color(factor * red, factor * green, factor * blue);
     }
 
+    Color times(Color other) {
+        return new Color(red * other.red, green * other.green, blue * other.blue);
+    }
+
+    double strongest() {
+        return Math.max(red, Math.max(green, blue));
+    }
+
     Color min(Color other) {
         return new Color(Math.min(red, other.red), Math.min(green, other.green), Math.min(blue, other.blue));
     }

@@ -1,6 +1,8 @@
 package dev.twister.oracle;
 
+import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
+import dev.twister.scene.Material;
 import dev.twister.scene.Plane;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
@@ -15,8 +17,7 @@ final class FloatScene {
     private FloatScene() {}
 
     static Scene of(Scene scene) {
-        return scene.withCamera(
-                        scene.camera().withPosition(rounded(scene.camera().position())))
+        return scene.withCamera(rounded(scene.camera()))
                 .withLight(rounded(scene.light()))
                 .withPlane(rounded(scene.plane()))
                 .withSpheres(scene.spheres().stream().map(FloatScene::rounded).toList())
@@ -30,6 +31,20 @@ final class FloatScene {
                 .toList());
     }
 
+    private static Camera rounded(Camera camera) {
+        return camera.withPosition(rounded(camera.position()))
+                .withAperture((float) camera.aperture())
+                .withFocusDistance((float) camera.focusDistance());
+    }
+
+    private static Material rounded(Material material) {
+        return material.withColor(rounded(material.color()))
+                .withReflectivity((float) material.reflectivity())
+                .withRoughness((float) material.roughness())
+                .withTransmission((float) material.transmission())
+                .withIor((float) material.ior());
+    }
+
     private static Light rounded(Light light) {
         return light.withPosition(rounded(light.position()))
                 .withRadius((float) light.radius())
@@ -39,15 +54,14 @@ final class FloatScene {
     private static Plane rounded(Plane plane) {
         return plane.withSize((float) plane.size())
                 .withHeight((float) plane.height())
-                .withColors(rounded(plane.evenColor()), rounded(plane.oddColor()))
-                .withReflectivity((float) plane.reflectivity());
+                .withMaterial(rounded(plane.material()))
+                .withColors(rounded(plane.evenColor()), rounded(plane.oddColor()));
     }
 
     private static Sphere rounded(Sphere sphere) {
         return sphere.withPosition(rounded(sphere.position()))
                 .withRadius((float) sphere.radius())
-                .withColor(rounded(sphere.color()))
-                .withReflectivity((float) sphere.reflectivity());
+                .withMaterial(rounded(sphere.material()));
     }
 
     private static Vector3 rounded(Vector3 vector) {

@@ -3,8 +3,10 @@ package dev.twister.oracle;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.sky.Skybox;
+import dev.twister.world.SceneImages;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
 import java.util.stream.IntStream;
 
 /** The picture of a scene, as the equations have it. */
@@ -20,8 +22,14 @@ public final class Oracle {
     /** Two roundings inwards, none, two outwards. */
     private static final double[] LIFTS = {-0x1p-23, 0, 0x1p-23};
 
+    /** How far facets of rough surfaces may be turned: the kernel's sines are within 4e-7. */
+    private static final double TILT = 2e-7;
+
+    /** Of the throughput, how many roundings of a float a path of many surfaces has. */
+    private static final double CUT = 0x1p-19;
+
     private final Scene rounded;
-    private final Skybox sky;
+    private final SceneImages images;
     private final OracleTracer tracer;
     private final OracleCamera camera;
     private final OracleTone tone;
@@ -31,12 +39,17 @@ public final class Oracle {
     private final int samplesPerPixel;
 
     public Oracle(Scene scene, Skybox sky) {
+        this(new LitScene(scene, sky));
+    }
+
+    public Oracle(LitScene litScene) {
+        Scene scene = litScene.scene();
         rounded = FloatScene.of(scene);
-        this.sky = sky;
+        images = litScene.images();
         width = scene.settings().width();
         height = scene.settings().height();
         samplesPerPixel = scene.settings().samplesPerPixel();
-        tracer = new OracleTracer(rounded, sky);
+        tracer = new OracleTracer(rounded, images, Rounding.NONE);
         camera = new OracleCamera(rounded.camera(), width, height);
         tone = new OracleTone(scene.settings());
         moves = new RayMoves();
@@ -73,19 +86,19 @@ public final class Oracle {
         Color highest = Color.BLACK;
         double step = Math.ulp((float) Math.max(width, height));
         List<OracleTracer> roundings = roundedTracers();
-        List<Ray> rays = viewRays(column, row);
-        List<Ray> lefts = viewRays(column - step, row - step);
-        List<Ray> rights = viewRays(column + step, row + step);
+        List<ViewRay> rays = viewRays(column, row, 0);
+        List<ViewRay> lefts = viewRays(column, row, -step);
+        List<ViewRay> rights = viewRays(column, row, step);
         for (int i = 0; i < rays.size(); i++) {
             Color low = tracer.color(rays.get(i));
             Color high = low;
-            List<Ray> movedRays = moves.of(rays.get(i));
-            movedRays.add(rays.get(i));
-            movedRays.add(lefts.get(i));
-            movedRays.add(rights.get(i));
+            List<Ray> movedRays = moves.of(rays.get(i).ray());
+            movedRays.add(rays.get(i).ray());
+            movedRays.add(lefts.get(i).ray());
+            movedRays.add(rights.get(i).ray());
             for (OracleTracer rounding : roundings) {
                 for (Ray moved : movedRays) {
-                    Color color = rounding.color(moved);
+                    Color color = rounding.color(rays.get(i).with(moved));
                     low = low.min(color);
                     high = high.max(color);
                 }
@@ -98,11 +111,15 @@ public final class Oracle {
     }
 
     private List<OracleTracer> roundedTracers() {
+        Random random = new Random(2);
         List<OracleTracer> tracers = new ArrayList<>();
         for (double factor : GROWTHS) {
             Scene grown = FloatScene.grown(rounded, factor);
             for (double lift : LIFTS) {
-                tracers.add(new OracleTracer(grown, sky, lift));
+                Vector tilt =
+                        new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).times(TILT);
+                double cut = 1 + Math.signum(lift) * CUT;
+                tracers.add(new OracleTracer(grown, images, new Rounding(lift, tilt, cut)));
             }
         }
         return tracers;
@@ -110,25 +127,33 @@ public final class Oracle {
 
     private Color average(int column, int row) {
         Color sum = Color.BLACK;
-        for (Ray ray : viewRays(column, row)) {
+        for (ViewRay ray : viewRays(column, row, 0)) {
             sum = sum.plus(tracer.color(ray));
         }
         return sum.times(1.0 / samplesPerPixel);
     }
 
-    /** Points of the R2 sequence and their mirror images through the center, and the center where the number is odd. */
-    private List<Ray> viewRays(double column, double row) {
-        List<Ray> rays = new ArrayList<>();
+    /**
+     * Points of the R2 sequence and their mirror images through the center, and the center where the number is odd.
+     *
+     * @param step how far all of them are moved, to the right and down
+     */
+    private List<ViewRay> viewRays(int column, int row, double step) {
+        List<ViewRay> rays = new ArrayList<>();
         if (samplesPerPixel % 2 == 1) {
-            rays.add(camera.ray(column + 0.5, row + 0.5));
+            rays.add(viewRay(column, row, 0, step + 0.5, step + 0.5));
         }
         for (int point = 1; point <= samplesPerPixel / 2; point++) {
             double x = rounded(0.5 + point / PLASTIC);
             double y = rounded(0.5 + point / (PLASTIC * PLASTIC));
-            rays.add(camera.ray(column + x, row + y));
-            rays.add(camera.ray(column + (1 - x), row + (1 - y)));
+            rays.add(viewRay(column, row, 2 * point - 1, step + x, step + y));
+            rays.add(viewRay(column, row, 2 * point, step + (1 - x), step + (1 - y)));
         }
         return rays;
+    }
+
+    private ViewRay viewRay(int column, int row, int item, double x, double y) {
+        return camera.ray(column + x, row + y, new SampleNumbers(column, row, item));
     }
 
     /** The fraction, as engines are given it. */

@@ -11,6 +11,8 @@ final class OracleCamera {
     private final Vector up;
     private final Vector forward;
     private final double eyeDistance;
+    private final double aperture;
+    private final double focusDistance;
 
     /**
      * The turned axes and the eye's distance are rounded to floats, as engines are given them: turning each direction in
@@ -28,14 +30,29 @@ final class OracleCamera {
         up = rounded(turnedRight(turnedDown(new Vector(0, 1, 0), pitch), yaw));
         forward = rounded(turnedRight(turnedDown(new Vector(0, 0, 1), pitch), yaw));
         eyeDistance = (float) (1 / Math.tan(Math.toRadians(camera.fieldOfViewDegrees()) / 2));
+        aperture = camera.aperture();
+        focusDistance = camera.focusDistance();
     }
 
-    /** The ray through (x, y) in pixels, (0, 0) the picture's top left corner. */
-    Ray ray(double x, double y) {
+    /**
+     * The ray through (x, y) in pixels, (0, 0) the picture's top left corner: from the numbers' point of the lens to where the
+     * pinhole's ray meets the plane at the focus distance.
+     */
+    ViewRay ray(double x, double y, SampleNumbers numbers) {
         double u = width > height ? (x - width / 2.0 + height / 2.0) / height * 2 - 1 : x / width * 2 - 1;
         double v = width > height ? -(y / height * 2 - 1) : -((y - height / 2.0 + width / 2.0) / width * 2 - 1);
-        Vector direction = right.times(u).plus(up.times(v)).plus(forward.times(eyeDistance));
-        return new Ray(position, direction.normalized());
+        Vector direction = right.times(u)
+                .plus(up.times(v))
+                .plus(forward.times(eyeDistance))
+                .normalized();
+        if (aperture == 0) {
+            return new ViewRay(new Ray(position, direction), numbers);
+        }
+        double radius = aperture * Math.sqrt(numbers.lensRadius());
+        double angle = 2 * Math.PI * numbers.lensTurns();
+        Vector start = position.plus(right.times(radius * Math.cos(angle))).plus(up.times(radius * Math.sin(angle)));
+        Vector focus = position.plus(direction.times(focusDistance / direction.dot(forward)));
+        return new ViewRay(new Ray(start, focus.minus(start).normalized()), numbers);
     }
 
     /** About x, what looks forward then looks down. */

@@ -2,7 +2,7 @@ package dev.twister.oracle;
 
 import java.util.List;
 
-/** The visible part of the light: each of the sunflower's points, and each sphere, or the plane, in its way. */
+/** The visible part of the light: each of the sunflower's points, and what the bodies in its way let pass. */
 final class OracleShadow {
     private static final double GOLDEN_ANGLE_RADIANS = Math.PI * (3 - Math.sqrt(5));
 
@@ -23,33 +23,33 @@ final class OracleShadow {
         Vector discU =
                 axis.cross(alongX ? new Vector(0, 1, 0) : new Vector(1, 0, 0)).normalized();
         Vector discW = discU.cross(axis);
-        int blocked = 0;
+        double visible = 0;
         for (int i = 0; i < samples; i++) {
             double r = 2 * light.radius() * Math.sqrt((double) i / samples);
             double theta = i * GOLDEN_ANGLE_RADIANS;
             Vector sample =
                     light.center().plus(discU.times(r * Math.cos(theta))).plus(discW.times(r * Math.sin(theta)));
-            if (isBlocked(point, sample, own)) {
-                blocked++;
-            }
+            visible += passed(point, sample, own);
         }
-        return 1 - (double) blocked / samples;
+        return visible / samples;
     }
 
+    /** What part of the sample's light reaches the point past all bodies but its own. */
     @SuppressWarnings("ReferenceEquality") // which body it is, not what it is like: two may be alike in one place
-    private boolean isBlocked(Vector point, Vector sample, Body own) {
+    private double passed(Vector point, Vector sample, Body own) {
         Vector toSample = sample.minus(point);
         Ray shadowRay = new Ray(point, toSample.normalized());
         double distance = toSample.length();
+        double passed = 1;
         for (Body body : bodies) {
-            boolean blocks = switch (body) {
+            boolean meets = switch (body) {
                 case PlaneBody plane -> plane.separates(point, sample);
                 case SphereBody sphere -> sphere != light && sphere.distance(shadowRay) < distance;
             };
-            if (blocks && body != own) {
-                return true;
+            if (meets && body != own) {
+                passed *= body.material().transmission();
             }
         }
-        return false;
+        return passed;
     }
 }

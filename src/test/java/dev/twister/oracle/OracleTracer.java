@@ -1,17 +1,23 @@
 package dev.twister.oracle;
 
 import dev.twister.scene.Light;
+import dev.twister.scene.Material;
 import dev.twister.scene.Plane;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
-import dev.twister.sky.Skybox;
+import dev.twister.world.SceneImages;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The colour that a ray sees, by recursion. */
+/** The color that a ray sees, by recursion. */
 final class OracleTracer {
     private static final double PERFECT_MIRROR = 128;
+
+    /** A branch that starts where light is transmitted ends where the pixel gets less of it. */
+    private static final double LEAST_THROUGHPUT = 1.0 / 1024;
+
+    private static final Color ALL = new Color(1, 1, 1);
 
     private final List<Body> bodies = new ArrayList<>();
     private final SphereBody light;
@@ -19,104 +25,180 @@ final class OracleTracer {
     private final OracleSky sky;
     private final double ambient;
     private final int bounceLimit;
-    private final double lift;
+    private final Rounding rounding;
 
-    OracleTracer(Scene scene, Skybox skybox) {
-        this(scene, skybox, 0);
+    /** What a ray sees, and what its branches share. */
+    private record Place(Ray ray, Body body, Vector point, Vector normal, boolean fromInside) {
+        Vector toViewer() {
+            return ray.direction().times(-1);
+        }
+
+        /** The normal on the viewer's side; the plane's own always points up. */
+        Vector facing() {
+            return ray.direction().dot(normal) > 0 ? normal.times(-1) : normal;
+        }
     }
 
-    /**
-     * A tracer whose points on spheres are off the surface, as rounding has them.
-     *
-     * @param lift how far outwards, in radii; the true picture's is 0
-     */
-    OracleTracer(Scene scene, Skybox skybox, double lift) {
-        this.lift = lift;
+    OracleTracer(Scene scene, SceneImages images, Rounding rounding) {
+        this.rounding = rounding;
         Light sceneLight = scene.light();
-        light = new SphereBody(vector(sceneLight.position()), sceneLight.radius(), Color.of(sceneLight.color()), 0);
+        light = new SphereBody(
+                vector(sceneLight.position()),
+                sceneLight.radius(),
+                OracleMaterial.of(Material.DEFAULT.withColor(sceneLight.color()), images));
         Plane plane = scene.plane();
         bodies.add(light);
         bodies.add(new PlaneBody(
-                plane.size(),
-                plane.height(),
-                Color.of(plane.evenColor()),
-                Color.of(plane.oddColor()),
-                plane.reflectivity()));
+                plane.size(), plane.height(), Color.of(plane.oddColor()), OracleMaterial.of(plane.material(), images)));
         for (Sphere sphere : scene.spheres()) {
             bodies.add(new SphereBody(
-                    vector(sphere.position()), sphere.radius(), Color.of(sphere.color()), sphere.reflectivity()));
+                    vector(sphere.position()), sphere.radius(), OracleMaterial.of(sphere.material(), images)));
         }
         shadow = new OracleShadow(bodies, light, scene.settings().shadowSamples());
-        sky = new OracleSky(skybox, scene.skyRotationDegrees(), scene.skyStrength());
+        sky = new OracleSky(images.sky(), scene.skyRotationDegrees(), scene.skyStrength());
         ambient = scene.ambient();
         bounceLimit = scene.settings().bounces();
     }
 
     /** What a view ray sees. */
-    Color color(Ray viewRay) {
-        return color(viewRay, null, 0);
+    Color color(ViewRay viewRay) {
+        return color(viewRay.ray(), null, false, 0, ALL, viewRay.numbers());
     }
 
-    /** color(bounce), seen along a ray that leaves a body; a view ray leaves none (null). */
+    /**
+     * What is seen along a ray that leaves a body, inside it or not; a view ray leaves none (null).
+     *
+     * @param throughput what part of it the pixel gets
+     */
     @SuppressWarnings("ReferenceEquality") // which body it is, not what it is like
-    private Color color(Ray ray, Body leaving, int bounce) {
-        Body body = closest(ray, leaving);
+    private Color color(Ray ray, Body leaving, boolean inside, int bounce, Color throughput, SampleNumbers numbers) {
+        Body body = closest(ray, leaving, inside);
         if (body == null) {
             return sky.color(ray.direction());
         }
         if (body == light) {
-            return light.color();
+            return light.material().color();
         }
-        Vector surfacePoint = ray.at(body.distance(ray));
-        Vector normal = body.normal(surfacePoint);
-        Vector point = body instanceof SphereBody sphere
-                ? surfacePoint.plus(normal.times(lift * sphere.radius()))
-                : surfacePoint;
-        double mirror = bounce < bounceLimit ? body.reflectivity() / PERFECT_MIRROR : 0;
-        Color base = body.albedo(point).times(1 - mirror);
-        if (mirror > 0) {
-            base = base.plus(
-                    color(reflected(ray, point, normal), body, bounce + 1).times(mirror));
+        double distance = body == leaving ? body.distanceInside(ray) : body.distance(ray);
+        Place place = place(ray, body, ray.at(distance));
+        OracleMaterial material = body.material();
+        Color albedo = body.albedo(place.point());
+        double mirror = bounce < bounceLimit ? material.reflectivity() / PERFECT_MIRROR : 0;
+        double transmission = bounce < bounceLimit ? material.transmission() : 0;
+        Vector toLight = light.center().minus(place.point()).normalized();
+        double normalDotLight = place.normal().dot(toLight);
+        double visible = shadow.visible(place.point(), body);
+        double lit = Math.max(ambient, Math.max(0, normalDotLight) * visible);
+        Color color = albedo.times((1 - mirror) * (1 - transmission) * lit)
+                .plus(light.material().color().times(highlight(place, toLight, visible)));
+        if (mirror == 0 && transmission == 0) {
+            return color;
         }
-        return shade(base, body, point, normal, ray);
+        double passing = (1 - mirror) * transmission;
+        Vector facet = facet(place, bounce, numbers);
+        double cosine = Math.clamp(place.toViewer().dot(facet), 0, 1);
+        double ratio = place.fromInside() ? material.ior() : 1 / material.ior();
+        double reflectance = passing > 0 ? Fresnel.reflectance(cosine, ratio) : 0;
+        Vector reflected = ray.direction().plus(facet.times(2 * cosine)).normalized();
+        Color reflectedPart = ALL.times((mirror * lit + passing * reflectance) * weight(place, reflected, 1));
+        color = color.plus(branch(place, reflected, place.fromInside(), reflectedPart, bounce, throughput, numbers));
+        if (passing * (1 - reflectance) > 0) {
+            boolean isSheet = body instanceof PlaneBody;
+            Vector passed = isSheet
+                    ? reflected.minus(place.normal().times(2 * reflected.dot(place.normal())))
+                    : Fresnel.refracted(ray.direction(), facet, ratio).normalized();
+            Color passedPart = albedo.times(passing * (1 - reflectance) * weight(place, passed, -1));
+            boolean isInside = !isSheet && !place.fromInside();
+            color = color.plus(branch(place, passed, isInside, passedPart, bounce, throughput, numbers));
+        }
+        return color;
+    }
+
+    /** What a ray that goes on from a surface adds to it. */
+    private Color branch(
+            Place place,
+            Vector direction,
+            boolean inside,
+            Color part,
+            int bounce,
+            Color throughput,
+            SampleNumbers numbers) {
+        Color rest = throughput.times(part);
+        double least = place.body().material().transmits() ? rounding.cut() * LEAST_THROUGHPUT : 0;
+        if (rest.strongest() == 0 || rest.strongest() < least) {
+            return Color.BLACK;
+        }
+        return color(new Ray(place.point(), direction), place.body(), inside, bounce + 1, rest, numbers)
+                .times(part);
     }
 
     /** The lower index on a tie, null where there is none. */
     @SuppressWarnings("ReferenceEquality") // which body it is, not what it is like
-    private Body closest(Ray ray, Body leaving) {
+    private Body closest(Ray ray, Body leaving, boolean inside) {
         Body closest = null;
         double closestDistance = Body.MISS;
         for (Body body : bodies) {
-            if (body != leaving) {
-                double distance = body.distance(ray);
-                if (distance < closestDistance) {
-                    closest = body;
-                    closestDistance = distance;
-                }
+            double distance = body.distance(ray);
+            if (body == leaving) {
+                distance = inside ? body.distanceInside(ray) : Body.MISS;
+            }
+            if (distance < closestDistance) {
+                closest = body;
+                closestDistance = distance;
             }
         }
         return closest;
     }
 
-    private static Ray reflected(Ray ray, Vector point, Vector normal) {
-        Vector direction = ray.direction();
-        return new Ray(
-                point, direction.minus(normal.times(2 * direction.dot(normal))).normalized());
+    private Place place(Ray ray, Body body, Vector surfacePoint) {
+        Vector outward = body.normal(surfacePoint);
+        boolean fromInside = body.isMetFromInside(ray, outward);
+        Vector point = body instanceof SphereBody sphere
+                ? surfacePoint.plus(outward.times(rounding.lift() * sphere.radius()))
+                : surfacePoint;
+        return new Place(ray, body, point, fromInside ? outward.times(-1) : outward, fromInside);
     }
 
-    /** Blinn-Phong: {@code shade(C) = C * lit + lightColor * spec}. */
-    private Color shade(Color base, Body body, Vector point, Vector normal, Ray ray) {
-        Vector toLight = light.center().minus(point).normalized();
-        Vector toViewer = ray.direction().times(-1);
-        Vector half = toLight.plus(toViewer).normalized();
-        double normalDotLight = normal.dot(toLight);
-        double visible = shadow.visible(point, body);
-        double p = body.reflectivity();
-        double lit = Math.max(ambient, Math.max(0, normalDotLight) * visible);
-        double specular = normalDotLight > 0
-                ? visible * (8 + p) / (8 * Math.PI) * Math.pow(Math.max(0, normal.dot(half)), p) * p / PERFECT_MIRROR
+    /** The normal that reflects and refracts. */
+    private Vector facet(Place place, int bounce, SampleNumbers numbers) {
+        double roughness = place.body().material().roughness();
+        return roughness == 0
+                ? place.facing()
+                : RoughSurface.of(roughness)
+                        .facet(
+                                place.facing(),
+                                place.toViewer(),
+                                numbers.facetTurns(bounce),
+                                numbers.facetHeight(bounce))
+                        .plus(rounding.tilt())
+                        .normalized();
+    }
+
+    /**
+     * What a rough surface passes on of the light from its facet.
+     *
+     * @param side 1 where it is reflected, -1 where it passes
+     */
+    private static double weight(Place place, Vector direction, int side) {
+        double roughness = place.body().material().roughness();
+        return roughness == 0
+                ? 1
+                : RoughSurface.of(roughness)
+                        .weight(place.toViewer().dot(place.facing()), side * direction.dot(place.facing()));
+    }
+
+    /** Blinn-Phong's, to be multiplied by the light's color. */
+    private static double highlight(Place place, Vector toLight, double visible) {
+        double p = place.body().material().reflectivity();
+        Vector half = toLight.plus(place.toViewer()).normalized();
+        return place.normal().dot(toLight) > 0
+                ? visible
+                        * (8 + p)
+                        / (8 * Math.PI)
+                        * Math.pow(Math.max(0, place.normal().dot(half)), p)
+                        * p
+                        / PERFECT_MIRROR
                 : 0;
-        return base.times(lit).plus(light.color().times(specular));
     }
 
     private static Vector vector(Vector3 vector) {

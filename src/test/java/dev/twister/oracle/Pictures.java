@@ -20,6 +20,11 @@ public final class Pictures {
         return argb(engine, World.of(scene, sky).snapshot());
     }
 
+    /** The same of a scene with textures. */
+    public static int[] argb(String engine, LitScene scene) {
+        return argb(engine, World.of(scene.scene(), scene.images()).snapshot());
+    }
+
     /** The band's pixels as 0xAARRGGBB. */
     public static int[] argb(String engine, FrameInput input) {
         Frame frame = Frame.ofPixels(input.width(), input.rows());

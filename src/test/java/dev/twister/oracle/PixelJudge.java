@@ -19,7 +19,17 @@ public final class PixelJudge {
      * @throws AssertionError where a pixel differs without an excuse
      */
     public void judge(int[] actual, Scene scene, Skybox sky) {
-        judgeAgainst(new Oracle(scene, sky).picture(), actual, scene, sky);
+        judge(actual, new LitScene(scene, sky));
+    }
+
+    /**
+     * The same of a scene with textures.
+     *
+     * @throws AssertionError where a pixel differs without an excuse
+     */
+    public void judge(int[] actual, LitScene scene) {
+        Oracle oracle = new Oracle(scene);
+        judgeAgainst(oracle.picture(), actual, scene.scene(), oracle);
     }
 
     /**
@@ -28,7 +38,10 @@ public final class PixelJudge {
      * @throws AssertionError where a pixel differs without an excuse
      */
     public void judgeAgainst(int[] expected, int[] actual, Scene scene, Skybox sky) {
-        Oracle oracle = new Oracle(scene, sky);
+        judgeAgainst(expected, actual, scene, new Oracle(scene, sky));
+    }
+
+    private void judgeAgainst(int[] expected, int[] actual, Scene scene, Oracle oracle) {
         PictureDifference difference = PictureDifference.between(actual, expected);
         List<String> faults = new ArrayList<>();
         int width = scene.settings().width();

@@ -1,7 +1,7 @@
 package dev.twister.oracle;
 
 /** The checkered square ground. */
-record PlaneBody(double size, double height, Color evenColor, Color oddColor, double reflectivity) implements Body {
+record PlaneBody(double size, double height, Color oddColor, OracleMaterial material) implements Body {
     /** Keeps the checks' edges off round numbers, where rounding alone decides. */
     private static final double CHECKER_SHIFT = 0x1p-10;
 
@@ -15,6 +15,17 @@ record PlaneBody(double size, double height, Color evenColor, Color oddColor, do
         }
         double distance = (height - ray.origin().y()) / ray.direction().y();
         return distance > 0 && isInside(ray.at(distance)) ? distance : MISS;
+    }
+
+    /** It has no inside. */
+    @Override
+    public double distanceInside(Ray ray) {
+        return MISS;
+    }
+
+    @Override
+    public boolean isMetFromInside(Ray ray, Vector normal) {
+        return false;
     }
 
     /** Whether two points are on different sides, and the way from the one to the other crosses the square. */
@@ -36,6 +47,7 @@ record PlaneBody(double size, double height, Color evenColor, Color oddColor, do
     @Override
     public Color albedo(Vector point) {
         double squares = Math.floor(point.x() + CHECKER_SHIFT) + Math.floor(point.z() + CHECKER_SHIFT);
-        return squares % 2 == 0 ? evenColor : oddColor;
+        Color base = squares % 2 == 0 ? material.color() : oddColor;
+        return material.textured(base, point.x(), -point.z());
     }
 }

@@ -122,7 +122,7 @@ public final class RandomScenes {
     }
 
     /** Inside the sphere, and not at its very centre. */
-    private static Vector3 near(Random random, Sphere sphere) {
+    static Vector3 near(Random random, Sphere sphere) {
         double reach = 0.5 * sphere.radius();
         return new Vector3(
                 sphere.position().x() + between(random, -reach, reach),

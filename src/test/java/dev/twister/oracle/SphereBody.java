@@ -1,19 +1,32 @@
 package dev.twister.oracle;
 
-/** A sphere; the light is one too, its colour a radiance. */
-record SphereBody(Vector center, double radius, Color color, double reflectivity) implements Body {
-    /** The near root of {@code |origin + t direction - center|^2 = radius^2}, where that is above 0. */
+/** A sphere; the light is one too, its color a radiance. */
+record SphereBody(Vector center, double radius, OracleMaterial material) implements Body {
+    /**
+     * The near root of {@code |origin + t direction - center|^2 = radius^2}, where that is above 0; else the far one, where that is
+     * and the sphere transmits.
+     */
     @Override
     public double distance(Ray ray) {
+        double near = root(ray, -1);
+        return near > 0 || !material.transmits() ? inFront(near) : distanceInside(ray);
+    }
+
+    @Override
+    public double distanceInside(Ray ray) {
+        return inFront(root(ray, 1));
+    }
+
+    private static double inFront(double root) {
+        return root > 0 ? root : MISS;
+    }
+
+    /** The near root with -1, the far one with 1, not a number where there is none. */
+    private double root(Ray ray, int side) {
         Vector fromCenter = ray.origin().minus(center);
         double halfB = fromCenter.dot(ray.direction());
         double c = fromCenter.dot(fromCenter) - radius * radius;
-        double discriminant = halfB * halfB - c;
-        if (discriminant < 0) {
-            return MISS;
-        }
-        double nearRoot = -halfB - Math.sqrt(discriminant);
-        return nearRoot > 0 ? nearRoot : MISS;
+        return -halfB + side * Math.sqrt(halfB * halfB - c);
     }
 
     @Override
@@ -22,7 +35,15 @@ record SphereBody(Vector center, double radius, Color color, double reflectivity
     }
 
     @Override
+    public boolean isMetFromInside(Ray ray, Vector normal) {
+        return material.transmits() && ray.direction().dot(normal) > 0;
+    }
+
+    @Override
     public Color albedo(Vector point) {
-        return color;
+        Vector normal = normal(point);
+        double u = 0.5 + Math.atan2(normal.x(), -normal.z()) / (2 * Math.PI);
+        double v = 0.5 - Math.asin(Math.clamp(normal.y(), -1, 1)) / Math.PI;
+        return material.textured(material.color(), u, v);
     }
 }

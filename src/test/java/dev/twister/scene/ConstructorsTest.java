@@ -21,6 +21,7 @@ class ConstructorsTest {
                 Light.class,
                 Plane.class,
                 Sphere.class,
+                Material.class,
                 RenderSettings.class,
                 Physics.class,
                 Pour.class

@@ -30,21 +30,47 @@ final class SampleScene {
             }
             """;
 
+    /** The fields that the first version of the format does not have; the folder has the texture, too. */
+    static final String MATERIALS = """
+            {
+              "version": 2,
+              "camera": {"position": [0, -5, -15], "yaw": 0, "pitch": 7, "fieldOfView": 50, "aperture": 0.125, "focusDistance": 12.5},
+              "light": {"position": [0, 0, 0], "radius": 1.2, "color": [1, 1, 1]},
+              "materials": {
+                "glass": {"color": [1, 1, 1], "reflectivity": 2, "transmission": 0.75, "ior": 1.6},
+                "earth": {"color": [1, 1, 0.5], "reflectivity": 3, "roughness": 0.25, "texture": "earth.png"}
+              },
+              "plane": {"size": 48, "height": -9.75, "material": "earth", "oddColor": [0.5, 0, 0]},
+              "skybox": "sky.hdr",
+              "pour": {"count": 30, "rate": 5.5, "position": [1, 2, 3], "width": 1.25, "speed": 2.5, "radius": [0.2, 0.3], "palette": "lagoon", "reflectivity": 12, "roughness": 0.5, "transmission": 1, "ior": 2, "texture": "earth.png", "seed": 9},
+              "spheres": [
+                {"position": [-4, -8, 0], "radius": 1.75, "material": "glass"},
+                {"position": [0, -8, 0], "radius": 1.5, "color": [0, 1, 0], "reflectivity": 36, "roughness": 0.125, "transmission": 0.5, "ior": 1.25, "texture": "earth.png"}
+              ]
+            }
+            """;
+
     private SampleScene() {}
 
     /** The text with its one occurrence of a part replaced. */
     static String with(String part, String replacement) {
-        if (TEXT.split(Pattern.quote(part), -1).length != 2) {
-            throw new IllegalArgumentException("not exactly once in the sample: " + part);
-        }
-        return TEXT.replace(part, replacement);
+        return with(TEXT, part, replacement);
     }
 
-    /** Puts a scene file and the skybox that the sample names into a folder. */
+    /** A text with its one occurrence of a part replaced. */
+    static String with(String text, String part, String replacement) {
+        if (text.split(Pattern.quote(part), -1).length != 2) {
+            throw new IllegalArgumentException("not exactly once in the sample: " + part);
+        }
+        return text.replace(part, replacement);
+    }
+
+    /** Puts a scene file and the pictures that the samples name into a folder. */
     static Path put(Path folder, byte[] bytes) {
         try {
             Files.createDirectories(folder);
             Files.write(folder.resolve("sky.hdr"), new byte[0]);
+            Files.write(folder.resolve("earth.png"), new byte[0]);
             return Files.write(folder.resolve("scene.json"), bytes);
         } catch (IOException e) {
             throw new UncheckedIOException(e);

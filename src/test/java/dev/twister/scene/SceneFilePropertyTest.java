@@ -2,10 +2,15 @@ package dev.twister.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.Random;
+import java.util.SequencedMap;
+import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -19,7 +24,8 @@ class SceneFilePropertyTest {
 
     @Property(tries = 1000)
     void spoiltBytesAreReadOrRefusedInOneLine(@ForAll long seed, @ForAll @IntRange(min = 1, max = 6) int changes) {
-        byte[] bytes = spoilt(new Random(seed), changes);
+        Random random = new Random(seed);
+        byte[] bytes = spoilt(random, random.nextBoolean() ? SampleScene.TEXT : SampleScene.MATERIALS, changes);
         Path file = SampleScene.put(FOLDER, bytes);
         try {
             SceneReader.read(file);
@@ -32,16 +38,20 @@ class SceneFilePropertyTest {
     }
 
     @Property(tries = 200)
-    void whatIsWrittenReadsBackEqual(@ForAll("scenes") Scene scene) {
+    void whatIsWrittenReadsBackEqualAndIsWrittenAlike(@ForAll("scenes") Scene scene) throws IOException {
         Path file = SampleScene.put(FOLDER, "").resolveSibling("written.json");
 
         SceneWriter.write(scene, file);
+        byte[] bytes = Files.readAllBytes(file);
+        Scene read = SceneReader.read(file);
+        SceneWriter.write(read, file);
 
-        assertThat(SceneReader.read(file)).isEqualTo(scene);
+        assertThat(read).isEqualTo(scene);
+        assertThat(file).hasBinaryContent(bytes);
     }
 
-    private static byte[] spoilt(Random random, int changes) {
-        byte[] bytes = SampleScene.TEXT.getBytes(StandardCharsets.UTF_8);
+    private static byte[] spoilt(Random random, String text, int changes) {
+        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
         for (int i = 0; i < changes && bytes.length > 0; i++) {
             int place = random.nextInt(bytes.length);
             switch (random.nextInt(5)) {
@@ -69,12 +79,45 @@ class SceneFilePropertyTest {
 
     @Provide
     Arbitrary<Scene> scenes() {
-        return Values.of(SceneFormat.SCENE)
+        return Arbitraries.integers()
+                .between(1, Scene.VERSION)
+                .flatMap(version -> version == 1
+                        ? scenes(version, new LinkedHashMap<>())
+                        : Values.of(format(version, new LinkedHashMap<>()).materials())
+                                .flatMap(materials -> scenes(version, materials)));
+    }
+
+    private static Arbitrary<Scene> scenes(int version, SequencedMap<String, Material> materials) {
+        return Values.of(format(version, materials).scene())
+                .map(scene -> scene.withMaterials(materials))
                 .map(scene -> scene.pour()
                         .map(pour ->
                                 scene.withPour(fitting(pour, scene.spheres().size())))
                         .orElse(scene))
-                .map(scene -> scene.withSkybox(FOLDER.resolve("sky.hdr")));
+                .map(SceneFilePropertyTest::withFiles);
+    }
+
+    private static SceneFormat format(int version, SequencedMap<String, Material> materials) {
+        return new SceneFormat(version, materials, NamedFiles.UNRESOLVED);
+    }
+
+    private static Scene withFiles(Scene scene) {
+        SequencedMap<String, Material> materials = new LinkedHashMap<>();
+        scene.materials().forEach((name, material) -> materials.put(name, withFiles(material)));
+        Plane plane = scene.plane();
+        Scene there = scene.withSkybox(FOLDER.resolve(scene.skybox()))
+                .withMaterials(materials)
+                .withPlane(plane.withMaterial(withFiles(plane.material())))
+                .withSpheres(scene.spheres().stream()
+                        .map(sphere -> sphere.withMaterial(withFiles(sphere.material())))
+                        .toList());
+        return there.pour()
+                .map(pour -> there.withPour(pour.withMaterial(withFiles(pour.material()))))
+                .orElse(there);
+    }
+
+    private static Material withFiles(Material material) {
+        return material.withTexture(material.texture().map(FOLDER::resolve));
     }
 
     // The rules that a pour's fields have to keep together.

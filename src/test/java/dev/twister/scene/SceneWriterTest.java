@@ -7,7 +7,9 @@ import dev.twister.Links;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.SequencedMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -39,6 +41,55 @@ class SceneWriterTest {
                 }
                 """.replace("\"A \"name\"\"", "\"A \\\"name\\\"\""));
         assertThat(names()).containsExactly("out.json");
+    }
+
+    @Test
+    void writesNamesOfMaterialsWhereBodiesHaveThem() throws IOException {
+        Path file = SampleScene.put(Files.createDirectory(folder.resolve("scenes")), SampleScene.MATERIALS);
+        Scene scene = SceneReader.read(file);
+
+        SceneWriter.write(scene, folder.resolve("out.json"));
+
+        assertThat(Files.readString(folder.resolve("out.json"))).contains("""
+                          "version": 2,
+                        """, """
+                          "materials": {
+                            "glass": {"color": [1, 1, 1], "reflectivity": 2, "transmission": 0.75, "ior": 1.6},
+                            "earth": {"color": [1, 1, 0.5], "reflectivity": 3, "roughness": 0.25, "texture": "scenes/earth.png"}
+                          },
+                          "plane": {"size": 48, "height": -9.75, "material": "earth", "oddColor": [0.5, 0, 0]},
+                        """, """
+                            {"position": [-4, -8, 0], "radius": 1.75, "material": "glass"},
+                        """);
+        assertThat(SceneReader.read(folder.resolve("out.json"))).isEqualTo(scene);
+    }
+
+    @Test
+    void writesTheSecondVersionOnlyWhereItIsNeeded() throws IOException {
+        Scene plain = scene(24);
+        Sphere sphere = plain.spheres().getFirst();
+        SequencedMap<String, Material> materials = new LinkedHashMap<>();
+        materials.put("unused", Material.DEFAULT);
+
+        assertThat(version(plain)).isEqualTo(1);
+        assertThat(version(plain.withPour(Pour.DEFAULT))).isEqualTo(1);
+        assertThat(version(plain.withMaterials(materials))).isEqualTo(2);
+        assertThat(version(plain.withCamera(plain.camera().withFocusDistance(3))))
+                .isEqualTo(2);
+        assertThat(version(plain.withSpheres(
+                        List.of(sphere, sphere.withMaterial(sphere.material().withIor(1.4))))))
+                .isEqualTo(2);
+        assertThat(version(plain.withPlane(
+                        plain.plane().withMaterial(plain.plane().material().withRoughness(0.5)))))
+                .isEqualTo(2);
+        assertThat(version(plain.withPour(Pour.DEFAULT.withMaterial(Material.DEFAULT.withTransmission(1)))))
+                .isEqualTo(2);
+    }
+
+    private int version(Scene scene) throws IOException {
+        Path file = folder.resolve("version.json");
+        SceneWriter.write(scene, file);
+        return Files.readString(file).contains("\"version\": 2") ? 2 : 1;
     }
 
     @Test

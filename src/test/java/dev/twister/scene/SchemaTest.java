@@ -4,9 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -24,7 +29,57 @@ class SchemaTest {
         Map<String, Object> definitions = (Map<String, Object>) schema.remove("$defs");
         schema.keySet().removeAll(List.of("$schema", "title"));
 
-        assertThat(resolved(schema, definitions)).isEqualTo(schemaOf(SceneFormat.SCENE));
+        assertThat(resolved(schema, definitions)).isEqualTo(schemaOfScenes());
+    }
+
+    /** Of the newest version, and what older ones do not have of it. */
+    private static Map<String, Object> schemaOfScenes() {
+        Map<String, Object> schema = schemaOf(format(Scene.VERSION).scene());
+        List<Map<String, Object>> older = new ArrayList<>();
+        for (int version = 1; version < Scene.VERSION; version++) {
+            older.add(schema(Map.of(
+                    "if",
+                    Map.of("properties", Map.of("version", Map.of("const", (double) version))),
+                    "then",
+                    refusalOfNewer(format(version).scene()).orElseThrow())));
+        }
+        schema.put("allOf", older);
+        return schema;
+    }
+
+    private static SceneFormat format(int version) {
+        return new SceneFormat(version, new LinkedHashMap<>(), NamedFiles.UNRESOLVED);
+    }
+
+    /** A schema that refuses the fields which only later versions have, where there are any. */
+    private static Optional<Map<String, Object>> refusalOfNewer(ValueType<?> type) {
+        return switch (type) {
+            case ValueType.Array<?> array -> refusalOfNewer(array.item()).map(items -> schema(Map.of("items", items)));
+            case ValueType.Lines<?>(ValueType.Array<?> array) -> refusalOfNewer(array);
+            case ValueType.Converted<?, ?> converted -> refusalOfNewer(converted.stored());
+            case ValueType.Structure<?> structure -> newerIn(structure);
+            case Shaped<?> shaped -> newerIn(shaped);
+            default -> Optional.empty();
+        };
+    }
+
+    private static <R> Optional<Map<String, Object>> newerIn(ValueType.Structure<R> structure) {
+        return refused(structure.fields(), structure.newer());
+    }
+
+    private static <R> Optional<Map<String, Object>> newerIn(Shaped<R> shaped) {
+        return refused(
+                shaped.plain().fields(),
+                Stream.concat(shaped.keyed().newer().stream(), shaped.plain().newer().stream())
+                        .toList());
+    }
+
+    private static <R> Optional<Map<String, Object>> refused(List<Field<R, ?>> fields, List<Field<R, ?>> newer) {
+        Map<String, Object> properties = new TreeMap<>();
+        newer.forEach(field -> properties.put(field.name(), false));
+        fields.forEach(
+                field -> refusalOfNewer(field.type()).ifPresent(refusal -> properties.put(field.name(), refusal)));
+        return Optional.of(properties).filter(all -> !all.isEmpty()).map(all -> schema(Map.of("properties", all)));
     }
 
     /** The schema without descriptions and references, its numbers as doubles. */
@@ -59,8 +114,14 @@ class SchemaTest {
                         "minLength",
                         min,
                         schema(Map.of("type", "string", "maxLength", (double) max, "pattern", NO_CONTROL_CHARACTERS)));
-            case ValueType.FilePath(ValueType.Text text) -> schemaOf(text);
-            case ValueType.Version(int number) -> schema(Map.of("const", (double) number));
+            case ValueType.FilePath(ValueType.Text text, NamedFiles _) -> schemaOf(text);
+            case ValueType.Version(int newest) ->
+                schema(Map.of(
+                        "enum",
+                        IntStream.rangeClosed(1, newest)
+                                .asDoubleStream()
+                                .boxed()
+                                .toList()));
             case ValueType.Choice<?> choice -> schema(Map.of("enum", choice.names()));
             case ValueType.Array<?> array ->
                 withLeast(
@@ -71,6 +132,25 @@ class SchemaTest {
             case ValueType.Lines<?>(ValueType.Array<?> array) -> schemaOf(array);
             case ValueType.Converted<?, ?> converted -> schemaOf(converted.stored());
             case ValueType.Structure<?> structure -> objects(structure);
+            case Members<?> members ->
+                schema(Map.of(
+                        "type",
+                        "object",
+                        "maxProperties",
+                        (double) members.limit(),
+                        "propertyNames",
+                        schemaOf(members.name()),
+                        "additionalProperties",
+                        schemaOf(members.type())));
+            case NamedMaterials _ -> schema(Map.of("type", "string"));
+            case Shaped<?> shaped ->
+                schema(Map.of(
+                        "if",
+                        Map.of("required", List.of(shaped.key())),
+                        "then",
+                        schemaOf(shaped.keyed()),
+                        "else",
+                        schemaOf(shaped.plain())));
         };
     }
 
@@ -89,9 +169,10 @@ class SchemaTest {
 
     private static <R, T> Map<String, Object> property(Field<R, T> field, R defaults) {
         Map<String, Object> property = schemaOf(field.type());
-        boolean hasDefault =
-                !field.isRequired() && !"object".equals(property.get("type")) && !"string".equals(property.get("type"));
-        if (hasDefault) {
+        boolean isPlain = !"object".equals(property.get("type")) && !"string".equals(property.get("type"));
+        if (isPlain
+                && !field.isRequired()
+                && !Optional.empty().equals(field.get().apply(defaults))) {
             String text = field.type().write(field.get().apply(defaults));
             property.put("default", resolved(JSON.readValue(text, Object.class), Map.of()));
         }

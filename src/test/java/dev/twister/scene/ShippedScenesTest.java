@@ -57,8 +57,9 @@ class ShippedScenesTest {
     }
 
     @Test
-    void schemaTakesTheSample() {
+    void schemaTakesTheSamples() {
         assertThat(schema.validate(SampleScene.TEXT, InputFormat.JSON)).isEmpty();
+        assertThat(schema.validate(SampleScene.MATERIALS, InputFormat.JSON)).isEmpty();
         String other =
                 SampleScene.with("\"width\": 640", "\"width\": 6.4e2").replace("\"version\": 1", "\"version\": 1.0");
         assertThat(schema.validate(other, InputFormat.JSON)).isEmpty();

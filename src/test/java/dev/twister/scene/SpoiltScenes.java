@@ -1,5 +1,6 @@
 package dev.twister.scene;
 
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -9,12 +10,17 @@ final class SpoiltScenes {
     /**
      * One way to spoil the sample.
      *
+     * @param sample what is spoilt
      * @param schemaSees whether the JSON Schema refuses it too: it sees neither syntax, nor duplicates, nor the disk
      * @param message what follows the file's name and a colon
      */
-    record Spoilt(String name, boolean schemaSees, String part, String replacement, String message) {
+    record Spoilt(String sample, String name, boolean schemaSees, String part, String replacement, String message) {
+        Spoilt(String name, boolean schemaSees, String part, String replacement, String message) {
+            this(SampleScene.TEXT, name, schemaSees, part, replacement, message);
+        }
+
         String text() {
-            return SampleScene.with(part, replacement);
+            return SampleScene.with(sample, part, replacement);
         }
 
         @Override
@@ -22,6 +28,8 @@ final class SpoiltScenes {
             return name;
         }
     }
+
+    private static final SceneFormat FORMAT = new SceneFormat(1, new LinkedHashMap<>(), NamedFiles.UNRESOLVED);
 
     static final List<Spoilt> ALL = List.of(
             new Spoilt(
@@ -106,14 +114,14 @@ final class SpoiltScenes {
                     "wrong version",
                     true,
                     "\"version\": 1",
-                    "\"version\": 2",
-                    "3:14: $.version is 2, but must be 1, the version of the format that this program reads"),
+                    "\"version\": 3",
+                    "3:14: $.version is 3, but must be 1 or 2, the versions of the format that this program reads"),
             new Spoilt(
                     "version as text",
                     true,
                     "\"version\": 1",
                     "\"version\": \"1\"",
-                    "3:14: $.version is \"1\", but must be 1, the version of the format that this program reads"),
+                    "3:14: $.version is \"1\", but must be 1 or 2, the versions of the format that this program reads"),
             new Spoilt(
                     "no version",
                     true,
@@ -126,26 +134,26 @@ final class SpoiltScenes {
                     "\"radius\": 1.5, \"color\"",
                     "\"radius\": 1.5, \"colour\"",
                     "16:45: $.spheres[1] has an unknown field \"colour\" (did you mean \"color\"?); allowed here: "
-                            + names(SceneFormat.SPHERE)),
+                            + names(FORMAT.sphere().plain())),
             new Spoilt(
                     "unknown field, nothing near",
                     true,
                     "\"yaw\": 0",
                     "\"yaw\": 0, \"zoom\": 2",
-                    "6:50: $.camera has an unknown field \"zoom\"; allowed here: " + names(SceneFormat.CAMERA)),
+                    "6:50: $.camera has an unknown field \"zoom\"; allowed here: " + names(FORMAT.camera())),
             new Spoilt(
                     "unknown part",
                     true,
                     "\"shading\"",
                     "\"shader\"",
-                    "10:3: $ has an unknown field \"shader\"; allowed here: " + names(SceneFormat.SCENE)),
+                    "10:3: $ has an unknown field \"shader\"; allowed here: " + names(FORMAT.scene())),
             new Spoilt(
                     "missing field",
                     true,
                     "\"radius\": 1.5, ",
                     "",
                     "16:5: $.spheres[1].radius is missing; required here: "
-                            + String.join(", ", SceneFormat.SPHERE.names(true))),
+                            + String.join(", ", FORMAT.sphere().plain().names(true))),
             new Spoilt(
                     "missing part",
                     true,
@@ -397,9 +405,139 @@ final class SpoiltScenes {
                     false,
                     "\"spheres\": [",
                     "\"spheres\": {\"a\": [",
-                    "19:1: not valid JSON: Unexpected end-of-input: expected close marker for Object"));
+                    "19:1: not valid JSON: Unexpected end-of-input: expected close marker for Object"),
+            material(
+                    "negative aperture",
+                    true,
+                    "\"aperture\": 0.125",
+                    "\"aperture\": -0.125",
+                    "3:93: $.camera.aperture is -0.125, but must be a number from 0 to 1000000 metres"),
+            material(
+                    "focus at the lens",
+                    true,
+                    "\"focusDistance\": 12.5",
+                    "\"focusDistance\": 0",
+                    "3:117: $.camera.focusDistance is 0, but must be a number from 0.000001 to 1000000 metres"),
+            material(
+                    "roughness",
+                    true,
+                    "\"roughness\": 0.125",
+                    "\"roughness\": 1.5",
+                    "14:98: $.spheres[1].roughness is 1.5, but must be a number from 0 to 1"),
+            material(
+                    "transmission",
+                    true,
+                    "\"transmission\": 0.5",
+                    "\"transmission\": \"half\"",
+                    "14:121: $.spheres[1].transmission is \"half\", but must be a number from 0 to 1"),
+            material(
+                    "index of refraction",
+                    true,
+                    "\"ior\": 1.25",
+                    "\"ior\": 0.9",
+                    "14:133: $.spheres[1].ior is 0.9, but must be a number from 1 to 4"),
+            material(
+                    "texture is no name",
+                    true,
+                    "\"ior\": 1.25, \"texture\": \"earth.png\"",
+                    "\"ior\": 1.25, \"texture\": 7",
+                    "14:150: $.spheres[1].texture is 7, but must be a string of 1 to 1000 characters, none of them a control character"),
+            material(
+                    "broken material",
+                    true,
+                    "\"ior\": 1.6",
+                    "\"ior\": 4.5",
+                    "6:83: $.materials.glass.ior is 4.5, but must be a number from 1 to 4"),
+            material(
+                    "unknown field of a material",
+                    true,
+                    "\"transmission\": 0.75",
+                    "\"transparency\": 0.75",
+                    "6:54: $.materials.glass has an unknown field \"transparency\"; allowed here: color, reflectivity, roughness, transmission, ior, texture"),
+            material(
+                    "material that is none",
+                    true,
+                    "\"glass\": {\"color\": [1, 1, 1], \"reflectivity\": 2, \"transmission\": 0.75, \"ior\": 1.6}",
+                    "\"glass\": 3",
+                    "6:14: $.materials.glass is 3, but must be an object"),
+            material(
+                    "material without a name",
+                    true,
+                    "\"glass\": {",
+                    "\"\": {",
+                    "6:5: $.materials has the name \"\", but a name must be a string of 1 to 200 characters, none of them a control character"),
+            material(
+                    "misspelt material",
+                    false,
+                    "\"material\": \"glass\"",
+                    "\"material\": \"glas\"",
+                    "13:59: $.spheres[0].material is \"glas\", but must be the name of one of the scene's materials (did you mean \"glass\"?): \"glass\", \"earth\""),
+            material(
+                    "unknown material",
+                    false,
+                    "\"material\": \"earth\"",
+                    "\"material\": \"velvet\"",
+                    "9:54: $.plane.material is \"velvet\", but must be the name of one of the scene's materials: \"glass\", \"earth\""),
+            material(
+                    "material by number",
+                    true,
+                    "\"material\": \"glass\"",
+                    "\"material\": 1",
+                    "13:59: $.spheres[0].material is 1, but must be the name of one of the scene's materials"),
+            material(
+                    "material and a field of its own",
+                    true,
+                    "\"material\": \"glass\"",
+                    "\"material\": \"glass\", \"color\": [1, 1, 1]",
+                    "13:77: $.spheres[0].color and \"material\" are both given; allowed beside \"material\": position, radius"),
+            material(
+                    "material and the plane's own colors",
+                    true,
+                    "\"oddColor\": [0.5, 0, 0]",
+                    "\"colors\": [[1, 1, 1], [0, 0, 0]]",
+                    "9:73: $.plane.colors and \"material\" are both given; allowed beside \"material\": size, height, oddColor"),
+            material(
+                    "second color without a material",
+                    true,
+                    "\"material\": \"earth\", ",
+                    "\"colors\": [[1, 1, 1], [0, 0, 0]], \"reflectivity\": 1, ",
+                    "9:107: $.plane.oddColor goes with \"material\" only, which is not given here; allowed without it: size, height, colors, reflectivity, roughness, transmission, ior, texture"),
+            material(
+                    "misspelt reference",
+                    true,
+                    "\"radius\": 1.5, \"color\"",
+                    "\"radius\": 1.5, \"materal\": \"glass\", \"color\"",
+                    "14:45: $.spheres[1] has an unknown field \"materal\" (did you mean \"material\"?); allowed here: position, radius, color, reflectivity, roughness, transmission, ior, texture, material"),
+            first("lens", "\"fieldOfView\": 50", "\"fieldOfView\": 50, \"aperture\": 0.5", "6:93: $.camera.aperture"),
+            first("materials", "  \"plane\"", "  \"materials\": {},\n  \"plane\"", "8:16: $.materials"),
+            first(
+                    "roughness",
+                    "\"reflectivity\": 36",
+                    "\"reflectivity\": 36, \"roughness\": 0.5",
+                    "16:98: $.spheres[1].roughness"),
+            first("material", "\"color\": [0, 1, 0]", "\"material\": \"a\"", "16:57: $.spheres[1].material"),
+            first(
+                    "texture of the plane",
+                    "\"reflectivity\": 32",
+                    "\"texture\": \"earth.png\", \"reflectivity\": 32",
+                    "8:99: $.plane.texture"),
+            first("poured glass", "\"reflectivity\": 12", "\"reflectivity\": 12, \"ior\": 2", "13:160: $.pour.ior"));
 
     private SpoiltScenes() {}
+
+    private static Spoilt material(String name, boolean schemaSees, String part, String replacement, String message) {
+        return new Spoilt(SampleScene.MATERIALS, name, schemaSees, part, replacement, message);
+    }
+
+    /** What only the second version has, in a file of the first. */
+    private static Spoilt first(String name, String part, String replacement, String place) {
+        return new Spoilt(
+                name + " in version 1",
+                true,
+                part,
+                replacement,
+                place + " needs \"version\": 2 at the top of the file");
+    }
 
     private static String names(ValueType.Structure<?> structure) {
         return Stream.concat(structure.names(true).stream(), structure.names(false).stream())

@@ -1,7 +1,9 @@
 package dev.twister.scene;
 
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.SequencedMap;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -10,6 +12,7 @@ import net.jqwik.api.Combinators;
 final class Values {
     private static final int MOST_ITEMS = 8;
     private static final int MOST_CHARACTERS = 60;
+    private static final List<Path> FILES = List.of(Path.of("sky.hdr"), Path.of("earth.png"));
 
     private Values() {}
 
@@ -22,13 +25,16 @@ final class Values {
                         Arbitraries.integers().between((int) range.min(), (int) range.max());
                     case ValueType.Flag() -> Arbitraries.of(List.of(true, false));
                     case ValueType.Text(int min, int max) -> texts(min, max);
-                    case ValueType.FilePath _ -> Arbitraries.just(Path.of("sky.hdr"));
-                    case ValueType.Version(int number) -> Arbitraries.just(number);
+                    case ValueType.FilePath _ -> Arbitraries.of(FILES);
+                    case ValueType.Version _ -> Arbitraries.just(1);
                     case ValueType.Choice<?>(Class<?> constants) -> Arbitraries.of(constants.getEnumConstants());
                     case ValueType.Array<?> array -> items(array);
                     case ValueType.Lines<?>(ValueType.Array<?> array) -> items(array);
                     case ValueType.Converted<?, ?> converted -> decoded(converted);
                     case ValueType.Structure<?> structure -> records(structure);
+                    case Members<?> members -> members(members);
+                    case NamedMaterials named -> Arbitraries.of(named.byName().values());
+                    case Shaped<?> shaped -> shapes(shaped);
                 };
     }
 
@@ -53,6 +59,30 @@ final class Values {
 
     private static <S, T> Arbitrary<T> decoded(ValueType.Converted<S, T> converted) {
         return of(converted.stored()).map(converted.decode());
+    }
+
+    private static <T> Arbitrary<SequencedMap<String, T>> members(Members<T> members) {
+        return Combinators.combine(
+                        of(members.name()).list().uniqueElements().ofMaxSize(MOST_ITEMS),
+                        of(members.type()).list().ofSize(MOST_ITEMS))
+                .as((names, values) -> {
+                    SequencedMap<String, T> map = new LinkedHashMap<>();
+                    names.forEach(name -> map.put(name, values.get(map.size())));
+                    return map;
+                });
+    }
+
+    private static <R> Arbitrary<R> shapes(Shaped<R> shaped) {
+        return canBeKeyed(shaped)
+                ? Arbitraries.oneOf(records(shaped.keyed()), records(shaped.plain()))
+                : records(shaped.plain());
+    }
+
+    // Not in the first version, nor where no material has a name.
+    private static boolean canBeKeyed(Shaped<?> shaped) {
+        return shaped.keyed().fields().stream()
+                .anyMatch(field -> field.type() instanceof NamedMaterials named
+                        && !named.byName().isEmpty());
     }
 
     private static <R> Arbitrary<R> records(ValueType.Structure<R> structure) {

@@ -46,10 +46,10 @@ class FrameInputTest {
         FrameInput rest = whole.withSamples(2, 3);
         FrameInput all = whole.withSamples(0, 5);
         assertThat(all.samplesPerPixel()).isEqualTo(5);
-        assertThat(all.view().pixelOffsets())
-                .startsWith(start.view().pixelOffsets())
-                .endsWith(rest.view().pixelOffsets())
-                .isEqualTo(PixelOffsets.places(5));
+        assertThat(all.view().pixelSamples())
+                .startsWith(start.view().pixelSamples())
+                .endsWith(rest.view().pixelSamples())
+                .isEqualTo(PixelSamples.of(5));
         assertThat(all.view().camera()).isSameAs(whole.view().camera());
     }
 

@@ -3,6 +3,7 @@ package dev.twister.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.kernel.Layout;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -32,18 +33,18 @@ class TablesTest {
 
     @Test
     void onePixelSampleIsTheCenter() {
-        assertThat(PixelOffsets.places(1)).containsExactly(0.5f, 0.5f);
+        assertThat(PixelSamples.of(1)).startsWith(0.5f, 0.5f).hasSize(Layout.SAMPLE_STRIDE);
     }
 
     @ParameterizedTest
     @ValueSource(ints = {2, 3, 4, 7, 16, 64, 1023, 1024})
     void meanOfThePixelSamplesIsExactlyTheCenter(int samples) {
-        float[] places = PixelOffsets.places(samples);
+        float[] places = PixelSamples.of(samples);
         double x = 0;
         double y = 0;
         for (int i = 0; i < samples; i++) {
-            x += places[2 * i];
-            y += places[2 * i + 1];
+            x += places[Layout.SAMPLE_STRIDE * i];
+            y += places[Layout.SAMPLE_STRIDE * i + 1];
         }
         assertThat(x).isEqualTo(samples / 2.0);
         assertThat(y).isEqualTo(samples / 2.0);
@@ -51,24 +52,29 @@ class TablesTest {
 
     @Test
     void pixelSamplesAreAllDifferent() {
-        float[] places = PixelOffsets.places(1023);
-        assertThat(IntStream.range(0, 1023).mapToObj(i -> List.of(places[2 * i], places[2 * i + 1])))
+        float[] places = PixelSamples.of(1023);
+        assertThat(IntStream.range(0, 1023)
+                        .mapToObj(i -> List.of(places[Layout.SAMPLE_STRIDE * i], places[Layout.SAMPLE_STRIDE * i + 1])))
                 .doesNotHaveDuplicates();
     }
 
     @Test
     void pixelSamplesStayInTheirPixel() {
-        for (float place : PixelOffsets.places(1024)) {
-            assertThat(place).isGreaterThan(0f).isLessThan(1f);
+        float[] places = PixelSamples.of(1024);
+        for (int i = 0; i < places.length; i++) {
+            boolean isPlace = i % Layout.SAMPLE_STRIDE < Layout.SAMPLE_LENS;
+            assertThat(places[i]).isBetween(isPlace ? Math.nextUp(0f) : 0f, Math.nextDown(1f));
         }
     }
 
     @Test
     void pixelSamplesAreEven() {
         int[] quarters = new int[4];
-        float[] places = PixelOffsets.places(1024);
+        float[] places = PixelSamples.of(1024);
         for (int i = 0; i < 1024; i++) {
-            quarters[(places[2 * i] < 0.5f ? 0 : 1) + (places[2 * i + 1] < 0.5f ? 0 : 2)]++;
+            quarters[
+                    (places[Layout.SAMPLE_STRIDE * i] < 0.5f ? 0 : 1)
+                            + (places[Layout.SAMPLE_STRIDE * i + 1] < 0.5f ? 0 : 2)]++;
         }
         for (int quarter : quarters) {
             assertThat(quarter).isCloseTo(256, within(4));

@@ -6,9 +6,19 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Material;
 import dev.twister.scene.Pour;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
+import dev.twister.sky.Skybox;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -21,9 +31,30 @@ class WorldTest {
         FrameInput input = world.snapshot();
         assertThat(input.bodyCount()).isEqualTo(4);
         assertThat(input.bodies().places()).containsExactly(4, 5, 6, 7, 0, 12, 0, 11, 20, 21, 22, 23, 28, 29, 30, 31);
-        assertThat(input.bodies().looks())
-                .containsExactly(
-                        8, 9, 10, 0, 0.13f, 0.14f, 0.15f, 19, 0.24f, 0.25f, 0.26f, 27, 0.32f, 0.33f, 0.34f, 35);
+        assertThat(looks(input, Layout.LIGHT)).containsExactly(8, 9, 10, 0, 0, 0, 0, 0);
+        assertThat(looks(input, Layout.PLANE)).containsExactly(0.13f, 0.14f, 0.15f, 19, 0, 0, 0, 0);
+        assertThat(looks(input, Layout.FIRST_SPHERE)).containsExactly(0.24f, 0.25f, 0.26f, 27, 0, 0, 0, 0);
+        assertThat(looks(input, Layout.FIRST_SPHERE + 1)).containsExactly(0.32f, 0.33f, 0.34f, 35, 0, 0, 0, 0);
+    }
+
+    @Test
+    void materialsStandInTheirPlaces() {
+        Path file = Path.of("texture.png");
+        Skybox texture = new Skybox(1, 1, new float[] {90, 91, 92});
+        Material material = new Material(new Rgb(0.1, 0.2, 0.3), 40, 0.41, 0.42, 1.43, Optional.of(file));
+        Scene scene = Worlds.scene();
+        Sphere sphere = scene.spheres().getFirst().withMaterial(material);
+        FrameInput input = World.of(
+                        scene.withSpheres(List.of(sphere)), new SceneImages(Worlds.SKY, Map.of(file, texture)))
+                .snapshot();
+        assertThat(looks(input, Layout.FIRST_SPHERE)).containsExactly(0.1f, 0.2f, 0.3f, 40, 0.41f, 0.42f, 1.43f, 1);
+        assertThat(input.panorama().texels()).containsExactly(70, 71, 72, 73, 74, 75, 90, 91, 92);
+        assertThat(input.panorama().dimensions()).containsExactly(2, 1, 6, 1, 1);
+    }
+
+    private static float[] looks(FrameInput input, int body) {
+        int first = Layout.LOOK_STRIDE * body;
+        return Arrays.copyOfRange(input.bodies().looks(), first, first + Layout.LOOK_STRIDE);
     }
 
     @Test
@@ -131,7 +162,7 @@ class WorldTest {
         assertThat(after.bodies().looks()).isSameAs(before.bodies().looks());
         assertThat(after.panorama()).isSameAs(before.panorama());
         assertThat(after.view().shadowDisc()).isSameAs(before.view().shadowDisc());
-        assertThat(after.view().pixelOffsets()).isSameAs(before.view().pixelOffsets());
+        assertThat(after.view().pixelSamples()).isSameAs(before.view().pixelSamples());
         assertThat(after.bodies().hierarchy()).isSameAs(before.bodies().hierarchy());
     }
 
@@ -153,6 +184,6 @@ class WorldTest {
     void tablesFollowTheirCounts() {
         world.setSettings(world.settings().withShadows(9).withSamplesPerPixel(4));
         assertThat(world.snapshot().view().shadowDisc()).isEqualTo(SunflowerDisc.points(9));
-        assertThat(world.snapshot().view().pixelOffsets()).isEqualTo(PixelOffsets.places(4));
+        assertThat(world.snapshot().view().pixelSamples()).isEqualTo(PixelSamples.of(4));
     }
 }

@@ -56,7 +56,13 @@ final class Handover {
             path[Layout.RADIANCE + axis] = t[pixel + Tile.RED + axis * Tile.SIZE];
         }
         path[Layout.LEAVING] = t[pixel + Tile.LEAVING];
-        path[Layout.THROUGHPUT] = t[pixel + Tile.THROUGHPUT];
+        path[Layout.INSIDE] = 0f;
+        for (int channel = 0; channel < 3; channel++) {
+            path[Layout.THROUGHPUT + channel] = t[pixel + Tile.THROUGHPUT];
+        }
+        path[Layout.PIXEL_COLUMN] = tile.left + t[pixel + Tile.PLACE_X];
+        path[Layout.PIXEL_ROW] = drawing.input.firstRow() + tile.top + t[pixel + Tile.PLACE_Y];
+        path[Layout.PIXEL_SAMPLE] = Layout.SAMPLE_STRIDE * tile.sample;
         kernel.follow(drawing.input, bounce);
         for (int channel = 0; channel < 3; channel++) {
             t[pixel + Tile.RED + channel * Tile.SIZE] = path[Layout.RADIANCE + channel];

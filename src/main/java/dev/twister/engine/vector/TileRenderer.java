@@ -118,7 +118,7 @@ final class TileRenderer {
             NearestSphere.find(tile, drawing.bodies, tile.candidates);
         }
         if (!rise) {
-            GroundHit.find(tile, drawing.planeHeight, drawing.planeHalfSide);
+            GroundHit.find(tile, drawing);
         }
         HitSorting.sort(tile);
     }

@@ -4,6 +4,7 @@ import dev.twister.scene.Scene;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
+import dev.twister.world.SceneImages;
 import dev.twister.world.World;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -18,6 +19,7 @@ final class LivingWorld implements AutoCloseable {
 
     private final SkyShelf skies;
     private final Supplier<Optional<Scene>> newest;
+    private final LivingTextures textures;
     private final MovingBodies moving = new MovingBodies();
     private Motion motion = Motion.NONE;
     private Optional<Scene> scene = Optional.empty();
@@ -36,6 +38,7 @@ final class LivingWorld implements AutoCloseable {
     LivingWorld(SkyShelf skies, Supplier<Optional<Scene>> newest) {
         this.skies = skies;
         this.newest = newest;
+        textures = new LivingTextures(skies, newest);
     }
 
     /**
@@ -44,14 +47,15 @@ final class LivingWorld implements AutoCloseable {
      * @param nanos now, by {@link System#nanoTime}
      */
     FrameInput snapshot(Scene wanted, Motion wantedMotion, int width, int height, long nanos) {
-        boolean sameSky = !chooseSky(wanted.skybox());
+        boolean sameImages = !chooseSky(wanted.skybox()) && !textures.areOld();
         // A world whose bodies have moved is not one in which they stand.
         boolean sameKind = motion.isOn() == wantedMotion.isOn();
         motion = wantedMotion;
-        World now = world.filter(_ -> sameSky
+        World now = world.filter(before -> sameImages
                         && sameKind
+                        && before.isNear(wanted.camera())
                         && scene.filter(old -> hasSameBodies(old, wanted)).isPresent())
-                .orElseGet(() -> World.of(wanted, sky));
+                .orElseGet(() -> World.of(wanted, new SceneImages(sky, textures.of(wanted))));
         now.setCamera(wanted.camera());
         now.setSettings(wanted.settings().withSize(width, height));
         moving.place(wanted, wantedMotion, now, nanos);
@@ -63,9 +67,9 @@ final class LivingWorld implements AutoCloseable {
         return snapshot;
     }
 
-    /** Why the scene's own sky is not seen, where it is not. */
+    /** Why the scene's own sky, or a texture, is not seen, where it is not. */
     Optional<String> complaint() {
-        return complaint;
+        return complaint.or(textures::complaint);
     }
 
     /** Lets go of what moves the bodies. */

@@ -1,8 +1,11 @@
 package dev.twister.gui.drawing;
 
+import dev.twister.scene.Scene;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
+import dev.twister.sky.TextureReader;
+import dev.twister.world.SceneImages;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -23,26 +26,32 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
 /**
- * The panoramas used last, so that going back to one does not read its file again. Used by any thread; none waits while
- * another one reads a file.
+ * The panoramas used last, so that going back to one does not read its file again, and the textures of the scene that was
+ * opened last. Used by any thread; none waits while another one reads a file.
  */
 public final class SkyShelf {
     private static final int KEPT = 3;
     private static final long ASKED_EVERY_MILLIS = 20;
 
     private final BiFunction<Path, Consumer<String>, Skybox> reader;
+    private final BiFunction<Path, Consumer<String>, Skybox> textureReader;
     private final SequencedMap<Path, Skybox> skies = new LinkedHashMap<>();
     private final Map<Path, Long> editions = new HashMap<>();
     private volatile Optional<Path> beingRead = Optional.empty();
+    private Map<Path, Skybox> textures = Map.of();
+    private long texturesEdition;
     private final Queue<String> warnings = new ConcurrentLinkedQueue<>();
 
     public SkyShelf() {
-        this(SkyboxReader::read);
+        this(SkyboxReader::read, TextureReader::read);
     }
 
-    /** A shelf whose files are read by that. */
-    SkyShelf(BiFunction<Path, Consumer<String>, Skybox> reader) {
+    /** A shelf whose files are read by those. */
+    SkyShelf(
+            BiFunction<Path, Consumer<String>, Skybox> reader,
+            BiFunction<Path, Consumer<String>, Skybox> textureReader) {
         this.reader = reader;
+        this.textureReader = textureReader;
     }
 
     /**
@@ -53,37 +62,37 @@ public final class SkyShelf {
      *     canceled}
      */
     Skybox find(Path file, BooleanSupplier wanted) {
-        return kept(file).orElseGet(() -> keep(file, await(file, wanted)));
+        return kept(file).orElseGet(() -> keep(file, await(file, reader, wanted)));
     }
 
-    /** What a thread waits for in {@link #find}. */
+    /** What a thread waits for in {@link #find} or {@link #texture}. */
     public Optional<Path> beingRead() {
         return beingRead;
     }
 
-    /** Whoever waits in {@link #find} waits no more. */
+    /** Whoever waits in {@link #find} or {@link #texture} waits no more. */
     public void cancel() {
         beingRead = Optional.empty();
     }
 
-    private Skybox await(Path file, BooleanSupplier wanted) {
-        CompletableFuture<Skybox> sky = new CompletableFuture<>();
+    private Skybox await(Path file, BiFunction<Path, Consumer<String>, Skybox> from, BooleanSupplier wanted) {
+        CompletableFuture<Skybox> picture = new CompletableFuture<>();
         beingRead = Optional.of(file);
-        Thread thread = Thread.ofPlatform().daemon().name("sky").start(() -> {
+        Thread thread = Thread.ofPlatform().daemon().name("picture").start(() -> {
             try {
-                sky.complete(reader.apply(file, warnings::add));
+                picture.complete(from.apply(file, warnings::add));
             } catch (RuntimeException | Error problem) {
-                sky.completeExceptionally(problem);
+                picture.completeExceptionally(problem);
             }
         });
         try {
-            while (!sky.isDone()) {
+            while (!picture.isDone()) {
                 if (!wanted.getAsBoolean() || beingRead.isEmpty()) {
                     throw new SkyException(file + ": reading was canceled", new CancellationException());
                 }
-                waitFor(sky);
+                waitFor(picture);
             }
-            return sky.join();
+            return picture.join();
         } catch (CompletionException problem) {
             throw thrown(problem.getCause());
         } finally {
@@ -93,9 +102,9 @@ public final class SkyShelf {
         }
     }
 
-    private static void waitFor(CompletableFuture<Skybox> sky) {
+    private static void waitFor(CompletableFuture<Skybox> picture) {
         try {
-            sky.get(ASKED_EVERY_MILLIS, TimeUnit.MILLISECONDS);
+            picture.get(ASKED_EVERY_MILLIS, TimeUnit.MILLISECONDS);
         } catch (InterruptedException | ExecutionException | TimeoutException _) {
             // Whoever waits looks for itself.
         }
@@ -119,6 +128,50 @@ public final class SkyShelf {
             keep(file, sky);
             editions.merge(file, 1L, Long::sum);
         }
+    }
+
+    /**
+     * Reads a scene's sky and textures anew.
+     *
+     * @throws SkyException as {@link SkyboxReader#read} and {@link SceneImages#textures} do; the textures that were at hand
+     *     stay then
+     */
+    public void refresh(Scene scene) {
+        refresh(scene.skybox());
+        refreshTextures(scene);
+    }
+
+    /**
+     * Reads a scene's textures anew.
+     *
+     * @throws SkyException as {@link SceneImages#textures} does; the textures that were at hand stay then
+     */
+    public void refreshTextures(Scene scene) {
+        Map<Path, Skybox> read = SceneImages.textures(scene, file -> textureReader.apply(file, warnings::add));
+        synchronized (this) {
+            textures = read;
+            texturesEdition++;
+        }
+    }
+
+    /**
+     * The texture of that file: as it was with the scene that was read last, else read now.
+     *
+     * @param wanted asked again and again meanwhile, whether it still is
+     * @throws SkyException as {@link TextureReader#read} does, and where it is not wanted any more or was {@link #cancel
+     *     canceled}
+     */
+    Skybox texture(Path file, BooleanSupplier wanted) {
+        return keptTexture(file).orElseGet(() -> await(file, textureReader, wanted));
+    }
+
+    private synchronized Optional<Skybox> keptTexture(Path file) {
+        return Optional.ofNullable(textures.get(file));
+    }
+
+    /** How often textures were read anew. */
+    synchronized long texturesEdition() {
+        return texturesEdition;
     }
 
     /** What the files that were read since the last call say and is not used; empty where there is nothing. */

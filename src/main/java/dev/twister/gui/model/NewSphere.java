@@ -27,14 +27,14 @@ public final class NewSphere {
         double centerX = input.width() / 2.0;
         double centerY = input.height() / 2.0;
         PointerRay ray = PointerRay.through(input, centerX, centerY);
-        double distance = distance(ray);
-        double y = ray.along(distance, 1);
+        Vector3 free = ray.along(distance(ray));
+        double y = free.y();
         double ground = scene.plane().height();
         boolean above = scene.camera().position().y() >= ground;
         Vector3 center = new Vector3(
-                SceneLimits.POSITION.clamp(ray.along(distance, 0)),
+                SceneLimits.POSITION.clamp(free.x()),
                 SceneLimits.POSITION.clamp(above ? Math.max(y, ground + RADIUS) : Math.min(y, ground - RADIUS)),
-                SceneLimits.POSITION.clamp(ray.along(distance, 2)));
+                SceneLimits.POSITION.clamp(free.z()));
         return Sphere.of(
                 besideOthers(center, scene, above ? 2 * RADIUS : -2 * RADIUS),
                 RADIUS,

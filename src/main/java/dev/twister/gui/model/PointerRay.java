@@ -4,6 +4,8 @@ import dev.twister.engine.HitSearch;
 import dev.twister.kernel.Camera;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
+import dev.twister.scene.Vector3;
+import dev.twister.world.Bodies;
 import dev.twister.world.FrameInput;
 
 /**
@@ -11,9 +13,10 @@ import dev.twister.world.FrameInput;
  *
  * @param path as {@link Camera} starts it, and {@link Hit} has found what it meets
  * @param body what it meets, or {@link Layout#NOTHING}
+ * @param bodies those of the picture
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
-record PointerRay(float[] path, int body) {
+record PointerRay(float[] path, int body, Bodies bodies) {
     /** The ray through x and y, in pixels from the picture's upper left corner. */
     static PointerRay through(FrameInput input, double x, double y) {
         float[] path = new float[Layout.PATH_LENGTH];
@@ -26,11 +29,13 @@ record PointerRay(float[] path, int body) {
         int body = Hit.find(
                 path,
                 input.bodies().places(),
+                input.bodies().looks(),
                 input.bodies().hierarchy(),
                 input.bodyCount(),
                 new float[Layout.SCRATCH_LENGTH],
-                HitSearch.of(input));
-        return new PointerRay(path, body);
+                HitSearch.of(input),
+                input.bodies().materials());
+        return new PointerRay(path, body, input.bodies());
     }
 
     /** Meters to what it meets. */
@@ -43,8 +48,12 @@ record PointerRay(float[] path, int body) {
         return path[Layout.DIRECTION + axis];
     }
 
-    /** One coordinate of the point so many meters along: 0 for x, 1 for y, 2 for z. */
-    double along(double meters, int axis) {
-        return path[Layout.ORIGIN + axis] + meters * direction(axis);
+    /** The point so many meters along, in the scene. */
+    Vector3 along(double meters) {
+        Vector3 origin = bodies.origin();
+        return new Vector3(
+                origin.x() + path[Layout.ORIGIN] + meters * direction(0),
+                origin.y() + path[Layout.ORIGIN + 1] + meters * direction(1),
+                origin.z() + path[Layout.ORIGIN + 2] + meters * direction(2));
     }
 }

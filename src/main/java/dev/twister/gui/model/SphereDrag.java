@@ -21,9 +21,10 @@ public final class SphereDrag {
     /** Takes hold of a body whose centre lies there, at a place on the picture in pixels. */
     public static SphereDrag start(FrameInput input, Vector3 center, double x, double y) {
         float[] camera = input.view().camera();
-        double depth = (center.x() - camera[Layout.CAMERA_POSITION]) * camera[Layout.CAMERA_FORWARD]
-                + (center.y() - camera[Layout.CAMERA_POSITION + 1]) * camera[Layout.CAMERA_FORWARD + 1]
-                + (center.z() - camera[Layout.CAMERA_POSITION + 2]) * camera[Layout.CAMERA_FORWARD + 2];
+        Vector3 seen = input.bodies().seen(center);
+        double depth = (seen.x() - camera[Layout.CAMERA_POSITION]) * camera[Layout.CAMERA_FORWARD]
+                + (seen.y() - camera[Layout.CAMERA_POSITION + 1]) * camera[Layout.CAMERA_FORWARD + 1]
+                + (seen.z() - camera[Layout.CAMERA_POSITION + 2]) * camera[Layout.CAMERA_FORWARD + 2];
         Vector3 held = pointAt(input, depth, x, y);
         return new SphereDrag(depth, new Vector3(center.x() - held.x(), center.y() - held.y(), center.z() - held.z()));
     }
@@ -45,7 +46,6 @@ public final class SphereDrag {
         for (int axis = 0; axis < 3; axis++) {
             forward += ray.direction(axis) * camera[Layout.CAMERA_FORWARD + axis];
         }
-        double distance = depth / forward;
-        return new Vector3(ray.along(distance, 0), ray.along(distance, 1), ray.along(distance, 2));
+        return ray.along(depth / forward);
     }
 }

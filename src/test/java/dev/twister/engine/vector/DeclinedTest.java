@@ -11,6 +11,7 @@ import dev.twister.kernel.Layout;
 import dev.twister.oracle.LitScene;
 import dev.twister.oracle.PictureDifference;
 import dev.twister.oracle.RandomScenes;
+import dev.twister.scene.Camera;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
@@ -29,6 +30,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What lanes decline, the scalar kernel draws: the picture is the same. */
 final class DeclinedTest {
@@ -124,7 +126,7 @@ final class DeclinedTest {
         properties[Layout.TONE_MAP] = 99;
         View view = known.view();
         FrameInput unknown = new FrameInput(
-                new View(view.dimensions(), view.camera(), properties, view.shadowDisc(), view.pixelOffsets()),
+                new View(view.dimensions(), view.camera(), properties, view.shadowDisc(), view.pixelSamples()),
                 known.bodies(),
                 known.panorama());
         Drawing drawing = new Drawing();
@@ -135,6 +137,36 @@ final class DeclinedTest {
         try (Engine vector = VectorEngines.open(2);
                 Engine sequential = Engines.open(JvmEngines.SEQUENTIAL)) {
             assertThat(pixels(vector, unknown)).isEqualTo(pixels(sequential, unknown));
+        }
+    }
+
+    /** Rounding alone would decide, pixel by pixel, whether it is before the camera or around it. */
+    @ParameterizedTest
+    @ValueSource(ints = {128, 256, 512})
+    void sphereThatTheCameraIsOnIsTheSame(int bits) {
+        Random random = new Random(20261125);
+        Scene scene = SceneReader.read(Path.of("scenes", "teaching.json"));
+        try (Engine fewSpheres = WidthLoader.openForCrowds(bits, 2, NEVER_WALK);
+                Engine crowd = WidthLoader.openForCrowds(bits, 2, ALWAYS_WALK);
+                Engine sequential = Engines.open(JvmEngines.SEQUENTIAL)) {
+            for (int i = 0; i < 10; i++) {
+                Vector3 camera = new Vector3(random.nextDouble(), 1 + random.nextDouble(), random.nextDouble() - 8);
+                double x = random.nextDouble();
+                double y = random.nextDouble();
+                double radius = Math.sqrt(x * x + y * y + 1);
+                Sphere sphere = Sphere.of(
+                        new Vector3(camera.x() + x, camera.y() + y, camera.z() + 1), radius, new Rgb(1, 0, 0), 5);
+                Scene seen = scene.withCamera(Camera.of(camera, 0, 0, 90))
+                        .withSpheres(List.of(sphere))
+                        .withSettings(scene.settings().withSize(60, 40).withBounces(1));
+                FrameInput input =
+                        World.of(seen, SkyboxReader.read(seen.skybox())).snapshot();
+                int[] expected = pixels(sequential, input);
+                assertThat(PictureDifference.between(pixels(fewSpheres, input), expected))
+                        .matches(PictureDifference::isWithinBound);
+                assertThat(PictureDifference.between(pixels(crowd, input), expected))
+                        .matches(PictureDifference::isWithinBound);
+            }
         }
     }
 

@@ -36,7 +36,7 @@ class SkyShelfTest {
 
     @Test
     void whatIsNotWantedAnyMoreIsNotWaitedFor() throws InterruptedException {
-        SkyShelf shelf = new SkyShelf(this::readForEver);
+        SkyShelf shelf = new SkyShelf(this::readForEver, this::readForEver);
         AtomicBoolean wanted = new AtomicBoolean(true);
         CompletableFuture<Skybox> found =
                 CompletableFuture.supplyAsync(() -> shelf.find(folder.resolve("slow.hdr"), wanted::get));
@@ -49,8 +49,21 @@ class SkyShelfTest {
     }
 
     @Test
+    void aTextureThatIsNotWantedAnyMoreIsNotWaitedFor() throws InterruptedException {
+        SkyShelf shelf = new SkyShelf(this::readForEver, this::readForEver);
+        AtomicBoolean wanted = new AtomicBoolean(true);
+        CompletableFuture<Skybox> found =
+                CompletableFuture.supplyAsync(() -> shelf.texture(folder.resolve("slow.png"), wanted::get));
+        begun.await();
+        assertThat(shelf.beingRead()).contains(folder.resolve("slow.png"));
+        wanted.set(false);
+        assertThatThrownBy(found::join).hasRootCauseInstanceOf(CancellationException.class);
+        interrupted.join();
+    }
+
+    @Test
     void whatIsCanceledIsNotWaitedFor() throws InterruptedException {
-        SkyShelf shelf = new SkyShelf(this::readForEver);
+        SkyShelf shelf = new SkyShelf(this::readForEver, this::readForEver);
         CompletableFuture<Skybox> found =
                 CompletableFuture.supplyAsync(() -> shelf.find(folder.resolve("slow.hdr"), () -> true));
         begun.await();

@@ -46,6 +46,37 @@ class PickingTest {
     }
 
     @Test
+    void farAwayASphereIsDraggedAndInsertedAsWell() {
+        double far = 900_000;
+        Camera camera = scene.camera();
+        Vector3 up = new Vector3(
+                camera.position().x(),
+                camera.position().y() + far,
+                camera.position().z());
+        Scene moved = scene.withCamera(camera.withPosition(up))
+                .withPlane(scene.plane().withHeight(scene.plane().height() + far));
+        FrameInput there = Scenes.input(moved);
+        Vector3 near = NewSphere.inFrontOf(Scenes.input(scene.withSpheres(List.of())), scene.withSpheres(List.of()))
+                .position();
+        Vector3 inserted = NewSphere.inFrontOf(Scenes.input(moved.withSpheres(List.of())), moved.withSpheres(List.of()))
+                .position();
+        assertThat(inserted.y() - far).isCloseTo(near.y(), within(1e-3));
+        Vector3 center = new Vector3(1, far + 3, 2);
+        Vector3 dragged = SphereDrag.start(there, center, 50, 40).centerAt(there, 50, 40);
+        assertThat(dragged.y()).isCloseTo(center.y(), within(1e-6));
+        assertThat(SphereDrag.start(there, center, 50, 40)
+                                .centerAt(there, 60, 40)
+                                .x()
+                        - dragged.x())
+                .isCloseTo(
+                        SphereDrag.start(input, new Vector3(1, 3, 2), 50, 40)
+                                        .centerAt(input, 60, 40)
+                                        .x()
+                                - 1,
+                        within(1e-3));
+    }
+
+    @Test
     void aSphereEndsAtItsRim() {
         double distance = 10;
         double rim = distance * Math.tan(Math.asin(1.5 / distance));

@@ -4,6 +4,7 @@ import dev.twister.engine.EngineException;
 import dev.twister.engine.HitSearch;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
+import dev.twister.kernel.Layout;
 import dev.twister.kernel.PixelKernel;
 import dev.twister.scene.RenderSettings;
 import dev.twister.world.FrameInput;
@@ -49,7 +50,7 @@ final class DevicePlan implements AutoCloseable {
     private final float[] looks;
     private final float[] hierarchy;
     private final float[] shadowDisc = new float[2 * RenderSettings.MAX_SHADOW_SAMPLES];
-    private final float[] pixelOffsets = new float[2 * RenderSettings.MAX_SAMPLES_PER_PIXEL];
+    private final float[] pixelSamples = new float[Layout.SAMPLE_STRIDE * RenderSettings.MAX_SAMPLES_PER_PIXEL];
     private final TornadoExecutionPlan plan;
     private boolean proven;
     private Copied lastCopied = new Copied(0, 0);
@@ -85,7 +86,7 @@ final class DevicePlan implements AutoCloseable {
                         properties,
                         places,
                         shadowDisc,
-                        pixelOffsets,
+                        pixelSamples,
                         hierarchy)
                 .task(
                         TASK,
@@ -101,10 +102,11 @@ final class DevicePlan implements AutoCloseable {
                         sky,
                         skyDimensions,
                         shadowDisc,
-                        pixelOffsets,
+                        pixelSamples,
                         input.width(),
                         input.rows(),
                         HitSearch.of(input),
+                        input.bodies().materials(),
                         linear ? PixelKernel.LINEAR : PixelKernel.ARGB)
                 .transferToHost(DataTransferMode.EVERY_EXECUTION, linear ? radiance : pixels);
         plan = new TornadoExecutionPlan(graph.snapshot());
@@ -124,6 +126,7 @@ final class DevicePlan implements AutoCloseable {
                 && frame.isLinear() == linear
                 && input.bodies().room() == fixed.bodies().room()
                 && HitSearch.of(input) == HitSearch.of(fixed)
+                && input.bodies().materials() == fixed.bodies().materials()
                 && input.panorama().texels() == fixed.panorama().texels()
                 && input.panorama().dimensions() == fixed.panorama().dimensions()
                 && (sendsLooks() || input.bodies().looks() == fixed.bodies().looks());
@@ -144,7 +147,7 @@ final class DevicePlan implements AutoCloseable {
         put(input.view().camera(), camera);
         put(input.view().properties(), properties);
         put(input.view().shadowDisc(), shadowDisc);
-        put(input.view().pixelOffsets(), pixelOffsets);
+        put(input.view().pixelSamples(), pixelSamples);
         put(input.bodies().places(), places);
         put(input.bodies().hierarchy(), hierarchy);
         if (sendsLooks()) {

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import uk.ac.manchester.tornado.api.TornadoBackend;
 import uk.ac.manchester.tornado.api.TornadoRuntime;
@@ -23,6 +24,8 @@ public final class TornadoEngines implements EngineProvider {
 
     /** Of a terminal: TornadoVM's messages have some. */
     private static final Pattern COLOURS = Pattern.compile("\u001B\\[[0-9;]*m");
+
+    private static final Pattern DRIVER_VERSION = Pattern.compile("^Driver version *: *(\\S.*)$", Pattern.MULTILINE);
 
     private static final Map<String, String> BACKENDS = Map.of("OPENCL", "OpenCL", "METAL", "Metal");
 
@@ -70,7 +73,8 @@ public final class TornadoEngines implements EngineProvider {
                 TornadoDevice device = backend.getDevice(index);
                 String id = MissingTornado.TORNADO + ":" + driver + ":" + index;
                 String name = name(device);
-                offers.add(EngineOffer.working(id, name, DESCRIPTION, () -> new TornadoEngine(id, name, device)));
+                offers.add(EngineOffer.working(id, name, DESCRIPTION, () -> new TornadoEngine(id, name, device))
+                        .withDriver(driverVersion(device.getPhysicalDevice().getDeviceInfo())));
             }
         }
         return offers;
@@ -81,6 +85,12 @@ public final class TornadoEngines implements EngineProvider {
         String backend = device.getTornadoVMBackend().name();
         return device.getPhysicalDevice().getDeviceName().strip() + " (" + BACKENDS.getOrDefault(backend, backend)
                 + ", " + device.getPlatformName().strip() + ")";
+    }
+
+    /** The driver's version in what TornadoVM tells of a device, which has no method for it; empty where it is not there. */
+    static Optional<String> driverVersion(String deviceInfo) {
+        Matcher line = DRIVER_VERSION.matcher(deviceInfo);
+        return line.find() ? Optional.of(line.group(1).strip()) : Optional.empty();
     }
 
     private static EngineOffer impossible(String obstacle) {

@@ -2,13 +2,14 @@ package dev.twister.engine.tornado;
 
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.Material;
 import dev.twister.kernel.PixelKernel;
 import java.util.function.Supplier;
 import uk.ac.manchester.tornado.api.annotations.Parallel;
 
 /** What TornadoVM compiles; public for {@link DeviceClassLoader}. */
 public final class TornadoKernel implements Supplier<DrawTask> {
-    /** Few spheres are fewer, and one leaf: all are remembered, and no node waits. */
+    /** Few plain spheres are fewer, and one leaf: all are remembered, and no node waits. */
     static final int FEW_SCRATCH = Layout.CANDIDATE_STRIDE * 32;
 
     @Override
@@ -23,6 +24,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
      * @param pixels {@code int[width * rows]} where the output is ARGB, else one int
      * @param radiance {@code float[3 * width * rows]} where the output is LINEAR, else one float
      * @param search one of {@link dev.twister.kernel.Hit}'s
+     * @param materials one of {@link Material}'s
      * @param output one of {@link PixelKernel}'s
      */
     static void draw(
@@ -37,15 +39,17 @@ public final class TornadoKernel implements Supplier<DrawTask> {
             float[] sky,
             int[] skyDimensions,
             float[] shadowDisc,
-            float[] pixelOffsets,
+            float[] pixelSamples,
             int width,
             int rows,
             int search,
+            int materials,
             int output) {
         for (@Parallel int row = 0; row < rows; row++) {
             for (@Parallel int column = 0; column < width; column++) {
-                float[] path = new float[Layout.PATH_LENGTH];
-                float[] scratch = new float[search == Hit.ALL ? FEW_SCRATCH : Layout.SCRATCH_LENGTH];
+                float[] path = new float[materials == Material.PLAIN ? Layout.PLAIN_PATH_LENGTH : Layout.PATH_LENGTH];
+                int plainScratch = search == Hit.ALL ? FEW_SCRATCH : Layout.PLAIN_SCRATCH_LENGTH;
+                float[] scratch = new float[materials == Material.PLAIN ? plainScratch : Layout.SCRATCH_LENGTH];
                 PixelKernel.draw(
                         column,
                         row,
@@ -60,10 +64,11 @@ public final class TornadoKernel implements Supplier<DrawTask> {
                         sky,
                         skyDimensions,
                         shadowDisc,
-                        pixelOffsets,
+                        pixelSamples,
                         path,
                         scratch,
                         search,
+                        materials,
                         output);
             }
         }

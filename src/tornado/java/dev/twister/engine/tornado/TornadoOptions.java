@@ -29,6 +29,9 @@ final class TornadoOptions {
                 "-w",
                 "tornado.enable.nativeFunctions",
                 "False",
+                // A fused multiply-add rounds once where the kernel's Java rounds twice; mirrors of mirrors show it.
+                "tornado.enable.fma",
+                "False",
                 // Without these two the kernel's helpers are left out of the device's code.
                 "tornado.compiler.fullInlining",
                 "True",

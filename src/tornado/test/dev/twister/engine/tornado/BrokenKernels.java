@@ -20,10 +20,11 @@ final class BrokenKernels {
             float[] sky,
             int[] skyDimensions,
             float[] shadowDisc,
-            float[] pixelOffsets,
+            float[] pixelSamples,
             int width,
             int rows,
             int search,
+            int materials,
             int output) {
         for (@Parallel int i = 0; i < rows; i++) {
             Point kept = new Point(0, 0);
@@ -49,10 +50,11 @@ final class BrokenKernels {
             float[] sky,
             int[] skyDimensions,
             float[] shadowDisc,
-            float[] pixelOffsets,
+            float[] pixelSamples,
             int width,
             int rows,
             int search,
+            int materials,
             int output) {
         for (@Parallel int i = 0; i < rows; i++) {
             if (i < rows / 2) {

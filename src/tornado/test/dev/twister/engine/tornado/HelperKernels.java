@@ -1,14 +1,17 @@
 package dev.twister.engine.tornado;
 
 import dev.twister.kernel.Camera;
+import dev.twister.kernel.Facet;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Intersection;
 import dev.twister.kernel.KernelMath;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Light;
 import dev.twister.kernel.Material;
+import dev.twister.kernel.Refraction;
 import dev.twister.kernel.Shadow;
 import dev.twister.kernel.Sky;
+import dev.twister.kernel.Texture;
 import dev.twister.kernel.Tone;
 import java.util.function.Supplier;
 import uk.ac.manchester.tornado.api.annotations.Parallel;
@@ -37,6 +40,9 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             case "sky" -> HelperKernels::skyItems;
             case "light" -> HelperKernels::lightItems;
             case "tone" -> HelperKernels::toneItems;
+            case "facet" -> HelperKernels::facetItems;
+            case "refraction" -> HelperKernels::refractionItems;
+            case "texture" -> HelperKernels::textureItems;
             case "shadow" -> HelperKernels::shadowItems;
             default -> throw new IllegalArgumentException(helper);
         };
@@ -102,36 +108,46 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
-    /** Item: origin, direction, the body that the ray leaves, how many bodies. Table: places. */
-    static void hitItems(float[] in, float[] places, float[] hierarchy, float[] c, float[] out, int count) {
+    /** Item: origin, direction, the body that the ray leaves, how many bodies. Tables: places, hierarchy, looks. */
+    static void hitItems(float[] in, float[] places, float[] hierarchy, float[] looks, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             float[] path = new float[Layout.PATH_LENGTH];
-            float[] scratch = new float[Layout.SCRATCH_LENGTH];
+            float[] scratch = new float[Layout.PLAIN_SCRATCH_LENGTH];
             path[Layout.ORIGIN] = in[8 * i];
             path[Layout.ORIGIN + 1] = in[8 * i + 1];
             path[Layout.ORIGIN + 2] = in[8 * i + 2];
             path[Layout.DIRECTION] = in[8 * i + 3];
             path[Layout.DIRECTION + 1] = in[8 * i + 4];
             path[Layout.DIRECTION + 2] = in[8 * i + 5];
-            path[Layout.LEAVING] = in[8 * i + 6];
-            out[2 * i] = Hit.find(path, places, hierarchy, (int) in[8 * i + 7], scratch, Hit.ALL);
+            int leaving = (int) in[8 * i + 6];
+            path[Layout.LEAVING] = leaving;
+            if (leaving >= Layout.FIRST_SPHERE) {
+                float transmission = looks[Layout.LOOK_STRIDE * leaving + Layout.LOOK_TRANSMISSION];
+                path[Layout.INSIDE] = transmission > 0f ? 1f : 0f;
+            }
+            out[2 * i] = Hit.find(path, places, looks, hierarchy, (int) in[8 * i + 7], scratch, Hit.ALL, Material.ANY);
             out[2 * i + 1] = path[Layout.DISTANCE];
         }
     }
 
-    /** The same by the hierarchy. Tables: places, hierarchy. */
-    static void walkItems(float[] in, float[] places, float[] hierarchy, float[] c, float[] out, int count) {
+    /** The same by the hierarchy. */
+    static void walkItems(float[] in, float[] places, float[] hierarchy, float[] looks, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             float[] path = new float[Layout.PATH_LENGTH];
-            float[] scratch = new float[Layout.SCRATCH_LENGTH];
+            float[] scratch = new float[Layout.PLAIN_SCRATCH_LENGTH];
             path[Layout.ORIGIN] = in[8 * i];
             path[Layout.ORIGIN + 1] = in[8 * i + 1];
             path[Layout.ORIGIN + 2] = in[8 * i + 2];
             path[Layout.DIRECTION] = in[8 * i + 3];
             path[Layout.DIRECTION + 1] = in[8 * i + 4];
             path[Layout.DIRECTION + 2] = in[8 * i + 5];
-            path[Layout.LEAVING] = in[8 * i + 6];
-            out[2 * i] = Hit.find(path, places, hierarchy, (int) in[8 * i + 7], scratch, Hit.WALK);
+            int leaving = (int) in[8 * i + 6];
+            path[Layout.LEAVING] = leaving;
+            if (leaving >= Layout.FIRST_SPHERE) {
+                float transmission = looks[Layout.LOOK_STRIDE * leaving + Layout.LOOK_TRANSMISSION];
+                path[Layout.INSIDE] = transmission > 0f ? 1f : 0f;
+            }
+            out[2 * i] = Hit.find(path, places, looks, hierarchy, (int) in[8 * i + 7], scratch, Hit.WALK, Material.ANY);
             out[2 * i + 1] = path[Layout.DISTANCE];
         }
     }
@@ -166,11 +182,48 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
-    /** Item: point, own body, A, D, the disc's radius, samples, the root. Tables: unit disc, hierarchy. */
-    static void shadowItems(float[] in, float[] disc, float[] hierarchy, float[] c, float[] out, int count) {
+    /** Item: direction, normal, roughness, column, row, bounce. Table: one pixel sample. */
+    static void facetItems(float[] in, float[] samples, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             float[] path = new float[Layout.PATH_LENGTH];
-            float[] scratch = new float[Layout.SCRATCH_LENGTH];
+            path[Layout.DIRECTION] = in[10 * i];
+            path[Layout.DIRECTION + 1] = in[10 * i + 1];
+            path[Layout.DIRECTION + 2] = in[10 * i + 2];
+            path[Layout.NORMAL] = in[10 * i + 3];
+            path[Layout.NORMAL + 1] = in[10 * i + 4];
+            path[Layout.NORMAL + 2] = in[10 * i + 5];
+            path[Layout.ROUGHNESS] = in[10 * i + 6];
+            path[Layout.PIXEL_COLUMN] = in[10 * i + 7];
+            path[Layout.PIXEL_ROW] = in[10 * i + 8];
+            Facet.find(path, (int) in[10 * i + 9], samples);
+            out[3 * i] = path[Layout.FACET];
+            out[3 * i + 1] = path[Layout.FACET + 1];
+            out[3 * i + 2] = path[Layout.FACET + 2];
+        }
+    }
+
+    /** Item: two cosines, ratio of indices, roughness. */
+    static void refractionItems(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
+        for (@Parallel int i = 0; i < count; i++) {
+            out[2 * i] = Refraction.reflectance(in[4 * i], in[4 * i + 2]);
+            out[2 * i + 1] = Facet.weight(in[4 * i + 3], in[4 * i], in[4 * i + 1]);
+        }
+    }
+
+    /** Item: column, row, width, height. Table: texels. */
+    static void textureItems(float[] in, float[] texels, float[] b, float[] c, float[] out, int count) {
+        for (@Parallel int i = 0; i < count; i++) {
+            int width = (int) in[4 * i + 2];
+            int height = (int) in[4 * i + 3];
+            out[i] = Texture.color(texels, 3, width, height, in[4 * i], in[4 * i + 1], i % 3);
+        }
+    }
+
+    /** Item: point, own body, A, D, the disc's radius, samples, the root. Tables: unit disc, hierarchy, looks. */
+    static void shadowItems(float[] in, float[] disc, float[] hierarchy, float[] looks, float[] out, int count) {
+        for (@Parallel int i = 0; i < count; i++) {
+            float[] path = new float[Layout.PATH_LENGTH];
+            float[] scratch = new float[Layout.SCRATCH_RAYS];
             float[] places = new float[2 * Layout.PLACE_STRIDE];
             float[] properties = new float[Layout.PROPERTIES_LENGTH];
             path[Layout.POINT] = in[11 * i];
@@ -185,7 +238,16 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             properties[Layout.SHADOW_SAMPLES] = in[11 * i + 9];
             properties[Layout.AMBIENT] = 0f;
             out[i] = Shadow.visible(
-                    path, (int) in[11 * i + 3], properties, places, disc, hierarchy, (int) in[11 * i + 10], scratch);
+                    path,
+                    (int) in[11 * i + 3],
+                    properties,
+                    places,
+                    looks,
+                    disc,
+                    hierarchy,
+                    (int) in[11 * i + 10],
+                    scratch,
+                    Material.ANY);
         }
     }
 }

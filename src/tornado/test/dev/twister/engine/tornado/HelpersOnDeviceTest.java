@@ -21,6 +21,7 @@ import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
 class HelpersOnDeviceTest {
     private static final int ITEMS = 20_000;
     private static final int BODIES = 42;
+    private static final int LOOKS = Layout.LOOK_STRIDE * BODIES;
     private static final int MANY_BODIES = 1000;
     private static final int MOST_SAMPLES = 500;
 
@@ -56,9 +57,12 @@ class HelpersOnDeviceTest {
             new Helper("viewport", 4, 2, 2e-6, 0),
             new Helper("sphere", 7, 1, 2e-4, 20),
             new Helper("plane", 8, 1, 1e-5, 4),
-            new Helper("hit", 8, 2, 1e-3, 20, Layout.PLACE_STRIDE * BODIES, SphereHierarchy.length(BODIES), 1),
-            new Helper("walk", 8, 2, 1e-3, 20, Layout.PLACE_STRIDE * BODIES, SphereHierarchy.length(BODIES), 1),
+            new Helper("hit", 8, 2, 1e-3, 20, Layout.PLACE_STRIDE * BODIES, SphereHierarchy.length(BODIES), LOOKS),
+            new Helper("walk", 8, 2, 1e-3, 20, Layout.PLACE_STRIDE * BODIES, SphereHierarchy.length(BODIES), LOOKS),
             new Helper("sky", 5, 5, 2e-4, 0, 3 * 32 * 16, 1, 1),
+            new Helper("facet", 10, 3, 1e-4, 20, Layout.SAMPLE_STRIDE, 1, 1),
+            new Helper("refraction", 4, 2, 1e-4, 4),
+            new Helper("texture", 4, 1, 1e-5, 0, 3 + 3 * 32 * 16, 1, 1),
             new Helper("light", 6, 3, 1e-4, 0),
             // One step of 255 more or less where the rounding falls between two.
             new Helper("tone", 4, 2, 1e-2, 0));
@@ -101,8 +105,16 @@ class HelpersOnDeviceTest {
     @MethodSource("devices")
     void softShadowsAreTheSameOnTheDevice(TornadoDevice device) throws TornadoExecutionPlanException {
         try (HelperRun run = new HelperRun(
-                "shadow", device, ITEMS / 10, 11, 1, 2 * MOST_SAMPLES, SphereHierarchy.length(MANY_BODIES), 1)) {
+                "shadow",
+                device,
+                ITEMS / 10,
+                11,
+                1,
+                2 * MOST_SAMPLES,
+                SphereHierarchy.length(MANY_BODIES),
+                Layout.LOOK_STRIDE * MANY_BODIES)) {
             Random random = new Random(11);
+            fillTransmissions(run.third, random);
             for (int bodies : new int[] {2, 3, 8, BODIES, MANY_BODIES}) {
                 float[] places = new float[Layout.PLACE_STRIDE * bodies];
                 for (int samples : new int[] {1, 7, 64, MOST_SAMPLES}) {
@@ -171,6 +183,22 @@ class HelpersOnDeviceTest {
                         floats(random.nextInt(BODIES + 1) - 1, BODIES));
             case "sky" ->
                 concat(item % 10 == 0 ? floats(0, item % 20 == 0 ? 1 : -1, 0) : direction(random), floats(32, 16));
+            case "facet" ->
+                concat(
+                        concat(direction(random), direction(random)),
+                        floats(
+                                item % 10 == 0 ? item / 10 % 2 : random.nextDouble(),
+                                random.nextInt(16384),
+                                random.nextInt(16384),
+                                random.nextInt(65)));
+            case "refraction" ->
+                floats(
+                        item % 10 == 0 ? item / 10 % 2 : random.nextDouble(),
+                        random.nextDouble(),
+                        item % 5 == 0 ? 1 : Math.pow(4, spread(random, 1)),
+                        random.nextDouble());
+            case "texture" ->
+                floats(32 * random.nextDouble() - 0.5, item % 7 == 0 ? -0.5 : 16 * random.nextDouble() - 0.5, 32, 16);
             case "light" ->
                 floats(
                         random.nextDouble(),
@@ -214,6 +242,7 @@ class HelpersOnDeviceTest {
         if (run.second.length > 1) {
             fillBodies(run.first, random);
             put(run.second, 0, SphereHierarchy.of(run.first, BODIES, MOST_IN_LEAF));
+            fillTransmissions(run.third, random);
         } else {
             for (int i = 0; i < run.first.length; i++) {
                 run.first[i] = 4 * random.nextFloat();
@@ -225,6 +254,13 @@ class HelpersOnDeviceTest {
         for (int i = 0; i < places.length; i++) {
             boolean isSize = i % Layout.PLACE_STRIDE == Layout.PLACE_SIZE;
             places[i] = isSize ? 0.1f + 2 * random.nextFloat() : (float) spread(random, 10);
+        }
+    }
+
+    /** A third of the spheres is glass. */
+    private static void fillTransmissions(float[] looks, Random random) {
+        for (int look = Layout.LOOK_STRIDE * Layout.FIRST_SPHERE; look < looks.length; look += Layout.LOOK_STRIDE) {
+            looks[look + Layout.LOOK_TRANSMISSION] = Math.max(0, 3 * random.nextFloat() - 2);
         }
     }
 

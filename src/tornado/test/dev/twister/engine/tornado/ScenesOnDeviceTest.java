@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
+import dev.twister.oracle.LitScene;
+import dev.twister.oracle.RandomMaterials;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
@@ -85,6 +87,29 @@ class ScenesOnDeviceTest {
             assertThat(differences)
                     .as("of %d pixels in four pictures", 4 * 64 * 36)
                     .isLessThanOrEqualTo(2);
+        }
+    }
+
+    static Stream<Object[]> randomMaterialsOnDevices() {
+        return Devices.namedOffers().stream()
+                .flatMap(offer -> Stream.of(0, 1, 2, 3).map(seed -> new Object[] {seed, offer}));
+    }
+
+    /** Glass, rough surfaces, textures and lenses, in small pictures of many kinds. */
+    @ParameterizedTest(name = "seed {0} on {1}")
+    @MethodSource("randomMaterialsOnDevices")
+    void randomMaterialsLookTheSame(int seed, EngineOffer offer) {
+        Random random = new Random(200 + seed);
+        try (Engine engine = offer.opener().get()) {
+            int differences = 0;
+            int pixels = 0;
+            for (int scene = 0; scene < 10; scene++) {
+                LitScene lit = RandomMaterials.scene(random, random.nextInt(5));
+                FrameInput input = World.of(lit.scene(), lit.images()).snapshot();
+                differences += Pictures.differences(engine, input);
+                pixels += input.width() * input.rows();
+            }
+            assertThat(differences).as("of %d pixels in ten pictures", pixels).isLessThanOrEqualTo(2 + pixels / 5000);
         }
     }
 

@@ -20,4 +20,14 @@ class TornadoEnginesTest {
         assertThat(TornadoEngines.explain(problem, false))
                 .contains("(IllegalStateException: no platform found)", "Start with scripts/twister");
     }
+
+    @Test
+    void theDriversVersionIsALineOfWhatTornadoTells() {
+        assertThat(TornadoEngines.driverVersion(
+                        "Device version   : OpenCL 3.0\nDriver version   : 3.1+debian \nEndianness: big"))
+                .contains("3.1+debian");
+        assertThat(TornadoEngines.driverVersion("deviceName=a card")).isEmpty();
+        assertThat(TornadoEngines.driverVersion("Driver version   : \nOpenCL C version : 1.2"))
+                .isEmpty();
+    }
 }

@@ -8,11 +8,20 @@ import java.util.function.IntPredicate;
 
 /** What of a frame lanes do not know, and so decline: the scalar kernel draws it. */
 public final class Declined {
-    /** Each point that is shaded is tested against every declined sphere: with more of them, the whole frame is declined. */
+    /** Each point that is shaded is tested against every declined occluder: with more of them, the whole frame is declined. */
     private static final int MOST_OCCLUDERS = 256;
 
     /** The looks that lanes know are the first so many. */
     private static final int KNOWN_LOOKS = Layout.LOOK_REFLECTIVITY + 1;
+
+    /** A camera this near to a surface, in radii, may be inside. */
+    private static final float INSIDE = 1.0001f;
+
+    /**
+     * Of a squared radius: where the square of the camera's distance from the center is as near to it, lanes' distances to the
+     * sphere are above or below 0 by rounding alone.
+     */
+    private static final float ROUNDING = 2e-6f;
 
     private final IntPredicate bodies;
     private final BodyList occluders = new BodyList();
@@ -39,7 +48,31 @@ public final class Declined {
             takeBodies();
         }
         int toneMap = (int) input.view().properties()[Layout.TONE_MAP];
-        frame = toneMap < Tone.CLAMP || toneMap > Tone.ACES || occluders.count > MOST_OCCLUDERS;
+        frame = toneMap < Tone.CLAMP
+                || toneMap > Tone.ACES
+                || occluders.count > MOST_OCCLUDERS
+                || input.view().camera()[Layout.CAMERA_APERTURE] > 0
+                || isCameraInside(input)
+                || isCameraOnASurface(input);
+    }
+
+    private static boolean isCameraOnASurface(FrameInput input) {
+        float[] places = input.bodies().places();
+        float[] camera = input.view().camera();
+        float cameraX = camera[Layout.CAMERA_POSITION];
+        float cameraY = camera[Layout.CAMERA_POSITION + 1];
+        float cameraZ = camera[Layout.CAMERA_POSITION + 2];
+        boolean on = false;
+        int end = Layout.PLACE_STRIDE * input.bodyCount();
+        for (int place = 0; place < end && !on; place += Layout.PLACE_STRIDE) {
+            float x = places[place] - cameraX;
+            float y = places[place + 1] - cameraY;
+            float z = places[place + 2] - cameraZ;
+            float radiusSquared = places[place + Layout.PLACE_SIZE] * places[place + Layout.PLACE_SIZE];
+            on = Math.abs(x * x + y * y + z * z - radiusSquared) <= ROUNDING * radiusSquared
+                    && place != Layout.PLACE_STRIDE * Layout.PLANE;
+        }
+        return on;
     }
 
     private void takeBodies() {
@@ -50,9 +83,11 @@ public final class Declined {
         occluders.clear();
         any = false;
         for (int body = 0; body < count; body++) {
-            declined[body] = bodies.test(body) || hasUnknownLooks(body);
+            boolean transmits = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0;
+            boolean tested = bodies.test(body);
+            declined[body] = tested || hasUnknownLooks(body);
             any |= declined[body];
-            if (declined[body] && body >= Layout.FIRST_SPHERE) {
+            if ((tested || transmits) && body >= Layout.FIRST_SPHERE) {
                 occluders.add(body);
             }
         }
@@ -64,6 +99,24 @@ public final class Declined {
             unknown |= looks[Layout.LOOK_STRIDE * body + look] != 0f;
         }
         return unknown;
+    }
+
+    /** Whether view rays may start inside a body that transmits: lanes do not see it from there. */
+    private boolean isCameraInside(FrameInput input) {
+        float[] camera = input.view().camera();
+        boolean inside = false;
+        for (int k = 0; k < occluders.count; k++) {
+            int body = occluders.bodies[k];
+            float distanceSquared = 0f;
+            for (int axis = 0; axis < 3; axis++) {
+                float away = input.bodies().center(body, axis) - camera[Layout.CAMERA_POSITION + axis];
+                distanceSquared += away * away;
+            }
+            float reach = INSIDE * input.bodies().size(body);
+            inside |=
+                    distanceSquared <= reach * reach && looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0;
+        }
+        return inside;
     }
 
     /** Whether all of the frame is. */
@@ -81,7 +134,7 @@ public final class Declined {
         return declined[body];
     }
 
-    /** The spheres that are. */
+    /** The spheres that lanes cannot shade by. */
     public BodyList occluders() {
         return occluders;
     }

@@ -41,6 +41,11 @@ public final class Drawing {
     public float planeHeight;
     public float planeHalfSide;
 
+    /** The square's center. */
+    public float planeX;
+
+    public float planeZ;
+
     /** The shadow samples' disc: twice the light's radius. */
     public float discRadius;
 
@@ -95,6 +100,8 @@ public final class Drawing {
         ambient = properties[Layout.AMBIENT];
         viewportStep = Camera.step(width, newInput.height());
         planeHeight = newInput.bodies().center(Layout.PLANE, 1);
+        planeX = newInput.bodies().center(Layout.PLANE, 0);
+        planeZ = newInput.bodies().center(Layout.PLANE, 2);
         planeHalfSide = Intersection.PLANE_REACH * newInput.bodies().size(Layout.PLANE);
         discRadius = 2f * newInput.bodies().size(Layout.LIGHT);
         float reach = discRadius * Shadow.RELATIVE_MARGIN;

@@ -92,7 +92,9 @@ public final class Choices {
 
     /** Whether nothing is between a tile's ground and the light. */
     private boolean isLit(Drawing drawing) {
-        boolean lit = drawing.shortcuts.take(Shortcut.OPEN_GROUND) && OpenGround.suits(drawing);
+        boolean lit = drawing.shortcuts.take(Shortcut.OPEN_GROUND)
+                && OpenGround.suits(drawing)
+                && ground.isWithin(OpenGround.REACH);
         if (lit) {
             ground.listTowardsLight(shadows, drawing);
             lit = shadows.tileCandidates.count == 0;

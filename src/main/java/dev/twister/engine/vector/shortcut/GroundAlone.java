@@ -57,13 +57,17 @@ public final class GroundAlone {
         View view = View.PART;
         float within = WITHIN * drawing.planeHalfSide;
         float outside = drawing.planeHalfSide / WITHIN;
-        if (meets && (leastX > outside || mostX < -outside || leastZ > outside || mostZ < -outside)) {
+        float left = leastX - drawing.planeX;
+        float right = mostX - drawing.planeX;
+        float front = leastZ - drawing.planeZ;
+        float back = mostZ - drawing.planeZ;
+        if (meets && (left > outside || right < -outside || front > outside || back < -outside)) {
             view = View.NOTHING;
         } else if (meets
-                && leastX > -within
-                && mostX < within
-                && leastZ > -within
-                && mostZ < within
+                && left > -within
+                && right < within
+                && front > -within
+                && back < within
                 && isWhole(drawing.bodies.reflectivity(Layout.PLANE))) {
             view = View.GROUND;
             ground.startIn(leastX, mostX, drawing.planeHeight, leastZ, mostZ);
@@ -93,11 +97,10 @@ public final class GroundAlone {
             tile.grounds.add(at);
             tile.surfaces.add(at);
             FloatVector along = Lanes.all(down).div(Lanes.load(t, at + Tile.DIRECTION_Y));
-            Lanes.fma(along, Lanes.load(t, at + Tile.DIRECTION_X), Lanes.all(fromX))
-                    .intoArray(t, at + Tile.POINT_X);
+            // Rounded as the kernel's points are: far away, rounding decides which check is met.
+            Lanes.load(t, at + Tile.DIRECTION_X).mul(along).add(fromX).intoArray(t, at + Tile.POINT_X);
             Lanes.all(height).intoArray(t, at + Tile.POINT_Y);
-            Lanes.fma(along, Lanes.load(t, at + Tile.DIRECTION_Z), Lanes.all(fromZ))
-                    .intoArray(t, at + Tile.POINT_Z);
+            Lanes.load(t, at + Tile.DIRECTION_Z).mul(along).add(fromZ).intoArray(t, at + Tile.POINT_Z);
             Lanes.all(Layout.PLANE).intoArray(t, at + Tile.HIT);
             Lanes.all(1f).intoArray(t, at + Tile.THROUGHPUT);
         }

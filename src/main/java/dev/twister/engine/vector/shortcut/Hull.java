@@ -163,6 +163,11 @@ public final class Hull {
         radius = (float) Math.sqrt(halfX * halfX + halfZ * halfZ);
     }
 
+    /** Whether the ball that the region starts in is within so many meters of the origin in x and in z. */
+    boolean isWithin(float meters) {
+        return Math.max(Math.abs(baseX), Math.abs(baseZ)) + radius <= meters;
+    }
+
     /** Holds what another region holds. */
     void hold(Hull other) {
         baseX = other.baseX;

@@ -19,11 +19,17 @@ import jdk.incubator.vector.VectorOperators;
  * division serves it and the light's cosine. All lanes are drawn, those beyond the frame's edge as well.
  */
 public final class OpenGround {
+    /** How far in x and in z, in meters: beyond, this rounding and the kernel's meet other checks in too many pixels. */
+    static final float REACH = 256f;
+
     private OpenGround() {}
+
+    /** In meters: below, products of distances to eye and light may be 0, by which nothing is to be divided. */
+    private static final float LEAST_HEIGHT = 1e-6f;
 
     /** Whether there can be such tiles in a frame: eye and light are above the ground, so that no cosine is below 0. */
     static boolean suits(Drawing drawing) {
-        return eyeHeight(drawing) > 0f && lightHeight(drawing) > 0f;
+        return eyeHeight(drawing) > LEAST_HEIGHT && lightHeight(drawing) > LEAST_HEIGHT;
     }
 
     private static float eyeHeight(Drawing drawing) {
@@ -58,11 +64,11 @@ public final class OpenGround {
     /** Writes where the view rays meet the plane. */
     static void meet(Tile tile, Drawing drawing) {
         float[] camera = drawing.input.view().camera();
-        float[] offsets = drawing.input.view().pixelOffsets();
+        float[] offsets = drawing.input.view().pixelSamples();
         float step = drawing.viewportStep;
-        float u = (tile.left + offsets[2 * tile.sample] - drawing.width * 0.5f) * step;
+        float u = (tile.left + offsets[Layout.SAMPLE_STRIDE * tile.sample] - drawing.width * 0.5f) * step;
         float top = drawing.input.firstRow() + tile.top;
-        float v = (drawing.input.height() * 0.5f - (top + offsets[2 * tile.sample + 1])) * step;
+        float v = (drawing.input.height() * 0.5f - (top + offsets[Layout.SAMPLE_STRIDE * tile.sample + 1])) * step;
         float firstX = CameraLanes.turned(u, v, camera, 0);
         float firstY = CameraLanes.turned(u, v, camera, 1);
         float firstZ = CameraLanes.turned(u, v, camera, 2);

@@ -174,9 +174,10 @@ public final class SkyChart {
 
     /** Has the window take what a covered tile's view rays look at, or their mirror images; tells whether there is room. */
     boolean open(SkyWindow window, Tile tile, Drawing drawing, boolean mirrored) {
-        float[] offsets = drawing.input.view().pixelOffsets();
-        float across = (tile.left - nodes.left + MIDDLE + offsets[2 * tile.sample] - offsets[0]) / stepAcross();
-        float down = (MIDDLE + offsets[2 * tile.sample + 1] - offsets[1]) / stepDown();
+        float[] offsets = drawing.input.view().pixelSamples();
+        float across = (tile.left - nodes.left + MIDDLE + offsets[Layout.SAMPLE_STRIDE * tile.sample] - offsets[0])
+                / stepAcross();
+        float down = (MIDDLE + offsets[Layout.SAMPLE_STRIDE * tile.sample + 1] - offsets[1]) / stepDown();
         float column = value(columnFactors, across, down);
         float row = value(rowFactors, across, down);
         if (mirrored) {
@@ -232,9 +233,9 @@ public final class SkyChart {
     }
 
     private void spread(Drawing drawing, Tile tile, float[] factors, float[] to) {
-        float[] offsets = drawing.input.view().pixelOffsets();
+        float[] offsets = drawing.input.view().pixelSamples();
         float inverse = 1f / stepAcross();
-        float from = (tile.left - nodes.left + offsets[2 * tile.sample] - offsets[0]) * inverse;
+        float from = (tile.left - nodes.left + offsets[Layout.SAMPLE_STRIDE * tile.sample] - offsets[0]) * inverse;
         float[] t = tile.values;
         for (int block = 0; block < BLOCKS_ACROSS; block++) {
             FloatVector across = Lanes.load(t, Tile.PLACE_X + block * Tile.BLOCK)
@@ -256,9 +257,9 @@ public final class SkyChart {
      * @param mirrored whether it is the rays' mirror images in a level plane that look
      */
     void place(Tile tile, Drawing drawing, boolean mirrored) {
-        float[] offsets = drawing.input.view().pixelOffsets();
+        float[] offsets = drawing.input.view().pixelSamples();
         float inverse = 1f / stepDown();
-        float from = (offsets[2 * tile.sample + 1] - offsets[1]) * inverse;
+        float from = (offsets[Layout.SAMPLE_STRIDE * tile.sample + 1] - offsets[1]) * inverse;
         // The rows of a direction and its mirror image are as far from either end.
         float turned = mirrored ? -1f : 1f;
         float end = mirrored ? drawing.sky.height + 1f : 0f;

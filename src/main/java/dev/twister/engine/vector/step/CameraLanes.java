@@ -33,13 +33,13 @@ public final class CameraLanes {
     /** The rays' directions, through the current samples. */
     public static void aim(Tile tile, Drawing drawing) {
         float[] camera = drawing.input.view().camera();
-        float[] offsets = drawing.input.view().pixelOffsets();
+        float[] offsets = drawing.input.view().pixelSamples();
         float step = drawing.viewportStep;
         float left = tile.left;
-        float fromLeft = offsets[2 * tile.sample];
+        float fromLeft = offsets[Layout.SAMPLE_STRIDE * tile.sample];
         float middleX = drawing.width * 0.5f;
         float top = drawing.input.firstRow() + tile.top;
-        float fromTop = offsets[2 * tile.sample + 1];
+        float fromTop = offsets[Layout.SAMPLE_STRIDE * tile.sample + 1];
         float middleY = drawing.input.height() * 0.5f;
         float eye = camera[Layout.CAMERA_EYE_DISTANCE];
         float forwardX = eye * camera[Layout.CAMERA_FORWARD];

@@ -1,5 +1,6 @@
 package dev.twister.engine.vector.step;
 
+import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.kernel.Layout;
@@ -15,7 +16,11 @@ public final class GroundHit {
      * Mends the hits and distances where the plane is closer. A level ray's distance is infinite or not a number, and
      * fails every comparison.
      */
-    public static void find(Tile tile, float height, float halfSide) {
+    public static void find(Tile tile, Drawing drawing) {
+        float height = drawing.planeHeight;
+        float halfSide = drawing.planeHalfSide;
+        float centerX = drawing.planeX;
+        float centerZ = drawing.planeZ;
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
@@ -30,8 +35,8 @@ public final class GroundHit {
             VectorMask<Float> met = along.compare(VectorOperators.LT, closest)
                     .or(tie)
                     .and(along.compare(VectorOperators.GT, 0f))
-                    .and(x.abs().compare(VectorOperators.LE, halfSide))
-                    .and(z.abs().compare(VectorOperators.LE, halfSide))
+                    .and(x.sub(centerX).abs().compare(VectorOperators.LE, halfSide))
+                    .and(z.sub(centerZ).abs().compare(VectorOperators.LE, halfSide))
                     .and(Lanes.load(t, at + Tile.LEAVING).compare(VectorOperators.NE, Layout.PLANE));
             closest.blend(along, met).intoArray(t, at + Tile.DISTANCE);
             hit.blend(Layout.PLANE, met).intoArray(t, at + Tile.HIT);

@@ -1,0 +1,116 @@
+package dev.twister.bench;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineException;
+import dev.twister.engine.EngineOffer;
+import dev.twister.engine.Engines;
+import dev.twister.image.Frame;
+import dev.twister.image.PictureSize;
+import dev.twister.world.FrameInput;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** Holds engines to the reference's pictures of several scenes, and measures each in one of them. */
+public final class DeviceCheck {
+    private static final double NANOS_PER_SECOND = 1e9;
+
+    private final DeviceCheckPlan plan;
+    private final CheckedScene timed;
+    private final List<Reference> references = new ArrayList<>();
+
+    /** A scene's picture as it must be; the input stays the same while the world's settings are others for what is measured. */
+    private record Reference(String scene, FrameInput input, Frame picture) {}
+
+    /**
+     * Draws the reference's pictures.
+     *
+     * @param scenes at least one
+     * @param timed the one that is measured
+     * @throws EngineException where the reference cannot be drawn
+     */
+    public DeviceCheck(DeviceCheckPlan plan, List<CheckedScene> scenes, CheckedScene timed) {
+        this.plan = plan;
+        this.timed = timed;
+        try (Engine engine = Engines.open(Benchmark.REFERENCE)) {
+            for (CheckedScene scene : scenes) {
+                FrameInput input = input(scene, plan.pictureSize());
+                references.add(new Reference(scene.name(), input, draw(engine, input)));
+            }
+        }
+    }
+
+    /** Checks an engine; one that fails is in the answer with the reason. */
+    public CheckedEngine check(EngineOffer offer, BenchmarkProgress progress) {
+        Optional<Double> compileSeconds = Optional.empty();
+        List<CheckedPicture> pictures = new ArrayList<>();
+        Optional<BenchmarkReport> measured = Optional.empty();
+        Optional<String> failure = Optional.empty();
+        if (offer.works()) {
+            try {
+                compileSeconds = drawScenes(offer, pictures, progress);
+                measured = Optional.of(measure(offer, progress));
+                failure = measured.get().failures().stream()
+                        .map(EngineFailure::message)
+                        .findFirst();
+            } catch (EngineException e) {
+                failure = Optional.of(e.getMessage());
+            } catch (OutOfMemoryError _) {
+                failure = Optional.of(EngineFailure.outOfMemory());
+            }
+        }
+        return new CheckedEngine(
+                offer.id(),
+                offer.device(),
+                offer.driver(),
+                compileSeconds,
+                pictures,
+                measured,
+                offer.obstacle(),
+                failure);
+    }
+
+    /** Adds the scenes' pictures, and returns how long a device's compiler took. */
+    private Optional<Double> drawScenes(EngineOffer offer, List<CheckedPicture> pictures, BenchmarkProgress progress) {
+        Optional<Double> compileSeconds = Optional.empty();
+        try (Engine engine = offer.opener().get()) {
+            for (Reference reference : references) {
+                progress.begins(offer.id() + " " + reference.scene(), plan.pictureSize(), 1);
+                Frame frame = draw(engine, reference.input());
+                if (pictures.isEmpty() && Engines.isDevice(offer.id())) {
+                    compileSeconds = Optional.of(secondsBeyond(frame, draw(engine, reference.input())));
+                }
+                pictures.add(new CheckedPicture(
+                        reference.scene(),
+                        PictureComparison.of(reference.picture().argb(), frame.argb())));
+                progress.drewFrame();
+            }
+        }
+        return compileSeconds;
+    }
+
+    private static double secondsBeyond(Frame first, Frame second) {
+        return Math.max(0, first.times().totalNanos() - second.times().totalNanos()) / NANOS_PER_SECOND;
+    }
+
+    private BenchmarkReport measure(EngineOffer offer, BenchmarkProgress progress) {
+        return Benchmark.run(
+                id -> id.equals(offer.id()) ? offer.opener().get() : Engines.open(id),
+                plan.timed(offer.id()),
+                timed.name(),
+                timed.world(),
+                Optional.empty(),
+                progress);
+    }
+
+    private static FrameInput input(CheckedScene scene, PictureSize size) {
+        scene.world().setSettings(scene.world().settings().withSize(size.width(), size.height()));
+        return scene.world().snapshot();
+    }
+
+    private static Frame draw(Engine engine, FrameInput input) {
+        Frame frame = Frame.ofPixels(input.width(), input.height());
+        engine.render(input, frame);
+        return frame;
+    }
+}

@@ -1,0 +1,63 @@
+package dev.twister.cli;
+
+import dev.twister.bench.CheckedEngine;
+import dev.twister.bench.CheckedScene;
+import dev.twister.bench.DeviceCheck;
+import dev.twister.bench.DeviceCheckJson;
+import dev.twister.bench.DeviceCheckPlan;
+import dev.twister.bench.DeviceCheckTable;
+import dev.twister.engine.EngineOffer;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneReader;
+import dev.twister.world.World;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** {@code twister devices --check}: a table of engines, a row as soon as each is done. */
+record DeviceChecking(DeviceCheckPlan plan, PrintWriter out, PrintWriter err) {
+    private static final String TIMED_SCENE = "benchmark";
+
+    /**
+     * Checks the engines in all shipped scenes.
+     *
+     * @return whether all that work here drew what they must
+     */
+    boolean run(List<EngineOffer> offers, Optional<Path> json) throws IOException {
+        if (json.isPresent()) {
+            OutputFile.check("--json", json.get());
+        }
+        List<CheckedScene> scenes = new ArrayList<>();
+        for (String name : SceneFiles.shipped()) {
+            scenes.add(read(name));
+        }
+        CheckedScene timed = read(TIMED_SCENE);
+        DeviceCheckTable table = new DeviceCheckTable(plan, offers);
+        out.println(table.heading(scenes, timed));
+        DeviceCheck check = new DeviceCheck(plan, scenes, timed);
+        List<CheckedEngine> checked = new ArrayList<>();
+        for (EngineOffer offer : offers) {
+            CheckedEngine engine = check(check, offer, scenes.size());
+            out.println(table.row(engine));
+            checked.add(engine);
+        }
+        if (json.isPresent()) {
+            DeviceCheckJson.write(plan, checked, json.get());
+        }
+        return checked.stream().allMatch(CheckedEngine::passed);
+    }
+
+    private CheckedEngine check(DeviceCheck check, EngineOffer offer, int scenes) {
+        try (ProgressLine line = ProgressLine.start(err, "check", plan.framesEach(scenes))) {
+            return check.check(offer, new BenchmarkBar(line));
+        }
+    }
+
+    private CheckedScene read(String name) {
+        Scene scene = SceneReader.read(SceneFiles.find(name));
+        return new CheckedScene(name, World.of(scene, SkyFiles.read(scene.skybox(), err)));
+    }
+}

@@ -1,0 +1,72 @@
+package dev.twister.gui.drawing;
+
+import dev.twister.scene.Scene;
+import dev.twister.sky.SkyException;
+import dev.twister.sky.Skybox;
+import dev.twister.world.SceneImages;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+
+/** The textures of the scene that is being drawn. Used by the drawing thread alone. */
+final class LivingTextures {
+    /** Leaves colors as they are. */
+    private static final Skybox WHITE = new Skybox(1, 1, new float[] {1, 1, 1});
+
+    private final SkyShelf shelf;
+    private final Supplier<Optional<Scene>> newest;
+    private final Map<Path, String> complaints = new TreeMap<>();
+    private Map<Path, Skybox> held = Map.of();
+    private long edition;
+
+    /**
+     * No textures.
+     *
+     * @param newest the scene that is asked for by now; empty where none is
+     */
+    LivingTextures(SkyShelf shelf, Supplier<Optional<Scene>> newest) {
+        this.shelf = shelf;
+        this.newest = newest;
+    }
+
+    /** Whether files may have changed since {@link #of} was asked. */
+    boolean areOld() {
+        return edition != shelf.texturesEdition();
+    }
+
+    /** A scene's textures by their files; white where one cannot be read. */
+    Map<Path, Skybox> of(Scene scene) {
+        if (areOld()) {
+            edition = shelf.texturesEdition();
+            held = Map.of();
+        }
+        Map<Path, Skybox> before = held;
+        held = SceneImages.textures(
+                scene, file -> Optional.ofNullable(before.get(file)).orElseGet(() -> read(file)));
+        complaints.keySet().retainAll(held.keySet());
+        return held;
+    }
+
+    /** Why a texture is not seen, where one is not. */
+    Optional<String> complaint() {
+        return complaints.values().stream().findFirst();
+    }
+
+    private Skybox read(Path file) {
+        complaints.remove(file);
+        try {
+            return shelf.texture(
+                    file,
+                    () -> newest.get()
+                            .filter(now -> now.textures().containsKey(file))
+                            .isPresent());
+        } catch (SkyException problem) {
+            complaints.put(file, problem.getMessage());
+        } catch (OutOfMemoryError _) {
+            complaints.put(file, file + ": there is not enough memory for this texture");
+        }
+        return WHITE;
+    }
+}

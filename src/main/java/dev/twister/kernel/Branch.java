@@ -1,0 +1,168 @@
+package dev.twister.kernel;
+
+/** The rays that go on from a surface of any material: Whitted's tree, of which the path is one branch and others wait. */
+public final class Branch {
+    /** A branch that begins at a body that transmits ends where its throughput is smaller. */
+    public static final float LEAST_THROUGHPUT = 1f / 1024f;
+
+    private Branch() {}
+
+    /**
+     * Turns the path's ray into the reflected or the refracted one; where both go on, the fainter, while the other waits.
+     * The throughput is 0 where none goes on.
+     *
+     * @param path {@link Layout#PATH_LENGTH} floats, with {@link Layout#FACET}
+     * @param body that the ray has met
+     * @param bounce how many surfaces the path has left before
+     * @param mirror m in [0, 1]
+     * @param transmission t in [0, 1]
+     * @param lit in [0, 1]
+     * @param scratch {@link Layout#SCRATCH_LENGTH} floats
+     * @param waiting how many rays wait
+     * @return how many rays wait now
+     */
+    static int split(
+            float[] path,
+            int body,
+            int bounce,
+            float mirror,
+            float transmission,
+            float lit,
+            float[] scratch,
+            int waiting) {
+        float facing = Facet.directionDot(path, Layout.NORMAL) > 0f ? -1f : 1f;
+        float cosineIn = Math.abs(Facet.directionDot(path, Layout.NORMAL));
+        float cosine = Math.min(Math.max(-Facet.directionDot(path, Layout.FACET), 0f), 1f);
+        int inside = (int) path[Layout.FROM_INSIDE];
+        float ratio = 1f;
+        float reflectance = 0f;
+        if (transmission > 0f) {
+            ratio = inside != 0 ? path[Layout.IOR] : 1f / path[Layout.IOR];
+            reflectance = Refraction.reflectance(cosine, ratio);
+        }
+        float passing = (1f - mirror) * transmission;
+        float reflectedX = path[Layout.DIRECTION] + 2f * cosine * path[Layout.FACET];
+        float reflectedY = path[Layout.DIRECTION + 1] + 2f * cosine * path[Layout.FACET + 1];
+        float reflectedZ = path[Layout.DIRECTION + 2] + 2f * cosine * path[Layout.FACET + 2];
+        float cosineReflected = facing * dot(path, Layout.NORMAL, reflectedX, reflectedY, reflectedZ);
+        float reflected = weighted(path, mirror * lit + passing * reflectance, cosineIn, cosineReflected);
+        float refracted = passing * (1f - reflectance);
+        float refractedX = 0f;
+        float refractedY = 0f;
+        float refractedZ = 0f;
+        if (refracted > 0f) {
+            // Without an inside, the plane is as thin as a sheet: what passes it is what it reflects, on its other
+            // side.
+            int sheet = body == Layout.PLANE ? 1 : 0;
+            float along = Refraction.along(cosine, ratio);
+            float mirrored = -2f * facing * cosineReflected;
+            refractedX = sheet != 0
+                    ? reflectedX + mirrored * path[Layout.NORMAL]
+                    : ratio * path[Layout.DIRECTION] + along * path[Layout.FACET];
+            refractedY = sheet != 0
+                    ? reflectedY + mirrored * path[Layout.NORMAL + 1]
+                    : ratio * path[Layout.DIRECTION + 1] + along * path[Layout.FACET + 1];
+            refractedZ = sheet != 0
+                    ? reflectedZ + mirrored * path[Layout.NORMAL + 2]
+                    : ratio * path[Layout.DIRECTION + 2] + along * path[Layout.FACET + 2];
+            refracted = weighted(
+                    path, refracted, cosineIn, -facing * dot(path, Layout.NORMAL, refractedX, refractedY, refractedZ));
+        }
+        float least = transmission > 0f ? LEAST_THROUGHPUT : 0f;
+        float strongest = strongest(path, 1f, 1f, 1f) * reflected;
+        float strongestPassed =
+                strongest(path, path[Layout.ALBEDO], path[Layout.ALBEDO + 1], path[Layout.ALBEDO + 2]) * refracted;
+        strongest = strongest < least ? 0f : strongest;
+        strongestPassed = strongestPassed < least ? 0f : strongestPassed;
+        int both = (strongest > 0f ? 1 : 0) & (strongestPassed > 0f ? 1 : 0);
+        int passesFirst = strongestPassed > 0f ? 1 : 0;
+        passesFirst = both != 0 ? (strongestPassed < strongest ? 1 : 0) : passesFirst;
+        int refractedInside = body == Layout.PLANE ? 0 : 1 - inside;
+        int first = Layout.SCRATCH_RAYS + Layout.RAY_STRIDE * waiting;
+        if (both != 0) {
+            int passes = 1 - passesFirst;
+            start(
+                    scratch,
+                    first,
+                    path,
+                    body,
+                    passes != 0 ? refractedInside : inside,
+                    passes != 0 ? refractedX : reflectedX,
+                    passes != 0 ? refractedY : reflectedY,
+                    passes != 0 ? refractedZ : reflectedZ,
+                    passes,
+                    passes != 0 ? refracted : reflected);
+            scratch[first + Layout.RAY_BOUNCE] = bounce + 1;
+        }
+        float none = strongest > 0f ? reflected : 0f;
+        start(
+                path,
+                0,
+                path,
+                body,
+                passesFirst != 0 ? refractedInside : inside,
+                passesFirst != 0 ? refractedX : reflectedX,
+                passesFirst != 0 ? refractedY : reflectedY,
+                passesFirst != 0 ? refractedZ : reflectedZ,
+                passesFirst,
+                passesFirst != 0 ? refracted : none);
+        return waiting + both;
+    }
+
+    /** Goes on with the ray that began to wait last. */
+    static void resume(float[] path, float[] scratch, int waiting) {
+        int first = Layout.SCRATCH_RAYS + Layout.RAY_STRIDE * (waiting - 1);
+        for (int i = 0; i < Layout.RAY_BOUNCE; i++) {
+            path[i] = scratch[first + i];
+        }
+    }
+
+    /**
+     * Starts a ray at the path's point, in the first floats of an array of the path's layout.
+     *
+     * @param passes 1 where it takes the body's color, else 0
+     * @param part of the path's throughput
+     */
+    private static void start(
+            float[] ray,
+            int first,
+            float[] path,
+            int body,
+            int inside,
+            float x,
+            float y,
+            float z,
+            int passes,
+            float part) {
+        float inverse = KernelMath.inverseRoot(x * x + y * y + z * z);
+        ray[first + Layout.DIRECTION] = x * inverse;
+        ray[first + Layout.DIRECTION + 1] = y * inverse;
+        ray[first + Layout.DIRECTION + 2] = z * inverse;
+        for (int i = 0; i < 3; i++) {
+            ray[first + Layout.ORIGIN + i] = path[Layout.POINT + i];
+            ray[first + Layout.THROUGHPUT + i] =
+                    path[Layout.THROUGHPUT + i] * part * (passes != 0 ? path[Layout.ALBEDO + i] : 1f);
+        }
+        ray[first + Layout.LEAVING] = body;
+        ray[first + Layout.INSIDE] = inside;
+    }
+
+    /** A part of the light as a rough surface passes it on; nothing goes to the wrong side. */
+    private static float weighted(float[] path, float part, float cosineIn, float cosineOut) {
+        float weighted = part;
+        if (path[Layout.ROUGHNESS] > 0f) {
+            weighted = cosineOut > 0f ? part * Facet.weight(path[Layout.ROUGHNESS], cosineIn, cosineOut) : 0f;
+        }
+        return weighted;
+    }
+
+    private static float strongest(float[] path, float red, float green, float blue) {
+        return Math.max(
+                Math.max(path[Layout.THROUGHPUT] * red, path[Layout.THROUGHPUT + 1] * green),
+                path[Layout.THROUGHPUT + 2] * blue);
+    }
+
+    private static float dot(float[] path, int vector, float x, float y, float z) {
+        return path[vector] * x + path[vector + 1] * y + path[vector + 2] * z;
+    }
+}

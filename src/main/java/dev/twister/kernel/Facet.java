@@ -1,0 +1,89 @@
+package dev.twister.kernel;
+
+/**
+ * A rough surface's facets: GGX with alpha the roughness squared, sampled from the normals that are visible (Dupuy and
+ * Benyoub, "Sampling Visible GGX Normals with Spherical Caps", 2023).
+ */
+public final class Facet {
+    private Facet() {}
+
+    /**
+     * Writes the normal of the facet that the path's ray meets, turned against the ray. A smooth surface is its own facet.
+     *
+     * @param path {@link Layout#PATH_LENGTH} floats
+     * @param bounce how many surfaces the path has left before
+     * @param pixelSamples {@link Layout#SAMPLE_STRIDE} floats a sample
+     */
+    public static void find(float[] path, int bounce, float[] pixelSamples) {
+        float side = directionDot(path, Layout.NORMAL) > 0f ? -1f : 1f;
+        path[Layout.FACET] = side * path[Layout.NORMAL];
+        path[Layout.FACET + 1] = side * path[Layout.NORMAL + 1];
+        path[Layout.FACET + 2] = side * path[Layout.NORMAL + 2];
+        if (path[Layout.ROUGHNESS] > 0f) {
+            int place = Noise.surface(bounce);
+            sample(path, Noise.number(path, pixelSamples, place), Noise.number(path, pixelSamples, place + 1));
+        }
+    }
+
+    /** Tilts the facet, which is the surface's normal so far, by two numbers in [0, 1). */
+    private static void sample(float[] path, float first, float second) {
+        float alpha = path[Layout.ROUGHNESS] * path[Layout.ROUGHNESS];
+        float normalX = path[Layout.FACET];
+        float normalY = path[Layout.FACET + 1];
+        float normalZ = path[Layout.FACET + 2];
+        // An orthonormal basis without a special case but for the sign (Duff et al. 2017).
+        float sign = normalZ < 0f ? -1f : 1f;
+        float a = -1f / (sign + normalZ);
+        float b = normalX * normalY * a;
+        float tangentX = 1f + sign * normalX * normalX * a;
+        float tangentY = sign * b;
+        float tangentZ = -sign * normalX;
+        float crossX = b;
+        float crossY = sign + normalY * normalY * a;
+        float crossZ = -normalY;
+        float viewX = -path[Layout.DIRECTION];
+        float viewY = -path[Layout.DIRECTION + 1];
+        float viewZ = -path[Layout.DIRECTION + 2];
+        float x = alpha * (viewX * tangentX + viewY * tangentY + viewZ * tangentZ);
+        float y = alpha * (viewX * crossX + viewY * crossY + viewZ * crossZ);
+        float z = Math.max(viewX * normalX + viewY * normalY + viewZ * normalZ, 0f);
+        float inverse = KernelMath.inverseRoot(x * x + y * y + z * z);
+        x = x * inverse;
+        y = y * inverse;
+        z = z * inverse;
+        float height = (1f - second) * (1f + z) - z;
+        float radius = (float) Math.sqrt(Math.min(Math.max(1f - height * height, 0f), 1f));
+        x = alpha * (x + radius * KernelMath.cosineOfTurns(first));
+        y = alpha * (y + radius * KernelMath.sineOfTurns(first));
+        z = z + height;
+        inverse = KernelMath.inverseRoot(x * x + y * y + z * z);
+        path[Layout.FACET] = (x * tangentX + y * crossX + z * normalX) * inverse;
+        path[Layout.FACET + 1] = (x * tangentY + y * crossY + z * normalY) * inverse;
+        path[Layout.FACET + 2] = (x * tangentZ + y * crossZ + z * normalZ) * inverse;
+    }
+
+    /**
+     * G2 / G1 of Smith's height-correlated masking and shadowing: what part of the sampled light leaves the surface.
+     *
+     * @param roughness in [0, 1]
+     * @param cosineIn against the normal, of the way that the ray came
+     * @param cosineOut against the normal, of the way that it goes on; both not less than 0
+     */
+    public static float weight(float roughness, float cosineIn, float cosineOut) {
+        float alpha = roughness * roughness;
+        float in = 1f + lambda(alpha, cosineIn);
+        return in / (in + lambda(alpha, cosineOut));
+    }
+
+    private static float lambda(float alpha, float cosine) {
+        float squared = Math.max(cosine * cosine, 1e-12f);
+        return 0.5f * (float) Math.sqrt(1f + alpha * alpha * (1f - Math.min(squared, 1f)) / squared) - 0.5f;
+    }
+
+    /** The ray's direction times a vector at that place of the path. */
+    static float directionDot(float[] path, int vector) {
+        return path[Layout.DIRECTION] * path[vector]
+                + path[Layout.DIRECTION + 1] * path[vector + 1]
+                + path[Layout.DIRECTION + 2] * path[vector + 2];
+    }
+}

@@ -1,0 +1,66 @@
+package dev.twister.kernel;
+
+/** A picture on a body, bilinear between texel centers, that multiplies its color. */
+public final class Texture {
+    private Texture() {}
+
+    /**
+     * Multiplies the albedo at {@link Layout#POINT}. A sphere's picture goes around it once, so that writing reads from outside;
+     * the plane's repeats every meter, its upper edge away from a camera that looks along z.
+     *
+     * @param path {@link Layout#PATH_LENGTH} floats, its normal outward
+     * @param body the plane or a sphere
+     * @param texture its number, from 1 on
+     * @param sky the panorama's texels, then those of the textures
+     * @param skyDimensions with those of the textures
+     */
+    static void multiply(float[] path, int body, int texture, float[] sky, int[] skyDimensions) {
+        int at = Layout.SKY_DIMENSIONS_LENGTH + Layout.TEXTURE_STRIDE * (texture - 1);
+        int start = skyDimensions[at + Layout.TEXTURE_START];
+        int width = skyDimensions[at + Layout.TEXTURE_WIDTH];
+        int height = skyDimensions[at + Layout.TEXTURE_HEIGHT];
+        float normalX = path[Layout.NORMAL];
+        float normalY = path[Layout.NORMAL + 1];
+        float normalZ = path[Layout.NORMAL + 2];
+        int plane = body == Layout.PLANE ? 1 : 0;
+        float column =
+                plane != 0 ? fraction(path[Layout.POINT]) * width - 0.5f : Sky.column(normalX, -normalZ, 0f, width);
+        float row = plane != 0
+                ? fraction(-path[Layout.POINT + 2]) * height - 0.5f
+                : Sky.row(normalX, normalY, normalZ, height);
+        for (int channel = 0; channel < 3; channel++) {
+            path[Layout.ALBEDO + channel] =
+                    path[Layout.ALBEDO + channel] * color(sky, start, width, height, column, row, channel);
+        }
+    }
+
+    private static float fraction(float x) {
+        return x - KernelMath.floor(x);
+    }
+
+    /**
+     * One channel (0 red, 1 green, 2 blue), repeating beyond the borders.
+     *
+     * @param start where in the array the first texel is
+     * @param column from the first texel's center, in [-0.5, width - 0.5]
+     * @param row in [-0.5, height - 0.5]
+     */
+    public static float color(float[] texels, int start, int width, int height, float column, float row, int channel) {
+        int left = KernelMath.floor(column);
+        int top = KernelMath.floor(row);
+        float toRight = column - left;
+        float toBottom = row - top;
+        int wrappedLeft = left < 0 ? width - 1 : Math.min(left, width - 1);
+        int wrappedRight = left + 1 >= width ? 0 : left + 1;
+        int wrappedTop = top < 0 ? height - 1 : Math.min(top, height - 1);
+        int wrappedBottom = top + 1 >= height ? 0 : top + 1;
+        int first = start + channel;
+        float topLeft = texels[first + 3 * (wrappedTop * width + wrappedLeft)];
+        float topRight = texels[first + 3 * (wrappedTop * width + wrappedRight)];
+        float bottomLeft = texels[first + 3 * (wrappedBottom * width + wrappedLeft)];
+        float bottomRight = texels[first + 3 * (wrappedBottom * width + wrappedRight)];
+        float upper = topLeft + (topRight - topLeft) * toRight;
+        float lower = bottomLeft + (bottomRight - bottomLeft) * toRight;
+        return upper + (lower - upper) * toBottom;
+    }
+}

@@ -1,0 +1,32 @@
+package dev.twister.scene;
+
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.SequencedMap;
+
+/** Which textures a scene has, and where its file first names them. */
+final class TexturePlaces {
+    private static final JsonPath ROOT = new JsonPath.Root();
+
+    private final SequencedMap<Path, String> placeByFile = new LinkedHashMap<>();
+
+    private TexturePlaces() {}
+
+    static SequencedMap<Path, String> of(Scene scene) {
+        TexturePlaces places = new TexturePlaces();
+        JsonPath materials = new JsonPath.Field(ROOT, "materials");
+        scene.materials().forEach((name, material) -> places.add(material, new JsonPath.Field(materials, name)));
+        places.add(scene.plane().material(), new JsonPath.Field(ROOT, "plane"));
+        scene.pour().ifPresent(pour -> places.add(pour.material(), new JsonPath.Field(ROOT, "pour")));
+        JsonPath spheres = new JsonPath.Field(ROOT, "spheres");
+        for (int i = 0; i < scene.spheres().size(); i++) {
+            places.add(scene.spheres().get(i).material(), new JsonPath.Item(spheres, i));
+        }
+        return places.placeByFile;
+    }
+
+    private void add(Material material, JsonPath body) {
+        material.texture()
+                .ifPresent(file -> placeByFile.putIfAbsent(file, new JsonPath.Field(body, "texture").toString()));
+    }
+}

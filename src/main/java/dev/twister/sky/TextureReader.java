@@ -1,0 +1,31 @@
+package dev.twister.sky;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.function.Consumer;
+
+/** Reads textures: PNG and JPEG pictures, told apart by their first bytes, whatever their names end in. */
+public final class TextureReader {
+    private TextureReader() {}
+
+    /**
+     * Reads a texture as {@link SkyboxReader#read(Path, Consumer)} reads panoramas, with the same limits. Radiance pictures
+     * are refused: what a color is multiplied by is at most 1.
+     *
+     * @param file a file of the default file system
+     * @param warnings told of what the file says and is not used; one line each that names the file
+     * @return linear values in [0, 1], rows from the top
+     * @throws SkyException where there is no such file, it is not a picture of these kinds, is damaged or too large
+     */
+    public static Skybox read(Path file, Consumer<String> warnings) {
+        return SkyboxReader.read(file, warnings, TextureReader::decode);
+    }
+
+    private static Skybox decode(FileBytes file, Consumer<String> warnings) throws IOException {
+        if (RadianceHeader.startsIn(file)) {
+            throw new IOException("a Radiance picture, but a texture must be PNG or JPEG");
+        }
+        return SkyboxReader.decodeOrdinary(file, warnings)
+                .orElseThrow(() -> SkyboxReader.unknown(file, "texture", "PNG and JPEG"));
+    }
+}

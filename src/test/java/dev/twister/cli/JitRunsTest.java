@@ -1,0 +1,43 @@
+package dev.twister.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class JitRunsTest {
+    @TempDir
+    private Path folder;
+
+    @Test
+    void theChildIsToldAllButTheCompilersAndTheReport() {
+        JitRuns runs = new JitRuns(List.of(
+                "benchmark", "--jit", "c2", "--jit=graal", "--json", "--jit", "--quick", "--json=a", "mirrors"));
+
+        assertThat(runs.childArguments(Path.of("r.json")))
+                .containsExactly("benchmark", "--quick", "mirrors", "--json", "r.json");
+    }
+
+    @Test
+    void aJvmLikeThisOneMeasures() {
+        Path json = folder.resolve("jit.json");
+
+        Outcome outcome = Outcome.of(
+                "benchmark",
+                "teaching",
+                "--jit=c2",
+                "--engine=parallel",
+                "--size=32x18",
+                "--classic",
+                "--warmup=0",
+                "--frames=1",
+                "--json=" + json);
+
+        assertThat(outcome.err()).isEmpty();
+        assertThat(outcome.exitCode()).isZero();
+        assertThat(outcome.out()).contains("c2: C2, ", "FPS c2", "32x18");
+        assertThat(json).content().contains("\"c2\" : {", "\"passed\" : true");
+    }
+}

@@ -1,0 +1,121 @@
+package dev.twister.engine.vector;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.Engines;
+import dev.twister.engine.JvmEngines;
+import dev.twister.image.Frame;
+import dev.twister.oracle.PictureDifference;
+import dev.twister.scene.Camera;
+import dev.twister.scene.Light;
+import dev.twister.scene.Plane;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import dev.twister.sky.Skybox;
+import dev.twister.world.FrameInput;
+import dev.twister.world.World;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Numbers from the ends of what scenes may have: lanes draw what the kernel draws, and nothing that is not a number. */
+final class ExtremesTest {
+    private static final Rgb BLACK = new Rgb(0, 0, 0);
+    private static final Rgb WHITE = new Rgb(1, 1, 1);
+    private static final Vector3 ORIGIN = new Vector3(0, 0, 0);
+
+    @ParameterizedTest
+    @ValueSource(ints = {128, 256, 512})
+    void lightAtTheCamera(int bits) {
+        assertSame(
+                bits,
+                Scene.under(Path.of("none.hdr"))
+                        .withCamera(Camera.of(ORIGIN, 0, 0, 10))
+                        .withLight(Light.of(ORIGIN, 1, BLACK))
+                        .withPlane(Plane.of(1, 0, BLACK, BLACK, 0))
+                        .withAmbient(0)
+                        .withSettings(settings(67, 19)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {128, 256, 512})
+    void cameraWhereThreeSpheresTouch(int bits) {
+        assertSame(
+                bits,
+                Scene.under(Path.of("none.hdr"))
+                        .withCamera(Camera.of(ORIGIN, 0, 0, 1))
+                        .withLight(Light.of(new Vector3(1, 0, 0), 1, BLACK))
+                        .withPlane(Plane.of(1, 0, BLACK, BLACK, 0))
+                        .withSpheres(List.of(
+                                Sphere.of(new Vector3(1e6, 0, 0), 1e6, BLACK, 0),
+                                Sphere.of(new Vector3(-1e6, 0, 0), 1e6, new Rgb(0, 0, 1), 0)))
+                        .withAmbient(0)
+                        .withSettings(settings(97, 1)));
+    }
+
+    /** The squares of such heights are 0. */
+    @ParameterizedTest
+    @CsvSource({"128, 1e-30, 5", "256, 1e-30, 5", "512, 1e-30, 5", "512, 1e-12, 1e-12", "512, 5, 1e-30"})
+    void eyeOrLightNextToThePlane(int bits, double eye, double light) {
+        assertSame(
+                bits,
+                Scene.under(Path.of("none.hdr"))
+                        .withCamera(Camera.of(new Vector3(0, eye, 0), 0, 60, 60))
+                        .withLight(Light.of(new Vector3(0, light, -10), 1, WHITE))
+                        .withPlane(Plane.of(40, 0, WHITE, WHITE, 8))
+                        .withAmbient(0)
+                        .withSettings(settings(67, 59)));
+    }
+
+    /** From far above, each pixel meets another check: the point's last bits decide which. */
+    @ParameterizedTest
+    @CsvSource({"128, 20000", "256, 20000", "512, 20000", "512, 800", "512, -20000"})
+    void checksFarSmallerThanPixels(int bits, double lightHeight) {
+        assertSame(
+                bits,
+                Scene.under(Path.of("none.hdr"))
+                        .withCamera(Camera.of(new Vector3(-300, 9000, 200), 12, 35, 20))
+                        .withLight(Light.of(new Vector3(50, lightHeight, 30), 1, WHITE))
+                        .withPlane(Plane.of(1e6, 0, WHITE, BLACK, 64))
+                        .withSettings(settings(320, 200).withBounces(1)));
+    }
+
+    private static RenderSettings settings(int width, int height) {
+        return RenderSettings.DEFAULT
+                .withSize(width, height)
+                .withShadows(16)
+                .withBounces(0)
+                .withSamplesPerPixel(1);
+    }
+
+    private static void assertSame(int bits, Scene scene) {
+        FrameInput input = World.of(scene, new Skybox(1, 2, new float[] {0.25f, 0.5f, 0.75f, 1, 0, 2}))
+                .snapshot();
+        try (Engine vector = WidthLoader.open(bits, 2);
+                Engine sequential = Engines.open(JvmEngines.SEQUENTIAL)) {
+            assertThat(PictureDifference.between(argb(vector, input), argb(sequential, input)))
+                    .matches(PictureDifference::isWithinBound, "is within the design's bound");
+            for (float channel : radiance(vector, input)) {
+                assertThat(channel).isFinite().isNotNegative();
+            }
+        }
+    }
+
+    private static int[] argb(Engine engine, FrameInput input) {
+        Frame frame = Frame.ofPixels(input.width(), input.rows());
+        engine.render(input, frame);
+        return frame.argb();
+    }
+
+    private static float[] radiance(Engine engine, FrameInput input) {
+        Frame frame = Frame.ofRadiance(input.width(), input.rows());
+        engine.render(input, frame);
+        return frame.radiance();
+    }
+}

@@ -1,0 +1,131 @@
+package dev.twister.engine.vector;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineOffer;
+import dev.twister.engine.Engines;
+import dev.twister.engine.JvmEngines;
+import dev.twister.image.Frame;
+import dev.twister.oracle.PictureDifference;
+import dev.twister.oracle.RandomScenes;
+import dev.twister.scene.Scene;
+import dev.twister.scene.WholeRangeScenes;
+import dev.twister.sky.Skybox;
+import dev.twister.world.FrameInput;
+import dev.twister.world.SceneImages;
+import dev.twister.world.World;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
+import java.time.temporal.IsoFields;
+import java.util.Arrays;
+import java.util.Map;
+import java.util.Random;
+import java.util.function.Supplier;
+import jdk.incubator.vector.FloatVector;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Random scenes over the whole ranges of the scene file: {@code -Dtwister.ranges=6000} for as many. They are others each week;
+ * {@code -Dtwister.ranges.seed} repeats those of a seed that was printed.
+ */
+@EnabledIfSystemProperty(named = "twister.ranges", matches = "\\d+")
+final class WholeRangesTest {
+    private static final int SCENES = Integer.getInteger("twister.ranges", 0);
+    private static final long SEED = Long.getLong("twister.ranges.seed", thisWeek());
+
+    /** Each is compiled anew for a device, and vectors wider than the CPU's are objects. */
+    private static final int FEWER = 400;
+
+    /**
+     * Of a device, which draws few of them: in one scene in a thousand or so, rounding decides what hundreds of pixels show, as
+     * where the camera is next to the surface of a planet.
+     */
+    private static final int DEVICE_PIXELS_AN_ODD_ONE = 200;
+
+    private static long thisWeek() {
+        LocalDate today = LocalDate.now(ZoneOffset.UTC);
+        return 100L * today.get(IsoFields.WEEK_BASED_YEAR) + today.get(IsoFields.WEEK_OF_WEEK_BASED_YEAR);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {128, 256, 512})
+    void vectorDrawsWhatSequentialDraws(int bits) {
+        boolean wider = bits > FloatVector.SPECIES_PREFERRED.vectorBitSize();
+        assertSame(
+                () -> WidthLoader.open(bits, 2),
+                wider ? SCENES / FEWER : SCENES,
+                wider ? DEVICE_PIXELS_AN_ODD_ONE : PictureDifference.PIXELS_AN_ODD_ONE);
+    }
+
+    @Test
+    void devicesDrawWhatSequentialDraws() {
+        Engines.offers().stream()
+                .filter(offer -> offer.id().startsWith("tornado:"))
+                .filter(EngineOffer::works)
+                .forEach(offer -> assertSame(offer.opener(), SCENES / FEWER, DEVICE_PIXELS_AN_ODD_ONE));
+    }
+
+    private static void assertSame(Supplier<? extends Engine> opener, int scenes, int pixelsAnOddOne) {
+        long pixels = 0;
+        long differing = 0;
+        try (Engine engine = opener.get();
+                Engine sequential = Engines.open(JvmEngines.SEQUENTIAL)) {
+            System.out.println(scenes + " scenes of seed " + SEED + " on " + engine.device());
+            for (int number = 0; number < scenes; number++) {
+                FrameInput input = input(number);
+                String which = "scene " + number + " of seed " + SEED;
+                requireFinite(which, sequential, input);
+                requireFinite(which, engine, input);
+                PictureDifference difference = PictureDifference.between(argb(engine, input), argb(sequential, input));
+                pixels += difference.pixels();
+                differing += difference.differing().length;
+                if (!difference.isWithinBound()) {
+                    System.out.println(which + ": " + difference);
+                }
+            }
+        }
+        assertThat(differing * pixelsAnOddOne)
+                .as("%d of %d pixels differ, seed %d", differing, pixels, SEED)
+                .isLessThanOrEqualTo(pixels);
+    }
+
+    private static FrameInput input(int number) {
+        Random random = new Random(SEED + ((long) number << 32));
+        Scene scene = WholeRangeScenes.next(random);
+        Skybox sky = RandomScenes.scene(random, 0).sky();
+        Skybox texture = texture(random);
+        return World.of(scene, new SceneImages(sky, Map.of(WholeRangeScenes.PICTURE, texture)))
+                .snapshot();
+    }
+
+    private static Skybox texture(Random random) {
+        int width = 1 + random.nextInt(9);
+        int height = 1 + random.nextInt(9);
+        float[] colors = new float[3 * width * height];
+        for (int i = 0; i < colors.length; i++) {
+            colors[i] = random.nextFloat();
+        }
+        return new Skybox(width, height, colors);
+    }
+
+    private static void requireFinite(String which, Engine engine, FrameInput input) {
+        Frame frame = Frame.ofRadiance(input.width(), input.rows());
+        Arrays.fill(frame.radiance(), Float.NaN);
+        engine.render(input, frame);
+        for (float channel : frame.radiance()) {
+            if (!(channel >= 0 && channel <= Float.MAX_VALUE)) {
+                throw new AssertionError(which + ": radiance " + channel + " on " + engine.id());
+            }
+        }
+    }
+
+    private static int[] argb(Engine engine, FrameInput input) {
+        Frame frame = Frame.ofPixels(input.width(), input.rows());
+        engine.render(input, frame);
+        return frame.argb();
+    }
+}

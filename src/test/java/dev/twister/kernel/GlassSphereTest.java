@@ -1,0 +1,61 @@
+package dev.twister.kernel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The way of a ray through a sphere of glass, surface by surface. */
+class GlassSphereTest {
+    /** Light and plane out of the way, and a sphere of radius 2 about (1, 2, 10). */
+    private static final float[] PLACES = {0, 0, -99, 1, 0, -99, 0, 1, 1, 2, 10, 2};
+
+    private static final int BODIES = 3;
+    private static final double RADIUS = 2;
+
+    /**
+     * A ray along z that would pass the center at a distance b is turned twice by the difference of the angles whose sines are b / R
+     * and b / nR, and leaves as far from the center as it came.
+     */
+    @ParameterizedTest
+    @CsvSource({"0.2, 1.5", "1, 1.5", "1.9, 1.5", "1.99, 1.5", "1, 1.333", "1.5, 2.42", "1.5, 4", "1.5, 1"})
+    void rayLeavesWhereSnellSays(double b, float ior) {
+        float[] looks = new float[Layout.LOOK_STRIDE * BODIES];
+        int look = Layout.LOOK_STRIDE * Layout.FIRST_SPHERE;
+        looks[look] = looks[look + 1] = looks[look + 2] = 1;
+        looks[look + Layout.LOOK_TRANSMISSION] = 1;
+        looks[look + Layout.LOOK_IOR] = ior;
+        float[] path = Paths.ray(new float[] {1, (float) (2 + b), 0}, new float[] {0, 0, 1}, Layout.NOTHING);
+        passOn(path, looks, 0);
+        assertThat(path[Layout.INSIDE]).isEqualTo(1f);
+        passOn(path, looks, 1);
+        assertThat(path[Layout.INSIDE]).isZero();
+
+        double turn = 2 * (Math.asin(b / RADIUS) - Math.asin(b / RADIUS / ior));
+        assertThat(path[Layout.DIRECTION]).isZero();
+        assertThat((double) path[Layout.DIRECTION + 1]).isCloseTo(-Math.sin(turn), within(2e-5));
+        assertThat((double) path[Layout.DIRECTION + 2]).isCloseTo(Math.cos(turn), within(2e-5));
+        double y = path[Layout.ORIGIN + 1] - 2.0;
+        double z = path[Layout.ORIGIN + 2] - 10.0;
+        assertThat(y * path[Layout.DIRECTION + 2] - z * path[Layout.DIRECTION + 1])
+                .as("the distance from the center")
+                .isCloseTo(b, within(2e-5));
+    }
+
+    /** The refracted ray, whichever of the two branches waits. */
+    private static void passOn(float[] path, float[] looks, int bounce) {
+        float[] scratch = new float[Layout.SCRATCH_LENGTH];
+        float inside = path[Layout.INSIDE];
+        int body = Hit.find(path, PLACES, looks, new float[0], BODIES, scratch, Hit.ALL, Material.ANY);
+        assertThat(body).isEqualTo(Layout.FIRST_SPHERE);
+        Surface.find(path, body, PLACES);
+        Material.find(path, body, looks, new float[Layout.PROPERTIES_LENGTH], new float[0], new int[0], Material.ANY);
+        Surface.face(path, body);
+        Facet.find(path, bounce, new float[Layout.SAMPLE_STRIDE]);
+        int waiting = Branch.split(path, body, bounce, 0f, 1f, 1f, scratch, 0);
+        if (waiting > 0 && path[Layout.INSIDE] == inside) {
+            Branch.resume(path, scratch, waiting);
+        }
+    }
+}

@@ -1,0 +1,99 @@
+package dev.twister.kernel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The hash over a picture of pixels. */
+class NoiseTest {
+    private static final int SIDE = 256;
+    private static final int PIXELS = SIDE * SIDE;
+
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 4, 7, 15})
+    void isEven(int place) {
+        double sum = 0;
+        double squares = 0;
+        int[] counts = new int[256];
+        for (int pixel = 0; pixel < PIXELS; pixel++) {
+            double number = number(pixel % SIDE, pixel / SIDE, place);
+            sum += number;
+            squares += number * number;
+            counts[(int) (256 * number)]++;
+        }
+        double expected = PIXELS / 256.0;
+        double chiSquare = 0;
+        for (int count : counts) {
+            chiSquare += (count - expected) * (count - expected) / expected;
+        }
+        // Of random numbers: five standard deviations of each moment.
+        assertThat(sum / PIXELS).isBetween(0.5 - 0.0057, 0.5 + 0.0057);
+        assertThat(squares / PIXELS).isBetween(1 / 3.0 - 0.0059, 1 / 3.0 + 0.0059);
+        assertThat(chiSquare).as("chi square of 255 degrees of freedom").isLessThan(255 + 5 * Math.sqrt(2 * 255));
+    }
+
+    /** Neither with neighbors nor with the other numbers of a pixel. */
+    @ParameterizedTest
+    @CsvSource({
+        "1, 0, 0",
+        "0, 1, 0",
+        "1, 1, 0",
+        "-1, 1, 0",
+        "2, 0, 0",
+        "0, 2, 0",
+        "4, 0, 0",
+        "0, 8, 0",
+        "16, 0, 0",
+        "0, 64, 0",
+        "0, 0, 1",
+        "0, 0, 2",
+        "0, 0, 6",
+        "1, 0, 1",
+        "0, 1, 1"
+    })
+    void doesNotCorrelate(int right, int down, int placesOn) {
+        for (int place = 2; place < 8; place++) {
+            double sum = 0;
+            for (int pixel = 0; pixel < PIXELS; pixel++) {
+                int column = 100 + pixel % SIDE;
+                int row = 100 + pixel / SIDE;
+                sum += (number(column, row, place) - 0.5)
+                        * (number(column + right, row + down, place + placesOn) - 0.5);
+            }
+            double correlation = 12 * sum / PIXELS;
+            assertThat(Math.abs(correlation)).as("of place %d", place).isLessThan(5 / Math.sqrt(PIXELS));
+        }
+    }
+
+    /** Differences of neighbors are as even as those of random numbers: no stripes, no gradients. */
+    @ParameterizedTest
+    @CsvSource({"1, 0", "0, 1", "1, 1", "1, -1"})
+    void neighborsDifferEvenly(int right, int down) {
+        int[] counts = new int[64];
+        for (int pixel = 0; pixel < PIXELS; pixel++) {
+            int column = 1 + pixel % SIDE;
+            int row = 1 + pixel / SIDE;
+            double difference = number(column, row, 4) - number(column + right, row + down, 4);
+            counts[(int) (64 * (difference - Math.floor(difference)))]++;
+        }
+        double expected = PIXELS / 64.0;
+        double chiSquare = 0;
+        for (int count : counts) {
+            chiSquare += (count - expected) * (count - expected) / expected;
+        }
+        assertThat(chiSquare).as("chi square of 63 degrees of freedom").isLessThan(63 + 5 * Math.sqrt(2 * 63));
+    }
+
+    /** Sides of pictures end at 16,384, and the product must not overflow beyond either. */
+    @ParameterizedTest
+    @CsvSource({"0, 0, 2", "16383, 16383, 15", "65535, 65535, 15", "65535, 0, 2", "42195, 1, 2"})
+    void staysInItsRange(int column, int row, int place) {
+        assertThat(Noise.hash(column, row, place)).isBetween(0, 65535);
+    }
+
+    private static double number(int column, int row, int place) {
+        return Noise.hash(column, row, place) / 65536.0;
+    }
+}

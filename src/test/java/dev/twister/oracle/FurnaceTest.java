@@ -1,0 +1,96 @@
+package dev.twister.oracle;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.twister.engine.JvmEngines;
+import dev.twister.scene.Camera;
+import dev.twister.scene.Light;
+import dev.twister.scene.Material;
+import dev.twister.scene.Plane;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import dev.twister.sky.Skybox;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Where light is the same from everywhere, what loses none cannot be seen; and what is as the air cannot be seen anywhere. */
+class FurnaceTest {
+    private static final Rgb BLACK = new Rgb(0, 0, 0);
+    private static final Rgb WHITE = new Rgb(1, 1, 1);
+    private static final Skybox WHITE_SKY = new Skybox(1, 1, new float[] {1, 1, 1});
+    private static final Material GLASS = Material.DEFAULT.withTransmission(1);
+
+    /**
+     * Branches of less than 1/1024 end, so a little is lost; by bodies within bodies, whose rays split again and again, more than
+     * this.
+     */
+    @ParameterizedTest
+    @CsvSource({"1.5, 1", "1.5, 4", "1.5, 8", "1.5, 64", "1, 8", "1.1, 8", "2.42, 8", "4, 8", "4, 64"})
+    void whiteGlassStaysWhite(double ior, int bounces) {
+        for (float channel : furnace(GLASS.withIor(ior), bounces)) {
+            assertThat(channel).isCloseTo(1f, within(0.01f));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.1, 0.5, 0.9})
+    void whiteGlassThatPassesAPartStaysWhite(double transmission) {
+        for (float channel : furnace(GLASS.withTransmission(transmission).withReflectivity(40), 8)) {
+            assertThat(channel).isCloseTo(1f, within(0.01f));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 8, 64})
+    void smoothMirrorIsExactlyWhite(int bounces) {
+        for (float channel : furnace(Material.DEFAULT.withReflectivity(128), bounces)) {
+            assertThat(channel).isEqualTo(1f);
+        }
+    }
+
+    @Test
+    void glassOfIndexOneIsInvisible() {
+        Random random = new Random(20261125);
+        for (int i = 0; i < 20; i++) {
+            LitScene lit = RandomScenes.scene(random, 2 + random.nextInt(3));
+            Scene scene = lit.scene();
+            RenderSettings settings = scene.settings().withBounces(32);
+            Material invisible = GLASS.withIor(1);
+            List<Sphere> spheres =
+                    new ArrayList<>(scene.spheres().stream().limit(8).toList());
+            Scene without = scene.withSettings(settings).withSpheres(List.copyOf(spheres));
+            spheres.add(new Sphere(new Vector3(0, 1, 0), 3, invisible));
+            spheres.add(new Sphere(new Vector3(0.5, 1.5, 0), 1, invisible));
+            spheres.add(new Sphere(new Vector3(-2, 3, 2), 2, invisible));
+            Scene with = without.withSpheres(spheres).withPlane(scene.plane());
+            PictureDifference difference = PictureDifference.between(
+                    Pictures.argb(JvmEngines.SEQUENTIAL, with, lit.sky()),
+                    Pictures.argb(JvmEngines.SEQUENTIAL, without, lit.sky()));
+            assertThat(difference).matches(PictureDifference::isWithinBound, "is within the design's bound");
+        }
+    }
+
+    /** Spheres of that material on white ground under a white sky, in linear radiance. */
+    private static float[] furnace(Material material, int bounces) {
+        Scene scene = Scene.under(Path.of("none.hdr"))
+                .withCamera(Camera.of(new Vector3(0, 1.5, -4), 0, 5, 60))
+                .withLight(Light.of(new Vector3(0, 50, 0), 0.1, BLACK))
+                .withPlane(Plane.of(20, 0, WHITE, WHITE, 0))
+                .withSpheres(List.of(
+                        new Sphere(new Vector3(0, 1, 0), 1, material),
+                        new Sphere(new Vector3(1.5, 0.5, 1), 0.5, material)))
+                .withAmbient(1)
+                .withSettings(RenderSettings.DEFAULT.withSize(48, 36).withBounces(bounces));
+        return Pictures.radiance(JvmEngines.SEQUENTIAL, scene, WHITE_SKY);
+    }
+}

@@ -1,0 +1,66 @@
+package dev.twister.oracle;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.engine.JvmEngines;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.ShrinkingMode;
+import net.jqwik.api.lifecycle.AfterProperty;
+
+/**
+ * Every engine of the JVM on random scenes of glass, rough surfaces, textures and lenses. The bounds are
+ * {@link RandomScenesTest}'s: no edge needs a looser one, as rough surfaces take the same numbers here and there.
+ */
+class RandomMaterialsTest {
+    private static final int FEW_BOUNCES_PIXELS_AN_EXCUSE = 50_000;
+    private static final int MANY_BOUNCES_PIXELS_AN_EXCUSE = 5000;
+    private static final String VECTOR = "vector";
+
+    private final PixelJudge judge = new PixelJudge();
+    private int pixelsAnExcuse = FEW_BOUNCES_PIXELS_AN_EXCUSE;
+
+    @Provide
+    Arbitrary<LitScene> fewBounces() {
+        return RandomMaterials.ofBounces(0, 3);
+    }
+
+    @Provide
+    Arbitrary<LitScene> manyBounces() {
+        return RandomMaterials.ofBounces(4, 8);
+    }
+
+    @Property(seed = "20261125", tries = 250, shrinking = ShrinkingMode.OFF)
+    void sequentialDrawsWhatTheOracleDraws(@ForAll("fewBounces") LitScene random) {
+        judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, random), random);
+    }
+
+    @Property(seed = "20261126", tries = 100, shrinking = ShrinkingMode.OFF)
+    void manyBouncesAreWhatTheOracleDraws(@ForAll("manyBounces") LitScene random) {
+        pixelsAnExcuse = MANY_BOUNCES_PIXELS_AN_EXCUSE;
+        judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, random), random);
+    }
+
+    @Property(seed = "20261127", tries = 100, shrinking = ShrinkingMode.OFF)
+    void vectorDrawsWhatTheOracleDraws(@ForAll("fewBounces") LitScene random) {
+        judge.judge(Pictures.argb(VECTOR, random), random);
+    }
+
+    @Property(seed = "20261128", tries = 40, shrinking = ShrinkingMode.OFF)
+    void vectorDrawsManyBouncesAsTheOracleDoes(@ForAll("manyBounces") LitScene random) {
+        pixelsAnExcuse = MANY_BOUNCES_PIXELS_AN_EXCUSE;
+        judge.judge(Pictures.argb(VECTOR, random), random);
+    }
+
+    @Property(seed = "20261129", tries = 100, shrinking = ShrinkingMode.OFF)
+    void parallelIsSequentialBitForBit(@ForAll("manyBounces") LitScene random) {
+        assertThat(Pictures.argb(JvmEngines.PARALLEL, random)).isEqualTo(Pictures.argb(JvmEngines.SEQUENTIAL, random));
+    }
+
+    @AfterProperty
+    void fewPixelsNeededAnExcuse() {
+        judge.requireExcusedAtMostOneIn(pixelsAnExcuse);
+    }
+}

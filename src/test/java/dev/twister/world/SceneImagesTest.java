@@ -1,0 +1,93 @@
+package dev.twister.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.twister.image.HdrWriter;
+import dev.twister.image.PngWriter;
+import dev.twister.scene.Material;
+import dev.twister.scene.Plane;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import dev.twister.sky.PngBytes;
+import dev.twister.sky.SkyException;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class SceneImagesTest {
+    private static final Sphere BALL = Sphere.of(new Vector3(0, 0, 0), 1, new Rgb(1, 1, 1), 0);
+
+    @TempDir
+    Path folder;
+
+    private Path sky;
+    private final List<String> warnings = new ArrayList<>();
+
+    @BeforeEach
+    void writeTheSky() throws IOException {
+        sky = folder.resolve("sky.hdr");
+        HdrWriter.write(sky, 2, 1, new float[6]);
+    }
+
+    @Test
+    void readsEachTextureOnceAndMakesItLinear() throws IOException {
+        byte[] gray = PngBytes.start(1, 8, PngBytes.GRAY)
+                .damagedChunk("gAMA", new byte[4])
+                .texels(188);
+        Path file = Files.write(folder.resolve("gray.png"), gray);
+        Path other = folder.resolve("other.png");
+        PngWriter.write(other, 2, 1, new int[] {0xff0000, 0x00ff00}, true);
+        Scene scene = Scene.under(sky)
+                .withPlane(plane(file))
+                .withSpheres(List.of(BALL, BALL.withMaterial(textured(file)), BALL.withMaterial(textured(other))));
+
+        SceneImages images = SceneImages.read(scene, warnings::add);
+
+        assertThat(images.sky().width()).isEqualTo(2);
+        assertThat(images.textureByFile()).containsOnlyKeys(file, other);
+        assertThat(images.textureByFile().get(file).radiance()[0]).isCloseTo(0.503f, within(0.001f));
+        assertThat(images.textureByFile().get(other).radiance()).containsExactly(1, 0, 0, 0, 1, 0);
+        assertThat(warnings).containsExactly(file + ": the gAMA chunk is damaged and is ignored");
+    }
+
+    @Test
+    void saysWhereATextureThatCannotBeReadIsNamed() throws IOException {
+        Path file = Files.writeString(folder.resolve("words.png"), "no picture");
+        Scene scene = Scene.under(sky).withSpheres(List.of(BALL, BALL.withMaterial(textured(file))));
+
+        assertThatThrownBy(() -> SceneImages.read(scene, warnings::add))
+                .isInstanceOf(SkyException.class)
+                .hasMessage(
+                        "$.spheres[1].texture: " + file + ": not a texture by its first bytes; PNG and JPEG are read");
+        assertThatThrownBy(() -> SceneImages.read(scene.withPlane(plane(folder.resolve("none.png"))), warnings::add))
+                .isInstanceOf(SkyException.class)
+                .hasMessage("$.plane.texture: " + folder.resolve("none.png") + ": there is no such file");
+    }
+
+    @Test
+    void refusesRadianceAsATexture() {
+        Scene scene = Scene.under(sky).withPlane(plane(sky));
+
+        assertThatThrownBy(() -> SceneImages.read(scene, warnings::add))
+                .isInstanceOf(SkyException.class)
+                .hasMessage("$.plane.texture: " + sky + ": a Radiance picture, but a texture must be PNG or JPEG");
+    }
+
+    private static Plane plane(Path texture) {
+        return Plane.of(1, 0, new Rgb(1, 1, 1), new Rgb(1, 1, 1), 0).withMaterial(textured(texture));
+    }
+
+    private static Material textured(Path file) {
+        return Material.DEFAULT.withTexture(Optional.of(file));
+    }
+}
