@@ -2,7 +2,8 @@ package dev.twister.cli;
 
 import dev.twister.engine.Engines;
 import dev.twister.gui.Gui;
-import dev.twister.scene.SceneReader;
+import dev.twister.gui.OpenedScene;
+import dev.twister.gui.ShippedFolders;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -22,7 +23,8 @@ final class GuiCommand implements Callable<Integer> {
             paramLabel = "SCENE",
             completionCandidates = Completions.OfScene.class,
             arity = "0..1",
-            description = "A scene file, or the name of a shipped scene; " + FIRST_SCENE + " where not said.")
+            description = "A scene file, the name of a shipped scene, or a panorama to see a scene under; "
+                    + FIRST_SCENE + " where not said.")
     private Optional<String> sceneName = Optional.empty();
 
     @Option(
@@ -35,11 +37,17 @@ final class GuiCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Path file = SceneFiles.find(sceneName.orElse(FIRST_SCENE));
+        Path asked = SceneFiles.find(sceneName.orElse(FIRST_SCENE));
+        Optional<Path> panorama = Optional.of(asked).filter(Gui::isPanorama);
+        Path file = panorama.isPresent() ? SceneFiles.find(FIRST_SCENE) : asked;
         // To look for devices takes TornadoVM a second: the window tells of one that is not there.
         engineId.filter(id -> !Engines.isDevice(id))
                 .ifPresent(id -> Engines.offer(id).check());
-        Gui.run(SceneReader.read(file), file, sceneName.isPresent(), engineId, Home.skyboxes());
+        Gui.run(
+                panorama.map(sky -> OpenedScene.readUnder(sky, file)).orElseGet(() -> OpenedScene.read(file)),
+                sceneName.isPresent() && panorama.isEmpty(),
+                engineId,
+                new ShippedFolders(Home.scenes(), Home.skyboxes()));
         return Main.OK;
     }
 }

@@ -11,7 +11,9 @@ public enum UserFolder {
     /** What can be made again. */
     CACHE("LOCALAPPDATA", "Caches", "XDG_CACHE_HOME", ".cache"),
     /** What the user has chosen. */
-    SETTINGS("APPDATA", "Application Support", "XDG_CONFIG_HOME", ".config");
+    SETTINGS("APPDATA", "Application Support", "XDG_CONFIG_HOME", ".config"),
+    /** What is to outlive a process, and is nobody's choice. */
+    STATE("LOCALAPPDATA", "Application Support", "XDG_STATE_HOME", ".local/state");
 
     private static final String OWN = "twister";
 

@@ -50,7 +50,7 @@ final class BodyMouse {
         }
         int selected = studio.selectionProperty().get();
         if (event.getButton() == MouseButton.PRIMARY
-                && selected != BodyNumber.NONE
+                && BodyEdits.isMovable(studio.scene(), selected)
                 && bodyAt(event).filter(body -> body == selected).isPresent()) {
             DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
             Point2D place = place(event);
@@ -96,7 +96,7 @@ final class BodyMouse {
 
     private void moved(MouseEvent event) {
         int selected = studio.selectionProperty().get();
-        boolean over = selected != BodyNumber.NONE
+        boolean over = BodyEdits.isMovable(studio.scene(), selected)
                 && bodyAt(event).filter(body -> body == selected).isPresent();
         view.setCursor(over ? Cursor.MOVE : Cursor.DEFAULT);
     }

@@ -1,7 +1,10 @@
 package dev.twister.gui;
 
+import dev.twister.gui.model.SceneNumbers;
 import dev.twister.world.CameraMotion;
+import java.util.Locale;
 import java.util.Optional;
+import javafx.animation.PauseTransition;
 import javafx.geometry.Point2D;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.Cursor;
@@ -11,6 +14,7 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
 import javafx.scene.robot.Robot;
 import javafx.stage.Screen;
+import javafx.util.Duration;
 
 /**
  * Turns the camera by dragging over the picture, with the pointer hidden and however far, and changes the field of view by the wheel. What
@@ -19,11 +23,15 @@ import javafx.stage.Screen;
 final class CameraMouse {
     private final Node picture;
     private final Studio studio;
+    /** Whoever turns the wheel on after that begins anew. */
+    private final PauseTransition turning = new PauseTransition(Duration.seconds(1));
+
     private Optional<HiddenPointer> pointer = Optional.empty();
 
     private CameraMouse(Node picture, Studio studio) {
         this.picture = picture;
         this.studio = studio;
+        turning.setOnFinished(_ -> studio.endGesture());
     }
 
     static void install(Node picture, Studio studio) {
@@ -74,7 +82,10 @@ final class CameraMouse {
     private void scrolled(ScrollEvent event) {
         if (event.getDeltaY() != 0) {
             double notches = event.getDeltaY() / event.getMultiplierY();
-            studio.moveCamera(camera -> CameraMotion.zoom(camera, notches));
+            studio.edit(
+                    SceneNumbers.FIELD_OF_VIEW.label().toLowerCase(Locale.ROOT),
+                    scene -> scene.withCamera(CameraMotion.zoom(scene.camera(), notches)));
+            turning.playFromStart();
         }
     }
 }

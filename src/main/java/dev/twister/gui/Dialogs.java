@@ -1,6 +1,10 @@
 package dev.twister.gui;
 
+import java.time.Instant;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
 import java.util.List;
+import java.util.Locale;
 import javafx.scene.control.Alert;
 import javafx.scene.control.Alert.AlertType;
 import javafx.scene.control.ButtonBar.ButtonData;
@@ -10,7 +14,15 @@ import javafx.stage.Stage;
 
 /** Tells and asks a person something, in windows that nothing waits for: pictures go on being drawn. */
 final class Dialogs {
+    private static final DateTimeFormatter TIME =
+            DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm", Locale.ROOT).withZone(ZoneId.systemDefault());
+
     private final Stage owner;
+
+    /** A button, and what it does. */
+    record Answer(String label, Runnable action) {
+        static final Answer CANCEL = new Answer("Cancel", () -> {});
+    }
 
     Dialogs(Stage owner) {
         this.owner = owner;
@@ -23,20 +35,55 @@ final class Dialogs {
         alert.show();
     }
 
-    /** Asks what to do with changes that would be lost. */
-    void askToSave(String name, Runnable save, Runnable discard) {
-        ButtonType saving = new ButtonType("Save", ButtonData.YES);
-        ButtonType discarding = new ButtonType("Don't save", ButtonData.NO);
-        Alert alert = alert(
-                AlertType.CONFIRMATION, "Save the changes to " + name + "?", "They are lost if you don't save them.");
-        alert.getDialogPane().setId("save-question");
-        alert.getButtonTypes().setAll(List.of(saving, discarding, ButtonType.CANCEL));
+    /** Asks what to do with changes that would be lost; the first answer is the usual one. */
+    void askToSave(String name, Answer save, Answer discard) {
+        ask(
+                "save-question",
+                "Save changes to " + name + "?",
+                "Your changes will be lost if you don't save them.",
+                save,
+                discard,
+                Answer.CANCEL);
+    }
+
+    /** Asks whether a file that another program has changed is to be overwritten. */
+    void askToOverwrite(String name, Answer other, Answer overwrite) {
+        ask(
+                "overwrite-question",
+                name + " was changed by another program",
+                "Overwriting it replaces those changes with yours.",
+                other,
+                overwrite,
+                Answer.CANCEL);
+    }
+
+    /** Asks under which sky a scene is to be opened whose own cannot be read. */
+    void askForSky(String problem, Answer choose, Answer present) {
+        ask("sky-question", "Couldn't load the scene's sky", problem, choose, present, Answer.CANCEL);
+    }
+
+    /** Asks what to do with changes that were not saved before the program ended. */
+    void askToRestore(String name, Instant when, Answer restore, Answer discard, Answer later) {
+        ask(
+                "restore-question",
+                "Restore unsaved changes to " + name + "?",
+                "Twister ended before they were saved. They are from " + TIME.format(when) + ".",
+                restore,
+                discard,
+                later);
+    }
+
+    private void ask(String id, String header, String message, Answer usual, Answer other, Answer neither) {
+        ButtonType yes = new ButtonType(usual.label(), ButtonData.YES);
+        ButtonType no = new ButtonType(other.label(), ButtonData.NO);
+        Alert alert = alert(AlertType.CONFIRMATION, header, message);
+        alert.getDialogPane().setId(id);
+        alert.getButtonTypes().setAll(List.of(yes, no, new ButtonType(neither.label(), ButtonData.CANCEL_CLOSE)));
         alert.setOnHidden(_ -> {
-            if (saving.equals(alert.getResult())) {
-                save.run();
-            } else if (discarding.equals(alert.getResult())) {
-                discard.run();
-            }
+            boolean isYes = yes.equals(alert.getResult());
+            (isYes ? usual : no.equals(alert.getResult()) ? other : neither)
+                    .action()
+                    .run();
         });
         alert.show();
     }

@@ -6,23 +6,27 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import javafx.application.Platform;
 
 /**
- * Reads and writes files on a thread of its own, one after the other, and tells JavaFX's thread how it went. Used by that
- * thread, but for its end.
+ * Works beside JavaFX's thread, and tells it how it went: scenes are written on one thread, pictures on another, and what need
+ * not be kept is done on a third, each one after the other. Used by JavaFX's thread, but for its end.
  */
 final class Errands implements AutoCloseable {
-    private final ExecutorService thread = Executors.newSingleThreadExecutor(
-            Thread.ofPlatform().daemon().name("errands").factory());
-    private final AtomicInteger toKeep = new AtomicInteger();
+    private final ExecutorService passing = thread("errands");
+    private final ExecutorService scenes = thread("scenes");
+    private final ExecutorService pictures = thread("pictures");
 
-    /** Each done as soon as an errand that is to be kept is with the thread. */
+    /** Each done as soon as an errand that is to be kept is with its thread. */
     private final Collection<CompletableFuture<?>> handedOver = new ConcurrentLinkedQueue<>();
 
     private volatile boolean closed;
+
+    private static ExecutorService thread(String name) {
+        return Executors.newSingleThreadExecutor(
+                Thread.ofPlatform().daemon().name(name).factory());
+    }
 
     /**
      * Does that, but not where the window is closed before it is begun; after that it does nothing.
@@ -32,7 +36,7 @@ final class Errands implements AutoCloseable {
      */
     <T> void run(Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
         if (!closed) {
-            thread.execute(() -> {
+            passing.execute(() -> {
                 if (!closed) {
                     doNow(errand, done, failed);
                 }
@@ -40,23 +44,17 @@ final class Errands implements AutoCloseable {
         }
     }
 
-    /** Does what a person wants to keep: the window is not closed before. */
-    <T> void keep(Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
-        keepAfter(CompletableFuture.completedFuture(""), errand, done, failed);
+    /** Writes a scene, which a person wants to keep: the window is not closed before, and nothing else delays it. */
+    <T> void keepScene(Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
+        scenes.execute(() -> doNow(errand, done, failed));
     }
 
-    /** The same, begun when what it needs is there or has failed; until then it holds up no other errand. */
-    <T> void keepAfter(CompletableFuture<?> needed, Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
-        toKeep.incrementAndGet();
+    /** The same for a picture, begun when what it needs is there or has failed; until then it holds up no other one. */
+    <T> void keepPicture(
+            CompletableFuture<?> needed, Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
         handedOver.removeIf(CompletableFuture::isDone);
         handedOver.add(needed.handle((_, _) -> {
-            thread.execute(() -> {
-                try {
-                    doNow(errand, done, failed);
-                } finally {
-                    toKeep.decrementAndGet();
-                }
-            });
+            pictures.execute(() -> doNow(errand, done, failed));
             return "";
         }));
     }
@@ -80,10 +78,9 @@ final class Errands implements AutoCloseable {
     @Override
     public void close() {
         finish();
+        passing.shutdown();
+        scenes.close();
         handedOver.forEach(CompletableFuture::join);
-        thread.shutdown();
-        if (toKeep.get() > 0) {
-            thread.close();
-        }
+        pictures.close();
     }
 }

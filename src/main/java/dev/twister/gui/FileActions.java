@@ -1,8 +1,14 @@
 package dev.twister.gui;
 
+import dev.twister.gui.Dialogs.Answer;
+import dev.twister.gui.model.Autosave;
 import dev.twister.gui.model.DroppedFile;
+import dev.twister.gui.model.EditedFile;
+import dev.twister.gui.model.FileMark;
 import dev.twister.gui.model.SceneHistory;
+import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
+import dev.twister.scene.SceneReader;
 import dev.twister.scene.SceneWriter;
 import dev.twister.sky.SkyException;
 import java.io.IOException;
@@ -16,11 +22,16 @@ import java.util.function.BooleanSupplier;
 final class FileActions {
     private final Studio studio;
     private final FileChoice choice;
+    private final ShippedFolders shipped;
     private final Dialogs dialogs;
     private final SettingsKeeper settings;
     private final Errands errands;
+    private final Reading reading;
     private final BooleanSupplier takeTyped;
     private int saving;
+
+    /** Used by the thread alone that writes scenes. */
+    private Optional<EditedFile> lastWritten = Optional.empty();
 
     /**
      * Actions on the scene that the studio has.
@@ -30,15 +41,19 @@ final class FileActions {
     FileActions(
             Studio studio,
             FileChoice choice,
+            ShippedFolders shipped,
             Dialogs dialogs,
             SettingsKeeper settings,
             Errands errands,
+            Reading reading,
             BooleanSupplier takeTyped) {
         this.studio = studio;
         this.choice = choice;
+        this.shipped = shipped;
         this.dialogs = dialogs;
         this.settings = settings;
         this.errands = errands;
+        this.reading = reading;
         this.takeTyped = takeTyped;
     }
 
@@ -49,7 +64,8 @@ final class FileActions {
 
     /** Opens a scene, once changes are saved or given up; a panorama becomes the sky. What is neither is complained of. */
     void open(Path file) {
-        errands.run(
+        reading.begin(
+                name(file),
                 () -> DroppedFile.kind(file),
                 kind -> {
                     switch (kind) {
@@ -61,7 +77,8 @@ final class FileActions {
                         }
                     }
                 },
-                problem -> complain("This cannot be opened", problem));
+                problem -> complain("This cannot be opened", problem),
+                () -> {});
     }
 
     /** Opens the first of the files that were dropped; with several, says so. */
@@ -85,11 +102,12 @@ final class FileActions {
     /**
      * Makes a panorama the sky, once it has been read; the old one stays where that fails.
      *
-     * @param refused called in that case
+     * @param refused called in that case, and where the person does not wait for it
      */
     void useSky(Path panorama, Runnable refused) {
         Path file = panorama.toAbsolutePath().normalize();
-        errands.run(
+        reading.begin(
+                name(file),
                 () -> {
                     studio.readSky(file);
                     return file;
@@ -98,7 +116,8 @@ final class FileActions {
                 problem -> {
                     refused.run();
                     complain("This sky cannot be used", problem);
-                });
+                },
+                refused);
     }
 
     /** Saves to the scene's own file. */
@@ -123,18 +142,22 @@ final class FileActions {
             return;
         }
         if (saving > 0) {
-            // One errand follows the other: then it is known whether there is something to lose.
-            errands.run(() -> "", _ -> afterSaving(action), problem -> complain("This cannot be done", problem));
+            // One scene is written after the other: then it is known whether there is something to lose.
+            errands.keepScene(() -> "", _ -> afterSaving(action), problem -> complain("This cannot be done", problem));
         } else if (studio.editsProperty().get().changed()) {
             // While the file is being written the scene can be edited on: that is asked about again.
-            dialogs.askToSave(name(), () -> save(() -> afterSaving(action)), action);
+            dialogs.askToSave(
+                    name(file()),
+                    new Answer(shipped.isScene(file()) ? "Save as…" : "Save", () -> save(() -> afterSaving(action))),
+                    new Answer("Don't save", action));
         } else {
             action.run();
         }
     }
 
     private void openScene(Path file) {
-        errands.run(
+        reading.begin(
+                name(file),
                 () -> studio.read(file),
                 // What cannot be opened is no reason to ask what is to become of the old scene.
                 opened -> afterSaving(() -> {
@@ -143,43 +166,178 @@ final class FileActions {
                 }),
                 problem -> {
                     forgetWhereGone(file);
-                    complain("This scene cannot be opened", problem);
-                });
+                    offerAnotherSky(file, problem);
+                },
+                () -> {});
+    }
+
+    /** Where only the sky is at fault, the scene can be had with another. */
+    private void offerAnotherSky(Path file, Throwable problem) {
+        Path present = studio.scene().skybox();
+        reading.begin(
+                name(file),
+                () -> {
+                    OpenedScene read = OpenedScene.readUnder(present, file);
+                    studio.readTextures(read.scene());
+                    return read;
+                },
+                _ -> dialogs.askForSky(
+                        explain(problem),
+                        new Answer(
+                                "Choose a sky…",
+                                () -> choice.panorama(folder()).ifPresent(sky -> openUnder(sky, file))),
+                        new Answer("Use the present sky", () -> openUnder(present, file))),
+                _ -> complain("This scene cannot be opened", problem),
+                () -> {});
+    }
+
+    private void openUnder(Path sky, Path file) {
+        reading.begin(
+                name(file),
+                () -> {
+                    studio.readSky(sky);
+                    OpenedScene read = OpenedScene.readUnder(sky, file);
+                    studio.readTextures(read.scene());
+                    return read;
+                },
+                opened -> afterSaving(() -> {
+                    studio.restore(opened, opened.scene());
+                    remember(file);
+                }),
+                problem -> complain("This sky cannot be used", problem),
+                () -> {});
+    }
+
+    /**
+     * Shows edits that were not saved, once those of the present scene are saved or given up.
+     *
+     * @param then called when they are shown
+     * @param failed called when they cannot be
+     */
+    void restore(Autosave autosave, Runnable then, Runnable failed) {
+        Path present = studio.scene().skybox();
+        reading.begin(
+                name(autosave.edited().path()),
+                () -> {
+                    Scene edited = edited(autosave.file(), present);
+                    return new Restored(before(autosave.edited(), edited), edited);
+                },
+                restored -> afterSaving(() -> {
+                    studio.restore(restored.before(), restored.edited());
+                    then.run();
+                }),
+                problem -> {
+                    failed.run();
+                    complain("Couldn't restore the changes", problem);
+                },
+                failed);
+    }
+
+    /** The edits; under the present sky where their own cannot be read any more. */
+    private Scene edited(Path autosaved, Path present) {
+        try {
+            return studio.read(autosaved).scene();
+        } catch (SceneException | SkyException _) {
+            Scene edits = SceneReader.readWithoutPictures(autosaved);
+            return isReadable(edits.skybox()) ? edits : edits.withSkybox(present);
+        }
+    }
+
+    private boolean isReadable(Path panorama) {
+        try {
+            studio.readSky(panorama);
+            return true;
+        } catch (SkyException _) {
+            return false;
+        }
+    }
+
+    private record Restored(OpenedScene before, Scene edited) {}
+
+    /** The scene as its file has it; as it was edited where that cannot be read any more. */
+    private OpenedScene before(EditedFile file, Scene edited) {
+        try {
+            return new OpenedScene(file, studio.read(file.path()).scene());
+        } catch (SceneException | SkyException _) {
+            return new OpenedScene(file, edited);
+        }
     }
 
     private void save(Runnable then) {
-        Optional<Path> own = studio.fileProperty().get();
-        if (own.isPresent()) {
-            saveTo(own.get(), then);
-        } else {
+        if (shipped.isScene(file())) {
             saveAs(then);
+        } else {
+            saveTo(file(), then);
         }
     }
 
     private void saveAs(Runnable then) {
-        Path suggested = studio.fileProperty().get().orElse(folder().resolve("scene.json"));
-        choice.toSaveScene(suggested).ifPresent(file -> saveTo(file, then));
+        Path own = file();
+        Path suggested = shipped.isScene(own) ? Path.of("").toAbsolutePath().resolve(own.getFileName()) : own;
+        choice.toSaveScene(suggested).ifPresent(file -> {
+            if (shipped.isScene(file)) {
+                dialogs.complain(
+                        "Shipped scenes are read-only", file.getParent() + ": choose another folder for your scene.");
+            } else {
+                saveTo(file, then);
+            }
+        });
     }
 
     private void saveTo(Path file, Runnable then) {
+        saveTo(file, studio.fileProperty().get(), then);
+    }
+
+    /**
+     * @param known how the scene's own file was when it was read or written last: it is not overwritten unasked where it has
+     *     changed since
+     */
+    private void saveTo(Path file, EditedFile known, Runnable then) {
         SceneHistory.Version version = studio.toSave();
         saving++;
-        errands.keep(
+        errands.keepScene(
                 () -> {
-                    SceneWriter.write(version.scene(), file);
-                    return file;
+                    if (known.isOverwrittenBy(file) && !isOwn(file)) {
+                        return Optional.<EditedFile>empty();
+                    }
+                    SceneWriter.write(version.scene(), file, known.path());
+                    lastWritten = Optional.of(new EditedFile(file, FileMark.of(file)));
+                    return lastWritten;
                 },
                 written -> {
                     saving--;
-                    studio.saved(version, written);
-                    studio.notice("Saved " + written);
-                    remember(written);
-                    then.run();
+                    written.ifPresentOrElse(now -> saved(version, now, then), () -> askToOverwrite(file, then));
                 },
                 problem -> {
                     saving--;
                     complain("The scene was not saved", problem);
                 });
+    }
+
+    /** Whether a file is as it was written here last, of which {@code known} need not have been told yet. */
+    private boolean isOwn(Path file) {
+        return lastWritten
+                .filter(own -> own.path().equals(file) && !own.isOverwrittenBy(file))
+                .isPresent();
+    }
+
+    private void saved(SceneHistory.Version version, EditedFile written, Runnable then) {
+        studio.saved(version, written);
+        studio.notice("Saved " + written.path());
+        remember(written.path());
+        then.run();
+    }
+
+    private void askToOverwrite(Path file, Runnable then) {
+        dialogs.askToOverwrite(
+                name(file),
+                new Answer("Save as…", () -> saveAs(then)),
+                new Answer(
+                        "Overwrite",
+                        () -> errands.keepScene(
+                                () -> new EditedFile(file, FileMark.of(file)),
+                                seen -> saveTo(file, seen, then),
+                                problem -> complain("The scene was not saved", problem))));
     }
 
     /** Has a scene that was opened or saved among the recent ones from now on. */
@@ -209,19 +367,18 @@ final class FileActions {
         };
     }
 
-    private String name() {
-        return studio.fileProperty()
-                .get()
-                .map(Path::getFileName)
-                .map(Path::toString)
-                .orElse("the scene");
+    /** The file's own name. */
+    static String name(Path file) {
+        return Optional.ofNullable(file.getFileName()).map(Path::toString).orElse("the scene");
+    }
+
+    private Path file() {
+        return studio.fileProperty().get().path();
     }
 
     /** Where the scene is, or else where the program was started. */
     private Path folder() {
-        return studio.fileProperty()
-                .get()
-                .map(file -> file.toAbsolutePath().getParent())
+        return Optional.ofNullable(file().toAbsolutePath().getParent())
                 .orElse(Path.of("").toAbsolutePath());
     }
 }

@@ -3,6 +3,7 @@ package dev.twister.gui;
 import dev.twister.bench.ReportNumbers;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.Stream;
 import javafx.beans.value.ObservableDoubleValue;
 import javafx.geometry.VPos;
@@ -40,6 +41,7 @@ final class FrameTimesView extends VBox {
 
     private final Label numbers = new Label();
     private final Canvas graph = new Canvas();
+    private final Studio studio;
     private final FrameHistory history;
     private final ObservableDoubleValue room;
     private long drawnNanos;
@@ -49,8 +51,9 @@ final class FrameTimesView extends VBox {
      *
      * @param room the width that there is
      */
-    FrameTimesView(FrameHistory history, ObservableDoubleValue room) {
-        this.history = history;
+    FrameTimesView(Studio studio, ObservableDoubleValue room) {
+        this.studio = studio;
+        history = studio.frames();
         this.room = room;
         numbers.setWrapText(true);
         getStyleClass().add("frame-times");
@@ -66,7 +69,7 @@ final class FrameTimesView extends VBox {
             double em = numbers.getFont().getSize();
             double wide = room.get() - getInsets().getLeft() - getInsets().getRight();
             boolean narrow = wide < LEAST_WIDTH_EM * em;
-            List<String> parts = parts(history, nanos);
+            List<String> parts = parts(history, nanos, studio.restingSamples());
             numbers.setText(String.join(SEPARATOR, narrow ? parts.subList(0, 1) : parts));
             numbers.setMaxWidth(wide);
             graph.setVisible(!narrow);
@@ -79,11 +82,17 @@ final class FrameTimesView extends VBox {
         }
     }
 
-    /** Frames a second, then what they took; a line breaks between the parts only. */
-    static List<String> parts(FrameHistory history, long nanos) {
+    /**
+     * Frames a second, then what they took; a line breaks between the parts only.
+     *
+     * @param resting samples per pixel of a picture that is finished, where nothing is drawn any more
+     */
+    static List<String> parts(FrameHistory history, long nanos, Optional<Integer> resting) {
         FrameHistory.Entry mean = history.mean();
         return Stream.of(
-                        ReportNumbers.legible(history.framesPerSecond(nanos), 1) + " FPS",
+                        resting.map(samples ->
+                                        "idle, " + samples + (samples == 1 ? " sample" : " samples") + " per pixel")
+                                .orElseGet(() -> ReportNumbers.legible(history.framesPerSecond(nanos), 1) + " FPS"),
                         String.format(Locale.ROOT, "render %.1f ms", mean.renderMillis()),
                         String.format(Locale.ROOT, "transfer %.1f ms", mean.transferMillis()),
                         String.format(Locale.ROOT, "display %.2f ms", mean.displayMillis()))

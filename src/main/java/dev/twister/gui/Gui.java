@@ -2,8 +2,10 @@ package dev.twister.gui;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
+import dev.twister.gui.model.AutosaveFolder;
+import dev.twister.gui.model.DroppedFile;
 import dev.twister.gui.model.SettingsStore;
-import dev.twister.scene.Scene;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -21,15 +23,15 @@ public final class Gui {
     /**
      * Shows the window and returns when it has been closed.
      *
-     * @param scene shown first
-     * @param file where it came from
+     * @param opened shown first
      * @param asked whether it was asked for by name, and is to be among the recent ones
      * @param engine the id of what draws first; where it is not said, the one that was chosen last in the window
-     * @param skyboxes the folder of the panoramas that are offered; need not exist
+     * @param shipped what is offered and not written to
      * @throws NoDisplayException where there is no screen
      */
-    public static void run(Scene scene, Path file, boolean asked, Optional<String> engine, Path skyboxes) {
+    public static void run(OpenedScene opened, boolean asked, Optional<String> engine, ShippedFolders shipped) {
         Display.check();
+        Language.choose();
         // The readers of PNG and JPEG skies are AWT's, which must not open a display of its own beside JavaFX's.
         System.setProperty("java.awt.headless", "true");
         Logger logger = Logger.getLogger("javafx");
@@ -37,7 +39,7 @@ public final class Gui {
         double textScale = TextScale.ofSystem();
         CompletableFuture<Runnable> end = new CompletableFuture<>();
         try {
-            Platform.startup(() -> open(scene, file, asked, engine, skyboxes, textScale, end));
+            Platform.startup(() -> open(opened, asked, engine, shipped, textScale, end));
         } catch (RuntimeException | LinkageError problem) {
             throw new NoDisplayException(Display.explain(problem), problem);
         }
@@ -49,12 +51,16 @@ public final class Gui {
         }
     }
 
+    /** Whether that is a panorama's file that is there, by its name and its first bytes. */
+    public static boolean isPanorama(Path file) {
+        return Files.isRegularFile(file) && DroppedFile.kind(file) == DroppedFile.Kind.SKYBOX;
+    }
+
     private static void open(
-            Scene scene,
-            Path file,
+            OpenedScene opened,
             boolean asked,
             Optional<String> engine,
-            Path skyboxes,
+            ShippedFolders shipped,
             double textScale,
             CompletableFuture<Runnable> end) {
         try {
@@ -64,7 +70,7 @@ public final class Gui {
             String id = engine.orElse(found.settings().engine());
             // Looking for engines takes TornadoVM a second: that is left to the thread that opens this one.
             EngineOffer offer = EngineOffer.working(id, "", "", () -> Engines.open(id));
-            Studio studio = Studio.start(new OpenedScene(file, scene), offer);
+            Studio studio = Studio.start(opened, offer);
             MainWindow window = new MainWindow(
                     stage,
                     studio,
@@ -72,8 +78,9 @@ public final class Gui {
                             new SystemFileChoice(stage),
                             store,
                             found,
-                            skyboxes,
-                            Optional.of(file).filter(_ -> asked),
+                            AutosaveFolder.ofThisUser(),
+                            shipped,
+                            Optional.of(opened.file().path()).filter(_ -> asked),
                             textScale));
             stage.setOnHidden(_ -> {
                 window.close();

@@ -17,16 +17,16 @@ final class LightSection {
     LightSection(Studio studio) {
         this.studio = studio;
         numbers = List.of(
-                NumberRow.ofScene(SceneNumbers.LIGHT_X, "Alt+1", studio),
-                NumberRow.ofScene(SceneNumbers.LIGHT_Y, "Alt+2", studio),
-                NumberRow.ofScene(SceneNumbers.LIGHT_Z, "Alt+3", studio),
-                NumberRow.ofScene(SceneNumbers.LIGHT_RADIUS, "Alt+L", studio),
-                NumberRow.ofScene(SceneNumbers.LIGHT_STRENGTH, "Alt+I", studio));
+                new NumberRow(SceneNumbers.LIGHT_X, "Alt+1", studio),
+                new NumberRow(SceneNumbers.LIGHT_Y, "Alt+2", studio),
+                new NumberRow(SceneNumbers.LIGHT_Z, "Alt+3", studio),
+                new NumberRow(SceneNumbers.LIGHT_RADIUS, "Alt+L", studio),
+                new NumberRow(SceneNumbers.LIGHT_STRENGTH, "Alt+I", studio));
         color = new ColorRow(
                 "Light colour",
                 "The light's hue; how bright it is, the strength says.",
                 "Alt+C",
-                SceneEdit.ofScene(studio),
+                studio,
                 scene -> Radiance.of(scene.light().color()).hue(),
                 LightSection::withHue);
         studio.sceneProperty().subscribe(_ -> refresh());

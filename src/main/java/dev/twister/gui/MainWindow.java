@@ -26,6 +26,8 @@ final class MainWindow implements AutoCloseable {
     private final PictureView picture;
     private final FrameTimesView frameTimes;
     private final StatusLine status;
+    private final HeapKeeper heap = new HeapKeeper();
+    private final Reading reading = new Reading();
     private final Workbench workbench;
     private final AnimationTimer timer;
     private final Runnable afterLayout;
@@ -42,14 +44,14 @@ final class MainWindow implements AutoCloseable {
         this.stage = stage;
         this.studio = studio;
         picture = new PictureView(studio);
-        frameTimes = new FrameTimesView(studio.frames(), picture.widthProperty());
+        frameTimes = new FrameTimesView(studio, picture.widthProperty());
         StackPane middle = new StackPane(picture, frameTimes);
         StackPane.setAlignment(frameTimes, Pos.TOP_LEFT);
         // Large text in the panel takes the room from the picture, not from itself.
         middle.setMinSize(0, 0);
         BorderPane root = new BorderPane(middle);
         root.setId("window");
-        status = new StatusLine(studio);
+        status = new StatusLine(studio, reading);
         root.setBottom(status);
         Scene scene = new Scene(root, WIDTH, HEIGHT, AROUND_THE_PICTURE);
         scene.getStylesheets().add(MainWindow.class.getResource("twister.css").toExternalForm());
@@ -59,7 +61,7 @@ final class MainWindow implements AutoCloseable {
         stage.setScene(scene);
         CameraKeys.install(scene, stage.focusedProperty(), studio);
         CameraMouse.install(picture, studio);
-        workbench = new Workbench(stage, root, picture, frameTimes, studio, options);
+        workbench = new Workbench(stage, root, picture, frameTimes, studio, reading, options);
         timer = new AnimationTimer() {
             @Override
             public void handle(long now) {
@@ -68,6 +70,11 @@ final class MainWindow implements AutoCloseable {
         };
         afterLayout = this::endPulse;
         scene.addPostLayoutPulseListener(afterLayout);
+    }
+
+    /** What reads the files that are opened. */
+    Reading reading() {
+        return reading;
     }
 
     Workbench workbench() {
@@ -86,6 +93,8 @@ final class MainWindow implements AutoCloseable {
         studio.pulse(pulseNanos);
         frameTimes.refresh(pulseNanos);
         workbench.pulse(pulseNanos);
+        status.pulse(pulseNanos);
+        heap.pulse(pulseNanos, studio.restingSamples().isPresent());
     }
 
     /** Up to the end of the layout; what the graphics card's thread does comes after that. */

@@ -2,15 +2,18 @@ package dev.twister.gui;
 
 import dev.twister.gui.Command.Group;
 import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.EditState;
 import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import javafx.scene.Scene;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuBar;
 import javafx.scene.control.MenuItem;
+import javafx.scene.input.KeyEvent;
 
 /** The menus. */
 final class MenuView extends MenuBar {
@@ -28,6 +31,32 @@ final class MenuView extends MenuBar {
         studio.selectionProperty()
                 .subscribe(body ->
                         items.get(Command.DELETE).setDisable(!BodyEdits.isSphere(studio.scene(), body.intValue())));
+    }
+
+    /** Says why a command does nothing whose key is pressed in the picture. */
+    void explainKeys(Scene scene, Studio studio) {
+        scene.addEventHandler(
+                KeyEvent.KEY_PRESSED,
+                event -> items.forEach((command, item) -> {
+                    if (item.isDisable() && command.keys().match(event)) {
+                        studio.notice(whyNot(command, studio));
+                    }
+                }));
+    }
+
+    private static String whyNot(Command command, Studio studio) {
+        int selected = studio.selectionProperty().get();
+        return switch (command) {
+            case DELETE ->
+                selected == BodyNumber.LIGHT
+                        ? "The light can't be deleted"
+                        : BodyEdits.isPoured(studio.scene(), selected)
+                                ? "A poured sphere can't be deleted"
+                                : "Nothing is selected";
+            case UNDO -> "Nothing to undo";
+            case REDO, REDO_ALSO -> "Nothing to redo";
+            default -> command.label() + " is not possible now";
+        };
     }
 
     /** Lets go of all it leads to: JavaFX keeps the items of a menu bar with accelerators for ever. */
@@ -74,6 +103,7 @@ final class MenuView extends MenuBar {
     private void showEdits(EditState state) {
         show(items.get(Command.UNDO), Command.UNDO, state.undoable());
         show(items.get(Command.REDO), Command.REDO, state.redoable());
+        show(items.get(Command.REDO_ALSO), Command.REDO_ALSO, state.redoable());
     }
 
     private static void show(MenuItem item, Command command, Optional<String> edit) {

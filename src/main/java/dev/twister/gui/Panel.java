@@ -6,15 +6,23 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import javafx.css.PseudoClass;
 import javafx.geometry.Bounds;
+import javafx.scene.Scene;
 import javafx.scene.control.Button;
 import javafx.scene.control.ScrollPane;
+import javafx.scene.control.TextField;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
 /** Everything that can be set, in sections. */
 final class Panel extends ScrollPane {
+    private static final PseudoClass WIDE = PseudoClass.getPseudoClass("wide");
+
+    /** Of the window, in letters' heights: there is room for a wider panel then. */
+    private static final double WIDE_EM = 130;
+
     private final EngineSection engine;
     private final PictureSection picture;
     private final LightSection light;
@@ -49,6 +57,13 @@ final class Panel extends ScrollPane {
                 reset);
         sections.getStyleClass().add("sections");
         setId("panel");
+        sceneProperty()
+                .flatMap(Scene::widthProperty)
+                .subscribe(width -> pseudoClassStateChanged(
+                        WIDE,
+                        width != null
+                                && width.doubleValue()
+                                        >= WIDE_EM * reset.getFont().getSize()));
         setContent(sections);
         setFitToWidth(true);
         setHbarPolicy(ScrollBarPolicy.NEVER);
@@ -74,6 +89,15 @@ final class Panel extends ScrollPane {
                 .map(NumberRow.class::cast)
                 .filter(NumberRow::isBeingTyped)
                 .allMatch(NumberRow::takeTyped);
+    }
+
+    /** Whether an edit has been made of all that is typed in a row's field. */
+    boolean isTaken(TextField field) {
+        return rows().stream()
+                .filter(NumberRow.class::isInstance)
+                .map(NumberRow.class::cast)
+                .filter(row -> field.getParent() == row)
+                .noneMatch(NumberRow::isBeingTyped);
     }
 
     /** Called in every pulse: shows what changes by itself. */

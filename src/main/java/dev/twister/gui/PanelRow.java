@@ -98,6 +98,10 @@ abstract sealed class PanelRow extends HBox permits NumberRow, ColorRow, ChoiceR
         reset.setOnAction(_ -> action.run());
     }
 
+    final Label nameLabel() {
+        return nameLabel;
+    }
+
     final String name() {
         return nameLabel.getText();
     }

@@ -19,7 +19,7 @@ final class PhysicsSection {
                 "Whether bodies fall and collide; off puts them back where the scene has them.",
                 "Alt+M",
                 studio::setMoving);
-        gravity = NumberRow.ofScene(SceneNumbers.GRAVITY, "Alt+Y", studio);
+        gravity = new NumberRow(SceneNumbers.GRAVITY, "Alt+Y", studio);
         pause = button(Command.PAUSE, actions);
         buttons = new HBox(pause, button(Command.STEP, actions), button(Command.RANDOMISE, actions));
         buttons.getStyleClass().add("buttons");

@@ -62,7 +62,7 @@ final class PictureActions implements AutoCloseable {
                 .ifPresent(file -> {
                     lastFolder = Optional.ofNullable(file.toAbsolutePath().getParent())
                             .orElse(lastFolder);
-                    errands.keepAfter(
+                    errands.keepPicture(
                             // The window's engine may be long at a picture before it tells.
                             PictureFile.isLinear(file) ? gathered : CompletableFuture.completedFuture(""),
                             () -> {

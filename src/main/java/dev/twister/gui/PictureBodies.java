@@ -31,7 +31,7 @@ record PictureBodies(List<Sphere> pictured, List<Sphere> standing, boolean renum
         if (index < 0 || !renumbered) {
             return body;
         }
-        // Poured ones are in the picture, but not in the scene.
+        // Poured ones are in the picture, but not in the scene: which is which is not known.
         int found = index < given.size() ? SameSpheres.byPlace(wanted, given)[index] : SameSpheres.NONE;
         return found == SameSpheres.NONE ? BodyNumber.NONE : BodyNumber.ofSphere(found);
     }

@@ -21,11 +21,11 @@ final class PictureSection {
     PictureSection(Studio studio) {
         this.studio = studio;
         numbers = List.of(
-                NumberRow.ofScene(SceneNumbers.SHADOW_SAMPLES, "Alt+S", studio),
-                NumberRow.ofScene(SceneNumbers.BOUNCES, "Alt+B", studio),
-                NumberRow.ofScene(SceneNumbers.SAMPLES_PER_PIXEL, "Alt+A", studio),
-                NumberRow.ofScene(SceneNumbers.EXPOSURE, "Alt+X", studio),
-                new NumberRow(SceneNumbers.FIELD_OF_VIEW, "Alt+W", SceneEdit.ofCamera(studio), studio::notice));
+                new NumberRow(SceneNumbers.SHADOW_SAMPLES, "Alt+S", studio),
+                new NumberRow(SceneNumbers.BOUNCES, "Alt+B", studio),
+                new NumberRow(SceneNumbers.SAMPLES_PER_PIXEL, "Alt+A", studio),
+                new NumberRow(SceneNumbers.EXPOSURE, "Alt+X", studio),
+                new NumberRow(SceneNumbers.FIELD_OF_VIEW, "Alt+W", studio));
         toneMap = new ChoiceRow<>(
                 "Tone map",
                 "How bright colours are brought down to what a screen can show.",

@@ -29,7 +29,9 @@ final class SelectionSection extends VBox {
         hint.setId("selection-hint");
         studio.selectionProperty().subscribe(_ -> rebuild());
         // A row's own edit is shown too, while the slider is held.
-        studio.sceneProperty().subscribe(_ -> refresh(_ -> true));
+        studio.sceneProperty()
+                .subscribe(_ -> refresh(
+                        row -> !row.isRead() || !studio.motionProperty().get().isOn()));
         studio.motionProperty().subscribe(_ -> follow());
     }
 
@@ -56,27 +58,35 @@ final class SelectionSection extends VBox {
         boolean sphere = BodyEdits.isSphere(atSelection, body);
         numbers = sphere ? numbers(body) : List.of();
         colors = sphere ? List.of(color(body)) : List.of();
-        hint.setText(
-                switch (body) {
-                    case BodyNumber.NONE ->
-                        "Click a sphere or the light in the picture to select it, or press F2; drag the selected one to move it.";
-                    case BodyNumber.LIGHT -> "The light is selected; its controls are above.";
-                    default ->
-                        "Sphere " + (BodyNumber.sphere(body) + 1) + " of "
-                                + atSelection.spheres().size() + ". Drag it to move it, Delete deletes it.";
-                });
+        hint.setText(hint(atSelection, body));
         getChildren().setAll(hint);
         getChildren().addAll(rows());
         refresh(_ -> true);
     }
 
+    private static String hint(Scene scene, int body) {
+        int spheres = scene.spheres().size();
+        if (BodyEdits.isPoured(scene, body)) {
+            return "Poured sphere " + (BodyNumber.sphere(body) - spheres + 1)
+                    + ". Physics moves it; it can't be edited.";
+        }
+        return switch (body) {
+            case BodyNumber.NONE ->
+                "Click a sphere or the light in the picture to select it, or press F2; drag the selected one to move it.";
+            case BodyNumber.LIGHT -> "The light is selected; its controls are above.";
+            default ->
+                "Sphere " + (BodyNumber.sphere(body) + 1) + " of " + spheres
+                        + ". Drag it to move it, Delete deletes it.";
+        };
+    }
+
     private List<NumberRow> numbers(int body) {
         return List.of(
-                NumberRow.ofScene(BodyEdits.x(body), "Alt+4", studio),
-                NumberRow.ofScene(BodyEdits.y(body), "Alt+5", studio),
-                NumberRow.ofScene(BodyEdits.z(body), "Alt+6", studio),
-                NumberRow.ofScene(BodyEdits.radiusOf(body), "Alt+7", studio),
-                NumberRow.ofScene(BodyEdits.reflectivityOf(body), "Alt+8", studio));
+                new NumberRow(BodyEdits.x(body), "Alt+4", studio),
+                new NumberRow(BodyEdits.y(body), "Alt+5", studio),
+                new NumberRow(BodyEdits.z(body), "Alt+6", studio),
+                new NumberRow(BodyEdits.radiusOf(body), "Alt+7", studio),
+                new NumberRow(BodyEdits.reflectivityOf(body), "Alt+8", studio));
     }
 
     private ColorRow color(int body) {
@@ -84,7 +94,7 @@ final class SelectionSection extends VBox {
                 "Sphere colour",
                 "The sphere's own colour.",
                 "Alt+9",
-                SceneEdit.ofScene(studio),
+                studio,
                 scene -> BodyEdits.sphere(scene, body).color(),
                 (scene, albedo) -> BodyEdits.colored(scene, body, albedo));
     }

@@ -46,7 +46,10 @@ final class SelectionView extends Pane {
                 .map(bodies -> bodies.inPicture(selected))
                 // Nothing is selected, or the picture is of the time before the body was there.
                 .filter(body -> body != BodyNumber.NONE)
-                .flatMap(body -> studio.pictureProperty().get().map(picture -> points(picture, body)))
+                .flatMap(body -> studio.pictureProperty()
+                        .get()
+                        .filter(picture -> body < picture.input().bodyCount())
+                        .map(picture -> points(picture, body)))
                 .orElse(List.of());
         // Told the same points, JavaFX would paint anew.
         if (!line.getPoints().equals(points)) {

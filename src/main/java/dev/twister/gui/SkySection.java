@@ -30,8 +30,8 @@ final class SkySection {
         other.setOnAction(_ -> files.chooseSky());
         sky.addControl(other);
         numbers = List.of(
-                NumberRow.ofScene(SceneNumbers.SKY_ROTATION, "Alt+D", studio),
-                NumberRow.ofScene(SceneNumbers.SKY_STRENGTH, "Alt+O", studio));
+                new NumberRow(SceneNumbers.SKY_ROTATION, "Alt+D", studio),
+                new NumberRow(SceneNumbers.SKY_STRENGTH, "Alt+O", studio));
         studio.sceneProperty().subscribe(_ -> refresh());
         studio.originalProperty().subscribe(_ -> refresh());
     }

@@ -13,9 +13,10 @@ import javafx.util.Duration;
 final class StatusLine extends HBox implements AutoCloseable {
     private static final Duration NOTICE_TIME = Duration.seconds(10);
 
+    private final ReadingView readingView;
     private final PauseTransition goodForAWhile = new PauseTransition(NOTICE_TIME);
 
-    StatusLine(Studio studio) {
+    StatusLine(Studio studio, Reading reading) {
         getStyleClass().add("status");
         setAlignment(Pos.CENTER_LEFT);
         Label facts = label("facts");
@@ -25,7 +26,8 @@ final class StatusLine extends HBox implements AutoCloseable {
         goodForAWhile.setOnFinished(_ -> studio.notice(""));
         Region gap = new Region();
         setHgrow(gap, Priority.ALWAYS);
-        getChildren().addAll(facts, gap, notice, message);
+        readingView = new ReadingView(studio, reading);
+        getChildren().addAll(facts, gap, notice, message, readingView);
         studio.pictureProperty()
                 .subscribe((before, picture) -> picture.filter(now -> before.filter(old -> StatusText.isSame(old, now))
                                 .isEmpty())
@@ -37,6 +39,11 @@ final class StatusLine extends HBox implements AutoCloseable {
             }
         });
         studio.drawingProperty().subscribe(status -> message.setText(StatusText.message(status)));
+    }
+
+    /** Called in every pulse. */
+    void pulse(long nanos) {
+        readingView.pulse(nanos);
     }
 
     /** A label that takes room only while it says something. */

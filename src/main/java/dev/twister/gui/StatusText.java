@@ -2,6 +2,8 @@ package dev.twister.gui;
 
 import dev.twister.gui.drawing.DrawingStatus;
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -34,6 +36,20 @@ final class StatusText {
                 && one.engine().equals(other.engine())
                 && one.isWhole()
                 && other.isWhole();
+    }
+
+    /** What moves in a scene when its physics is switched on. */
+    static String whatFalls(Scene scene) {
+        int spheres = scene.spheres().size();
+        boolean pours = scene.pour().isPresent();
+        if (spheres == 0 && !pours) {
+            return "Physics on, but the scene has no spheres";
+        }
+        if (scene.physics().gravity().equals(new Vector3(0, 0, 0))) {
+            return "Physics on, but gravity is 0: nothing falls";
+        }
+        return "Physics on: " + spheres + (spheres == 1 ? " sphere" : " spheres")
+                + (pours ? ", and more are poured" : "");
     }
 
     /** What is going on, or went wrong; may be empty. */

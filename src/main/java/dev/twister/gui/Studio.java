@@ -12,12 +12,12 @@ import dev.twister.gui.drawing.SkyShelf;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.EditState;
+import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.gui.model.SceneHistory;
 import dev.twister.image.PictureSize;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
 import dev.twister.scene.Vector3;
 import dev.twister.world.CameraMotion;
 import dev.twister.world.Turn;
@@ -56,7 +56,7 @@ public final class Studio implements AutoCloseable {
     private final DrawingLoop loop;
     private final ReadOnlyObjectWrapper<Scene> scene;
     private final ReadOnlyObjectWrapper<EngineChoice> engine;
-    private final ReadOnlyObjectWrapper<Optional<Path>> file;
+    private final ReadOnlyObjectWrapper<EditedFile> file;
     private final ReadOnlyObjectWrapper<EditState> edits = new ReadOnlyObjectWrapper<>(EditState.UNTOUCHED);
     private final ReadOnlyObjectWrapper<ResolutionMode> resolution = new ReadOnlyObjectWrapper<>(ResolutionMode.WINDOW);
     private final ReadOnlyIntegerWrapper selection = new ReadOnlyIntegerWrapper(BodyNumber.NONE);
@@ -88,7 +88,7 @@ public final class Studio implements AutoCloseable {
         Scene first = withCameraAbovePlane(opened.scene());
         scene = new ReadOnlyObjectWrapper<>(first);
         engine = new ReadOnlyObjectWrapper<>(new EngineChoice(0, offer));
-        file = new ReadOnlyObjectWrapper<>(Optional.of(opened.file()));
+        file = new ReadOnlyObjectWrapper<>(opened.file());
         document = new SceneHistory(first);
         original = new ReadOnlyObjectWrapper<>(opened.scene());
         refining.subscribe(_ -> request());
@@ -136,6 +136,15 @@ public final class Studio implements AutoCloseable {
                         request.scene().spheres(), scene.get().spheres(), request.number() < numbered));
     }
 
+    /** The samples per pixel of the picture that is shown, where it is finished and no other one is being drawn. */
+    Optional<Integer> restingSamples() {
+        return picture.get()
+                .filter(shown -> shown.request().number() == requests
+                        && !shown.request().isContinuous()
+                        && shown.samples() >= shown.request().refineTo())
+                .map(DrawnPicture::samples);
+    }
+
     /** What the drawing thread has to say. */
     public ReadOnlyObjectProperty<DrawingStatus> drawingProperty() {
         return drawing.getReadOnlyProperty();
@@ -181,8 +190,15 @@ public final class Studio implements AutoCloseable {
         notice.set(text);
     }
 
+    /** Takes a notice away, where it is still the last one. */
+    void retract(String text) {
+        if (notice.get().equals(text)) {
+            notice.set("");
+        }
+    }
+
     /** The file that the scene came from or was saved to last. */
-    public ReadOnlyObjectProperty<Optional<Path>> fileProperty() {
+    public ReadOnlyObjectProperty<EditedFile> fileProperty() {
         return file.getReadOnlyProperty();
     }
 
@@ -228,7 +244,13 @@ public final class Studio implements AutoCloseable {
     /** Lets bodies move from where the scene has them, or puts them back there. */
     public void setMoving(boolean moving) {
         starts++;
+        boolean moved = motion.get().isOn();
         setMotion(moving ? new Motion(starts, true, 0) : Motion.NONE);
+        if (moving) {
+            notice(StatusText.whatFalls(scene.get()));
+        } else if (moved) {
+            notice("Physics off: bodies are where the scene has them");
+        }
     }
 
     /** Lets time stand still, or go on; starts the motion where there is none. */
@@ -236,6 +258,7 @@ public final class Studio implements AutoCloseable {
         Motion now = motion.get();
         if (now.isOn()) {
             setMotion(new Motion(now.start(), !now.running(), now.steps()));
+            notice(now.running() ? "Paused" : "Resumed");
         } else {
             setMoving(true);
         }
@@ -251,6 +274,9 @@ public final class Studio implements AutoCloseable {
     }
 
     private void setMotion(Motion next) {
+        if (next.start() != motion.get().start() && BodyEdits.isPoured(scene.get(), selection.get())) {
+            select(BodyNumber.NONE);
+        }
         motion.set(next);
         request();
     }
@@ -269,12 +295,14 @@ public final class Studio implements AutoCloseable {
 
     /** Takes the last edit back, where there is one. */
     public void undo() {
+        document.undoable().ifPresent(what -> notice("Undone: " + what));
         document.undo();
         show();
     }
 
     /** Makes the edit again that was taken back last, where there is one. */
     public void redo() {
+        document.redoable().ifPresent(what -> notice("Redone: " + what));
         document.redo();
         show();
     }
@@ -284,9 +312,10 @@ public final class Studio implements AutoCloseable {
         return selection.getReadOnlyProperty();
     }
 
-    /** Selects the light or a sphere; any other number selects nothing. */
+    /** Selects the light, a sphere or one that is poured; any other number selects nothing. */
     public void select(int body) {
-        int selected = BodyEdits.isMovable(scene.get(), body) ? body : BodyNumber.NONE;
+        Scene now = scene.get();
+        int selected = BodyEdits.isMovable(now, body) || BodyEdits.isPoured(now, body) ? body : BodyNumber.NONE;
         if (selected != selection.get()) {
             // The next edit may have the same name, but is of another body.
             endGesture();
@@ -322,11 +351,15 @@ public final class Studio implements AutoCloseable {
     /** Keeps the camera as it is now under that number. */
     public void keepView(int number) {
         views.put(number, scene.get().camera());
+        notice("View kept under " + number);
     }
 
-    /** Goes to the view kept under that number, where there is one. */
+    /** Goes to the view kept under that number; says so where there is none. */
     public void recallView(int number) {
-        Optional.ofNullable(views.get(number)).ifPresent(view -> moveCamera(_ -> view));
+        Optional.ofNullable(views.get(number))
+                .ifPresentOrElse(
+                        view -> moveCamera(_ -> view),
+                        () -> notice("No view is kept under " + number + "; Ctrl+" + number + " keeps this one"));
     }
 
     /** From now on each pulse moves the camera that way, until told otherwise. */
@@ -352,9 +385,9 @@ public final class Studio implements AutoCloseable {
      * @throws dev.twister.sky.SkyException where its sky or a texture cannot be read
      */
     public OpenedScene read(Path scenesFile) {
-        Scene read = SceneReader.read(scenesFile);
-        skies.refresh(read);
-        return new OpenedScene(scenesFile, read);
+        OpenedScene read = OpenedScene.read(scenesFile);
+        skies.refresh(read.scene());
+        return read;
     }
 
     /** Shows another scene, and forgets the old one with its edits. */
@@ -362,11 +395,24 @@ public final class Studio implements AutoCloseable {
         documents++;
         document = new SceneHistory(opened.scene());
         original.set(opened.scene());
-        file.set(Optional.of(opened.file()));
+        file.set(opened.file());
         selection.set(BodyNumber.NONE);
         motion.set(Motion.NONE);
         show();
         request();
+    }
+
+    /**
+     * Shows a scene with edits of it that were not saved.
+     *
+     * @param before to which they are taken back
+     */
+    void restore(OpenedScene before, Scene edited) {
+        show(before);
+        edit("restored changes", _ -> edited);
+        endGesture();
+        document.markUnsaved();
+        show();
     }
 
     /**
@@ -389,6 +435,11 @@ public final class Studio implements AutoCloseable {
         return documents;
     }
 
+    /** The scene with its edits up to now. */
+    SceneHistory.Version present() {
+        return document.version();
+    }
+
     /** The scene as it is to be written, the camera where it is now; to be told of by {@link #saved}. */
     public SceneHistory.Version toSave() {
         document.endGesture();
@@ -396,9 +447,9 @@ public final class Studio implements AutoCloseable {
     }
 
     /** A scene was written to that file: the edits up to it are safe, those after it are not. */
-    public void saved(SceneHistory.Version version, Path target) {
+    public void saved(SceneHistory.Version version, EditedFile target) {
         if (document.markSaved(version)) {
-            file.set(Optional.of(target));
+            file.set(target);
             edits.set(EditState.of(document));
         }
     }
@@ -417,6 +468,25 @@ public final class Studio implements AutoCloseable {
      */
     public void readSky(Path panorama) {
         skies.refresh(panorama);
+    }
+
+    /**
+     * Reads a scene's textures, so that it can be shown; any thread may do so.
+     *
+     * @throws dev.twister.sky.SkyException where one cannot be read
+     */
+    public void readTextures(Scene textured) {
+        skies.refreshTextures(textured);
+    }
+
+    /** The panorama or texture that the drawing thread waits for. */
+    Optional<Path> skyBeingRead() {
+        return skies.beingRead();
+    }
+
+    /** The drawing thread waits no more for a panorama or a texture, and draws without it. */
+    void cancelSky() {
+        skies.cancel();
     }
 
     /** The area for the picture, in pixels of the screen. */

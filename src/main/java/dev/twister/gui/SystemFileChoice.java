@@ -2,11 +2,13 @@ package dev.twister.gui;
 
 import dev.twister.gui.model.ChosenFile;
 import dev.twister.gui.model.PictureFile;
+import dev.twister.gui.model.ScenePatterns;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javafx.stage.DirectoryChooser;
 import javafx.stage.FileChooser;
 import javafx.stage.FileChooser.ExtensionFilter;
@@ -28,7 +30,8 @@ final class SystemFileChoice implements FileChoice {
         FileChooser chooser = chooser("Open a scene or a panorama", folder);
         chooser.getExtensionFilters()
                 .addAll(
-                        new ExtensionFilter("Scenes", SCENE),
+                        new ExtensionFilter("Scenes and panoramas", both()),
+                        new ExtensionFilter("Scenes", ScenePatterns.ofThisSystem()),
                         new ExtensionFilter("Panoramas", PANORAMAS),
                         new ExtensionFilter("All files", "*"));
         return path(chooser.showOpenDialog(owner));
@@ -71,6 +74,11 @@ final class SystemFileChoice implements FileChoice {
         chooser.setTitle("Record into a folder");
         existing(suggested).ifPresent(chooser::setInitialDirectory);
         return path(chooser.showDialog(owner));
+    }
+
+    private static List<String> both() {
+        return Stream.concat(ScenePatterns.ofThisSystem().stream(), PANORAMAS.stream())
+                .toList();
     }
 
     private static FileChooser chooser(String title, Path folder) {

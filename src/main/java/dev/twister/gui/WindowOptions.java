@@ -1,5 +1,6 @@
 package dev.twister.gui;
 
+import dev.twister.gui.model.AutosaveFolder;
 import dev.twister.gui.model.SettingsStore;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -10,7 +11,8 @@ import java.util.Optional;
  * @param files asks for files
  * @param settings where the window's settings are kept
  * @param found what was kept there
- * @param skyboxes the folder of the panoramas that are offered; need not exist
+ * @param autosaves where unsaved edits are kept
+ * @param shipped what is offered and not written to
  * @param asked the scene's file, where it was asked for by name
  * @param textScale how much larger than usual text is, above 0
  */
@@ -18,6 +20,7 @@ record WindowOptions(
         FileChoice files,
         SettingsStore settings,
         SettingsStore.Found found,
-        Path skyboxes,
+        AutosaveFolder autosaves,
+        ShippedFolders shipped,
         Optional<Path> asked,
         double textScale) {}

@@ -17,13 +17,20 @@ import javafx.stage.WindowEvent;
 
 /** Menu, panel, dialogs, and what is kept between runs: all of the window around the picture. */
 final class Workbench implements AutoCloseable {
+    /** For the picture, beside the panel where it is shown. */
+    private static final double LEAST_PICTURE = 240;
+
+    private static final double LEAST_HEIGHT = 240;
+
     private final Stage stage;
     private final Studio studio;
     private final PictureView picture;
     private final FrameTimesView frameTimes;
     private final SettingsKeeper settings;
+    private final Reading reading;
     private final Errands errands = new Errands();
     private final FileActions files;
+    private final AutosaveKeeper autosaves;
     private final PictureActions pictures;
     private final HelpWindows help;
     private final Panel panel;
@@ -33,6 +40,7 @@ final class Workbench implements AutoCloseable {
      * Puts the menu at the root's top and the panel at its right.
      *
      * @param root of the stage's scene, the picture somewhere in it
+     * @param reading reads the files that are opened
      */
     Workbench(
             Stage stage,
@@ -40,14 +48,18 @@ final class Workbench implements AutoCloseable {
             PictureView picture,
             FrameTimesView frameTimes,
             Studio studio,
+            Reading reading,
             WindowOptions options) {
         this.stage = stage;
         this.studio = studio;
         this.picture = picture;
         this.frameTimes = frameTimes;
+        this.reading = reading;
         settings = new SettingsKeeper(options.settings(), options.found(), studio::notice);
         Dialogs dialogs = new Dialogs(stage);
-        files = new FileActions(studio, options.files(), dialogs, settings, errands, this::takeTyped);
+        files = new FileActions(
+                studio, options.files(), options.shipped(), dialogs, settings, errands, reading, this::takeTyped);
+        autosaves = new AutosaveKeeper(studio, options.autosaves());
         pictures = new PictureActions(studio, options.files(), dialogs, errands);
         help = new HelpWindows(stage);
         String usualEngine = studio.engineProperty().get().offer().id();
@@ -56,6 +68,7 @@ final class Workbench implements AutoCloseable {
         panel = new Panel(studio, engines, files, actions);
         menu = new MenuView(studio, settings, files, actions);
         pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
+        menu.explainKeys(root.getScene(), studio);
         root.setTop(menu);
         root.setRight(panel);
         picture.addOverlay(new SelectionView(picture, studio));
@@ -63,10 +76,14 @@ final class Workbench implements AutoCloseable {
         PanelKeys.install(root.getScene(), panel, picture, this::showPanel);
         DropTarget.install(root.getScene(), files);
         errands.run(
-                () -> SkyList.in(options.skyboxes()),
+                () -> SkyList.in(options.shipped().skyboxes()),
                 panel::offerSkies,
                 problem -> studio.notice(FileActions.explain(problem)));
         restore();
+        stage.setMinHeight(LEAST_HEIGHT);
+        panel.visibleProperty().subscribe(_ -> limitWidth());
+        // Style sheets say it, in the text's size.
+        panel.minWidthProperty().subscribe(_ -> limitWidth());
         options.asked().ifPresent(files::remember);
         studio.engineProperty()
                 .subscribe((_, choice) ->
@@ -74,6 +91,7 @@ final class Workbench implements AutoCloseable {
         studio.editsProperty().subscribe(_ -> showTitle());
         studio.fileProperty().subscribe(_ -> showTitle());
         stage.setOnCloseRequest(this::closeOnceSaved);
+        autosaves.offer(dialogs, files);
         stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
         stage.setFullScreenExitHint("");
     }
@@ -81,6 +99,7 @@ final class Workbench implements AutoCloseable {
     /** Called in every pulse. */
     void pulse(long nanos) {
         pictures.pulse();
+        autosaves.pulse(nanos);
         panel.pulse(nanos);
     }
 
@@ -95,6 +114,8 @@ final class Workbench implements AutoCloseable {
         settings.write();
         help.close();
         pictures.finish();
+        autosaves.finish();
+        reading.cancel();
         errands.finish();
         menu.dismantle();
     }
@@ -106,6 +127,7 @@ final class Workbench implements AutoCloseable {
     void awaitFiles() {
         pictures.close();
         errands.close();
+        autosaves.close();
     }
 
     Panel panel() {
@@ -171,6 +193,12 @@ final class Workbench implements AutoCloseable {
                 settings.change(kept -> kept.withView(number, camera));
             }
         });
+    }
+
+    /** The panel hides no picture. */
+    private void limitWidth() {
+        double beside = panel.isVisible() ? Math.max(0, panel.getMinWidth()) : 0;
+        stage.setMinWidth(Math.min(Screen.getPrimary().getVisualBounds().getWidth(), beside + LEAST_PICTURE));
     }
 
     private void showPanel(boolean shown) {
@@ -239,7 +267,9 @@ final class Workbench implements AutoCloseable {
     }
 
     private void backToThePicture() {
-        if (picture.isFocused()) {
+        if (ReadingView.isReading(studio, reading)) {
+            ReadingView.cancel(studio, reading);
+        } else if (picture.isFocused()) {
             studio.select(BodyNumber.NONE);
         } else {
             picture.requestFocus();
@@ -256,10 +286,7 @@ final class Workbench implements AutoCloseable {
     }
 
     private void showTitle() {
-        String name = studio.fileProperty()
-                .get()
-                .map(file -> String.valueOf(file.getFileName()))
-                .orElse("untitled");
+        String name = FileActions.name(studio.fileProperty().get().path());
         stage.setTitle((studio.editsProperty().get().changed() ? "• " : "") + name + " – Twister");
     }
 }

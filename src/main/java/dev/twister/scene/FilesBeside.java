@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 final class FilesBeside implements NamedFiles {
     private final Path scene;
     private final Path target;
+    private final boolean needed;
 
     // Thousands of bodies may name one file, and the disk is slow.
     private final Map<Path, Path> found = new HashMap<>();
@@ -19,17 +20,21 @@ final class FilesBeside implements NamedFiles {
     /**
      * @param scene the scene file, which may be a link
      * @param target what it leads to
+     * @param needed whether files that are found must be there
      */
-    FilesBeside(Path scene, Path target) {
+    FilesBeside(Path scene, Path target, boolean needed) {
         this.scene = scene;
         this.target = target;
+        this.needed = needed;
     }
 
     @Override
     public Path find(Place place, Path name) {
         return found.computeIfAbsent(name, _ -> {
             Path file = existing(name);
-            check(place, file);
+            if (needed) {
+                check(place, file);
+            }
             return file;
         });
     }

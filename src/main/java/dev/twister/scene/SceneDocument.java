@@ -1,7 +1,10 @@
 package dev.twister.scene;
 
 import java.util.LinkedHashMap;
+import java.util.Optional;
 import java.util.SequencedMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** A scene file's text: reads it and writes it. */
 final class SceneDocument {
@@ -29,12 +32,18 @@ final class SceneDocument {
     /**
      * Fields in a fixed order, one line per part, per material and per sphere; of the oldest version that has all that the
      * scene needs.
+     *
+     * @param schema stands first, where there is one
      */
-    static String of(Scene scene, NamedFiles files) {
+    static String of(Scene scene, NamedFiles files, Optional<String> schema) {
         int version =
                 new SceneFormat(Scene.VERSION, scene.materials(), files).scene().version(scene);
         SceneFormat format = new SceneFormat(version, scene.materials(), files);
-        return "{\n  " + String.join(",\n  ", format.scene().members(scene)) + "\n}\n";
+        Stream<String> named =
+                schema.map(reference -> JsonText.member(SchemaReference.FIELD, JsonText.string(reference))).stream();
+        return "{\n  "
+                + Stream.concat(named, format.scene().members(scene).stream()).collect(Collectors.joining(",\n  "))
+                + "\n}\n";
     }
 
     // Before the bodies, which name them.

@@ -25,6 +25,7 @@ import java.util.SequencedMap;
 final class SceneFormat {
     static final String VERSION_FIELD = "version";
     static final String MATERIALS = "materials";
+    static final String SKYBOX = "skybox";
 
     /** The version that first has named materials. */
     static final int MATERIALS_SINCE = 2;
@@ -237,7 +238,7 @@ final class SceneFormat {
                 Scene.under(Path.of("")),
                 List.of(
                         // For editors.
-                        sparse("$schema", REFERENCE, _ -> "", (scene, _) -> scene),
+                        sparse(SchemaReference.FIELD, REFERENCE, _ -> "", (scene, _) -> scene),
                         required(VERSION_FIELD, VERSION, _ -> version, (scene, _) -> scene),
                         written("name", new Text(0, SceneLimits.MAX_NAME_LENGTH), Scene::name, Scene::withName),
                         written(
@@ -250,7 +251,7 @@ final class SceneFormat {
                         sparse(MATERIALS, materials(), Scene::materials, Scene::withMaterials)
                                 .from(MATERIALS_SINCE),
                         required("plane", plane(), Scene::plane, Scene::withPlane),
-                        required("skybox", file, Scene::skybox, Scene::withSkybox),
+                        required(SKYBOX, file, Scene::skybox, Scene::withSkybox),
                         sparse(
                                 "skyRotation",
                                 new Decimal(SceneLimits.SKY_ROTATION),

@@ -16,6 +16,28 @@ public final class SceneReader {
      */
     public static Scene read(Path file) {
         SourceText source = SourceFile.read(file);
-        return SceneDocument.parse(source, new FilesBeside(file, FilePaths.real(file)));
+        return SceneDocument.parse(source, beside(file, true));
+    }
+
+    /**
+     * Reads a scene file as {@link #read} does, but for its skybox: another one takes its place, whether it is there or not.
+     *
+     * @throws SceneException if the file cannot be read or is not a valid scene; the message is one line
+     */
+    public static Scene readUnder(Path skybox, Path file) {
+        return SceneDocument.parse(SourceFile.read(file), new FilesUnderSky(skybox, beside(file, true)));
+    }
+
+    /**
+     * Reads a scene file as {@link #read} does; its skybox and textures need not be there.
+     *
+     * @throws SceneException if the file cannot be read or is not a valid scene; the message is one line
+     */
+    public static Scene readWithoutPictures(Path file) {
+        return SceneDocument.parse(SourceFile.read(file), beside(file, false));
+    }
+
+    private static NamedFiles beside(Path file, boolean needed) {
+        return new FilesBeside(file, FilePaths.real(file), needed);
     }
 }

@@ -14,20 +14,31 @@ public final class SceneWriter {
 
     /**
      * Writes a scene, whole or not at all: an existing file is replaced only once the new one is safely on the disk. The
-     * same scene gives the same bytes. The skybox and textures are written relative to the file's folder, where they can
-     * be; they need not be there. The file is of the oldest version of the format that has all that the scene needs.
+     * same scene gives the same bytes, but for a {@code $schema} that an existing file has, which is kept. The skybox and
+     * textures are written relative to the file's folder, where they can be; they need not be there. The file is of the
+     * oldest version of the format that has all that the scene needs.
      *
      * @param file a file in an existing folder
      * @throws SceneException if a value of the scene is out of range, or the file cannot be written; the message is one
      *     line
      */
     public static void write(Scene scene, Path file) {
+        write(scene, file, file);
+    }
+
+    /**
+     * Writes a scene, as {@link #write(Scene, Path)}.
+     *
+     * @param like the file whose {@code $schema} is kept, where it has one; need not exist
+     */
+    public static void write(Scene scene, Path file, Path like) {
         String name = file.toString();
         if (Files.exists(file) && !Files.isRegularFile(file)) {
             throw failure(name, "is a folder or a device, but must be a file");
         }
         try {
-            String text = SceneDocument.of(scene, new FilesBeside(file, WholeFile.behindLinks(file)));
+            String text = SceneDocument.of(
+                    scene, new FilesBeside(file, WholeFile.behindLinks(file), false), SchemaReference.of(like));
             check(text, name);
             WholeFile.replace(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
         } catch (NoSuchFileException e) {

@@ -45,6 +45,18 @@ class UserFolderTest {
     }
 
     @Test
+    void stateHasAPlaceOfItsOwn() {
+        UserFolder state = UserFolder.STATE;
+        assertThat(state.find("Linux", "/home/ada", Map.of())).contains(Path.of("/home/ada/.local/state/twister"));
+        assertThat(state.find("Linux", "/home/ada", Map.of("XDG_STATE_HOME", "/mine")))
+                .contains(Path.of("/mine/twister"));
+        assertThat(state.find("Mac OS X", "/Users/ada", Map.of()))
+                .contains(Path.of("/Users/ada/Library/Application Support/twister"));
+        assertThat(state.find("Windows 11", "/users/ada", Map.of("LOCALAPPDATA", "/users/ada/local")))
+                .contains(Path.of("/users/ada/local/twister"));
+    }
+
+    @Test
     void thereMayBeNone() {
         assertThat(UserFolder.CACHE.find("Linux", "", Map.of())).isEmpty();
         assertThat(UserFolder.CACHE.find("Linux", "?", Map.of())).isEmpty();

@@ -124,6 +124,16 @@ class CameraTest {
     }
 
     @Test
+    void aViewIsKeptWithAWordAndOneThatIsNotThereIsSaid() {
+        try (WindowDriver driver = WindowDriver.open()) {
+            driver.typeWith(KeyCode.DIGIT1, KeyCode.CONTROL);
+            assertThat(driver.notice()).isEqualTo("View kept under 1");
+            driver.type(KeyCode.DIGIT5);
+            assertThat(driver.notice()).isEqualTo("No view is kept under 5; Ctrl+5 keeps this one");
+        }
+    }
+
+    @Test
     void theWheelChangesTheFieldOfView() {
         try (WindowDriver driver = WindowDriver.open()) {
             Camera start = camera(driver);

@@ -18,36 +18,62 @@ class ErrandsTest {
     private boolean doLate() throws InterruptedException {
         begun.countDown();
         mayEnd.await();
-        return done.add("begun before");
+        return done.add("late");
+    }
+
+    private static void awaitState(Thread thread, Thread.State state) throws InterruptedException {
+        while (thread.getState() != state) {
+            Thread.sleep(1);
+        }
+    }
+
+    @Test
+    void aSceneIsKeptWhateverElseTakesLong() throws InterruptedException {
+        try (WindowDriver _ = WindowDriver.open()) {
+            Errands errands = new Errands();
+            CountDownLatch kept = new CountDownLatch(1);
+            errands.run(this::doLate, _ -> {}, _ -> {});
+            errands.keepPicture(CompletableFuture.completedFuture(""), this::doLate, _ -> {}, _ -> {});
+            begun.await();
+            errands.keepScene(
+                    () -> {
+                        kept.countDown();
+                        return "";
+                    },
+                    _ -> {},
+                    _ -> {});
+            kept.await();
+            assertThat(done).isEmpty();
+            mayEnd.countDown();
+            errands.close();
+        }
     }
 
     @Test
     void whatIsToBeKeptIsDoneBeforeTheEnd() throws InterruptedException {
         try (WindowDriver _ = WindowDriver.open()) {
             Errands errands = new Errands();
-            errands.run(this::doLate, _ -> {}, _ -> {});
-            errands.run(() -> done.add("not begun"), _ -> {}, _ -> {});
-            errands.keep(() -> done.add("kept"), _ -> {}, _ -> {});
+            errands.keepScene(this::doLate, _ -> {}, _ -> {});
+            errands.keepScene(() -> done.add("kept"), _ -> {}, _ -> {});
             begun.await();
             Thread closing = Thread.ofPlatform().start(errands::close);
-            while (closing.getState() != Thread.State.TIMED_WAITING) {
-                Thread.sleep(1);
-            }
+            awaitState(closing, Thread.State.TIMED_WAITING);
             mayEnd.countDown();
             closing.join();
 
-            assertThat(done).containsExactly("begun before", "kept");
+            assertThat(done).containsExactly("late", "kept");
         }
     }
 
     @Test
-    void whatNeedsSomethingHoldsUpNothingAndIsWaitedFor() throws InterruptedException {
+    void aPictureThatNeedsSomethingHoldsUpNoOtherAndIsWaitedFor() throws InterruptedException {
         try (WindowDriver _ = WindowDriver.open()) {
             Errands errands = new Errands();
             CompletableFuture<String> needed = new CompletableFuture<>();
             CountDownLatch saved = new CountDownLatch(1);
-            errands.keepAfter(needed, () -> done.add("with what it needs"), _ -> {}, _ -> {});
-            errands.keep(
+            errands.keepPicture(needed, () -> done.add("with what it needs"), _ -> {}, _ -> {});
+            errands.keepPicture(
+                    CompletableFuture.completedFuture(""),
                     () -> {
                         done.add("at once");
                         saved.countDown();
@@ -57,9 +83,7 @@ class ErrandsTest {
                     _ -> {});
             saved.await();
             Thread closing = Thread.ofPlatform().start(errands::close);
-            while (closing.getState() != Thread.State.WAITING) {
-                Thread.sleep(1);
-            }
+            awaitState(closing, Thread.State.WAITING);
             needed.complete("");
             closing.join();
 
@@ -68,7 +92,7 @@ class ErrandsTest {
     }
 
     @Test
-    void theEndDoesNotWaitForWhatIsOnlyRead() throws InterruptedException {
+    void theEndDoesNotWaitForWhatIsNotKept() throws InterruptedException {
         try (WindowDriver _ = WindowDriver.open()) {
             Errands errands = new Errands();
             errands.run(this::doLate, _ -> {}, _ -> {});

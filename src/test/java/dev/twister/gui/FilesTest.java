@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.EditedFile;
+import dev.twister.gui.model.FileMark;
 import dev.twister.gui.model.SceneHistory;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
@@ -22,12 +24,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
-import javafx.scene.control.Button;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.DialogPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
-import javafx.stage.Window;
 import javafx.stage.WindowEvent;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterAll;
@@ -65,7 +65,7 @@ class FilesTest {
             driver.studio.edit("shadows", now -> now.withSettings(now.settings().withShadows(1)));
             SceneHistory.Version saved = driver.studio.toSave();
             SceneWriter.write(saved.scene(), scene);
-            driver.studio.saved(saved, scene);
+            driver.studio.saved(saved, new EditedFile(scene, FileMark.of(scene)));
         });
         driver.awaitCurrentPicture();
     }
@@ -91,33 +91,16 @@ class FilesTest {
         });
     }
 
-    /** The dialog of that id, where it is shown. */
     private static Optional<DialogPane> dialog(String id) {
-        return WindowDriver.call(() -> Window.getWindows().stream()
-                .map(window -> window.getScene().getRoot())
-                .filter(root -> id.equals(root.getId()))
-                .map(DialogPane.class::cast)
-                .findFirst());
+        return driver.dialog(id);
     }
 
     private static DialogPane awaitDialog(String id) {
-        driver.await(() -> dialog(id).isPresent());
-        return dialog(id).orElseThrow();
+        return driver.awaitDialog(id);
     }
 
     private static void answer(DialogPane dialog, String button) {
-        driver.run(() -> press(dialog, button));
-        driver.await(() -> dialog(dialog.getId()).isEmpty());
-    }
-
-    /** Presses the dialog's button of that name. */
-    private static void press(DialogPane dialog, String button) {
-        dialog.getButtonTypes().stream()
-                .filter(type -> type.getText().equals(button))
-                .map(type -> (Button) dialog.lookupButton(type))
-                .findFirst()
-                .orElseThrow()
-                .fire();
+        driver.answer(dialog, button);
     }
 
     private static void drop(Path file) {
@@ -131,14 +114,12 @@ class FilesTest {
         A_FOLDER(folder -> Files.createDirectory(folder.resolve("folder.json"))),
         EMPTY(folder -> Files.createFile(folder.resolve("empty.json"))),
         BINARY_SCENE(folder -> Files.write(folder.resolve("binary.json"), new byte[] {0, -1, -2, 0, 7})),
+        SCHEMA(folder -> Files.writeString(folder.resolve("x.schema.json"), "{}")),
         BINARY(folder -> Files.write(folder.resolve("program"), new byte[] {127, 'E', 'L', 'F', 0, 1})),
         OTHER_JSON(folder -> Files.writeString(folder.resolve("package.json"), "{\"name\": \"left-pad\"}")),
         HALF_A_SCENE(folder -> Files.writeString(
                 folder.resolve("half.json"),
                 Files.readString(Path.of("scenes", "teaching.json")).substring(0, 300))),
-        NO_SKY(folder -> Files.writeString(
-                folder.resolve("no-sky.json"),
-                Files.readString(Path.of("scenes", "teaching.json")).replace("day.hdr", "night.hdr"))),
         HUGE_SCENE(folder -> sized(folder.resolve("huge.json"), 65L << 20)),
         BROKEN_HDR(folder ->
                 Files.writeString(folder.resolve("broken.hdr"), "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 9")),
@@ -191,6 +172,8 @@ class FilesTest {
         switch (hostile) {
             case A_FOLDER ->
                 assertThat(dialog.getContentText()).startsWith(file.toString()).contains("is a folder");
+            case SCHEMA ->
+                assertThat(dialog.getContentText()).startsWith(file.toString()).contains("describes scenes");
             case BINARY ->
                 assertThat(dialog.getContentText()).startsWith(file.toString()).contains("neither a scene");
             default -> assertThat(dialog.getContentText()).isEqualTo(commandLinesMessage(file));
@@ -208,7 +191,7 @@ class FilesTest {
         Files.copy(folder.resolve("scenes").resolve("start.json"), other);
         driver.files.choose(other);
         driver.typeWith(KeyCode.O, KeyCode.CONTROL);
-        driver.await(() -> driver.studio.fileProperty().get().equals(Optional.of(other)));
+        driver.await(() -> driver.studio.fileProperty().get().path().equals(other));
         assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("other.json – Twister");
         change();
         assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("• other.json – Twister");
@@ -219,7 +202,7 @@ class FilesTest {
         Path third = folder.resolve("scenes").resolve("third.json");
         driver.files.choose(third);
         driver.typeWith(KeyCode.S, KeyCode.CONTROL, KeyCode.SHIFT);
-        driver.await(() -> driver.studio.fileProperty().get().equals(Optional.of(third)));
+        driver.await(() -> driver.studio.fileProperty().get().path().equals(third));
         assertThat(SceneReader.read(third)).isEqualTo(scene());
         assertThat(driver.notice()).isEqualTo("Saved " + third);
         assertThat(driver.window.workbench().settings().recentScenes()).startsWith(third.toString(), other.toString());
@@ -238,12 +221,12 @@ class FilesTest {
         assertThat(scene()).isEqualTo(changed);
         drop(other);
         answer(awaitDialog("save-question"), "Save");
-        driver.await(() -> driver.studio.fileProperty().get().equals(Optional.of(other)));
+        driver.await(() -> driver.studio.fileProperty().get().path().equals(other));
         assertThat(SceneReader.read(start)).isEqualTo(changed);
         change();
         drop(start);
         answer(awaitDialog("save-question"), "Don't save");
-        driver.await(() -> driver.studio.fileProperty().get().equals(Optional.of(start)));
+        driver.await(() -> driver.studio.fileProperty().get().path().equals(start));
         assertThat(SceneReader.read(other).settings().bounces())
                 .isEqualTo(changed.settings().bounces() - 1);
     }
@@ -273,7 +256,7 @@ class FilesTest {
         driver.run(() -> driver.window.workbench().files().afterSaving(() -> left.complete(SceneReader.read(start))));
         DialogPane first = awaitDialog("save-question");
         driver.run(() -> {
-            press(first, "Save");
+            WindowDriver.press(first, "Save");
             // Nothing is told to this thread before it is done here.
             change();
         });
@@ -283,6 +266,123 @@ class FilesTest {
         answer(awaitDialog("save-question"), "Save");
         driver.await(left::isDone);
         assertThat(left.join()).isEqualTo(changed);
+    }
+
+    @Test
+    void aFileThatAnotherProgramHasChangedIsNotOverwrittenUnasked() throws IOException {
+        Path start = folder.resolve("scenes").resolve("start.json");
+        String theirs = Files.readString(start).replace("\"bounces\": ", "\"bounces\": 1");
+        Files.writeString(start, theirs);
+        change();
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+        answer(awaitDialog("overwrite-question"), "Cancel");
+        assertThat(start).hasContent(theirs);
+
+        Path copy = folder.resolve("scenes").resolve("copy.json");
+        driver.files.choose(copy);
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+        answer(awaitDialog("overwrite-question"), "Save as…");
+        driver.await(() -> driver.studio.fileProperty().get().path().equals(copy));
+        assertThat(start).hasContent(theirs);
+    }
+
+    @Test
+    void whoWantsToOverwriteAnotherProgramsChangesIsAskedOnce() throws IOException {
+        Path start = folder.resolve("scenes").resolve("start.json");
+        Files.writeString(start, "something else");
+        change();
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+        answer(awaitDialog("overwrite-question"), "Overwrite");
+        driver.await(() -> !driver.studio.editsProperty().get().changed());
+        assertThat(SceneReader.read(start)).isEqualTo(scene());
+
+        change();
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+        driver.await(() -> !driver.studio.editsProperty().get().changed());
+        assertThat(SceneReader.read(start)).isEqualTo(scene());
+    }
+
+    @Test
+    void savingTwiceInARowAsksNothing() {
+        Path start = folder.resolve("scenes").resolve("start.json");
+        driver.run(() -> {
+            FileActions files = driver.window.workbench().files();
+            change();
+            files.save();
+            change();
+            files.save();
+        });
+        driver.await(() -> !driver.studio.editsProperty().get().changed());
+        assertThat(dialog("overwrite-question")).isEmpty();
+        assertThat(SceneReader.read(start)).isEqualTo(scene());
+    }
+
+    @Test
+    void aFileThatIsGoneIsWrittenAnew() throws IOException {
+        Path start = folder.resolve("scenes").resolve("start.json");
+        Files.delete(start);
+        change();
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+        driver.await(() -> !driver.studio.editsProperty().get().changed());
+        assertThat(SceneReader.read(start)).isEqualTo(scene());
+    }
+
+    @Test
+    void shippedScenesAreNotWrittenTo() throws IOException {
+        Path shipped = Path.of("scenes", "teaching.json").toAbsolutePath();
+        byte[] before = Files.readAllBytes(shipped);
+        Path mine = folder.resolve("scenes").resolve("mine.json");
+        driver.run(() -> driver.studio.open(shipped));
+        change();
+        driver.typeWith(KeyCode.Q, KeyCode.CONTROL);
+        driver.files.choose(shipped);
+        answer(awaitDialog("save-question"), "Save as…");
+        assertThat(driver.files.suggested().orElseThrow().getParent())
+                .isEqualTo(Path.of("").toAbsolutePath());
+        answer(awaitDialog("complaint"), "OK");
+
+        driver.files.choose(mine);
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+        driver.await(() -> driver.studio.fileProperty().get().path().equals(mine));
+        assertThat(SceneReader.read(mine)).isEqualTo(scene());
+        assertThat(shipped).hasBinaryContent(before);
+    }
+
+    @Test
+    void aSceneWhoseSkyIsMissingIsOpenedWithAnother() throws IOException {
+        Path file = Files.writeString(
+                folder.resolve("scenes").resolve("no-sky.json"),
+                Files.readString(Path.of("scenes", "teaching.json")).replace("day.hdr", "night.hdr"));
+        Path sky = Files.copy(Path.of("skyboxes", "sunset.hdr"), folder.resolve("evening.hdr"));
+        Path before = scene().skybox();
+        drop(file);
+        DialogPane question = awaitDialog("sky-question");
+        assertThat(question.getContentText()).isEqualTo(commandLinesMessage(file));
+        answer(question, "Use the present sky");
+        driver.await(() -> driver.studio.fileProperty().get().path().equals(file));
+        assertThat(scene().skybox()).isEqualTo(before);
+        assertThat(WindowDriver.call(driver.studio.editsProperty()::get).changed())
+                .isTrue();
+
+        driver.files.choose(sky);
+        drop(file);
+        answer(awaitDialog("sky-question"), "Choose a sky…");
+        answer(awaitDialog("save-question"), "Don't save");
+        driver.await(() -> driver.studio.scene().skybox().equals(sky));
+    }
+
+    @Test
+    void theSchemaThatAFileNamesIsKept() throws IOException {
+        Path named = folder.resolve("scenes").resolve("start.json");
+        change();
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+        driver.await(() -> !driver.studio.editsProperty().get().changed());
+        assertThat(named).content().contains("\"$schema\": \"scene.schema.json\"");
+        Path copy = folder.resolve("scenes").resolve("copy.json");
+        driver.files.choose(copy);
+        driver.typeWith(KeyCode.S, KeyCode.CONTROL, KeyCode.SHIFT);
+        driver.await(() -> driver.studio.fileProperty().get().path().equals(copy));
+        assertThat(copy).content().contains("\"$schema\": \"scene.schema.json\"");
     }
 
     @Test

@@ -10,6 +10,7 @@ import dev.twister.gui.drawing.EngineChoice;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.SampleWorld;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 class FrameHistoryTest {
@@ -65,7 +66,7 @@ class FrameHistoryTest {
 
         assertThat(history.mean().renderMillis()).isCloseTo(7, within(1e-9));
         assertThat(history.mean().transferMillis()).isCloseTo(3, within(1e-9));
-        assertThat(FrameTimesView.parts(history, 0))
+        assertThat(FrameTimesView.parts(history, 0, Optional.empty()))
                 .containsExactly(
                         "0.0\u00a0FPS",
                         "render\u00a07.0\u00a0ms",
@@ -78,7 +79,9 @@ class FrameHistoryTest {
         history.add(picture(1, 0), 0.1);
         history.add(picture(2, 40_000L * MILLI), 0.1);
 
-        assertThat(FrameTimesView.parts(history, 40_000L * MILLI).getFirst()).isEqualTo("0.025\u00a0FPS");
+        assertThat(FrameTimesView.parts(history, 40_000L * MILLI, Optional.empty())
+                        .getFirst())
+                .isEqualTo("0.025\u00a0FPS");
     }
 
     @Test
@@ -111,5 +114,11 @@ class FrameHistoryTest {
                 number,
                 number,
                 nanos);
+    }
+
+    @Test
+    void aFinishedPictureIsSaidToBeIdle() {
+        assertThat(FrameTimesView.parts(new FrameHistory(), 0, Optional.of(64)).getFirst())
+                .isEqualTo("idle,\u00a064\u00a0samples\u00a0per\u00a0pixel");
     }
 }

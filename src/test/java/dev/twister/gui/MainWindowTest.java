@@ -18,6 +18,17 @@ class MainWindowTest {
     private static final int[] PLACE = {100, 180};
 
     @Test
+    void thePanelLeavesRoomForThePicture() {
+        try (WindowDriver driver = WindowDriver.openWithPanel()) {
+            Panel panel = driver.window.workbench().panel();
+            assertThat(WindowDriver.call(driver.stage::getMinWidth))
+                    .isGreaterThan(WindowDriver.call(panel::getWidth) + 200);
+            driver.type(Command.PANEL.keys());
+            assertThat(WindowDriver.call(driver.stage::getMinWidth)).isLessThan(WindowDriver.WIDTH + 1);
+        }
+    }
+
+    @Test
     void theScreenShowsTheEnginesPixels() {
         try (WindowDriver driver = WindowDriver.open()) {
             DrawnPicture picture = driver.awaitRest();

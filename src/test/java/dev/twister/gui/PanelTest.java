@@ -12,6 +12,7 @@ import dev.twister.kernel.Layout;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -131,6 +132,7 @@ class PanelTest {
         assertThat(scene().settings().shadowSamples()).isEqualTo(50);
 
         // What is still being typed is the field's own.
+        driver.run(field::requestFocus);
         driver.typeWith(KeyCode.A, KeyCode.CONTROL);
         driver.run(() -> field.replaceSelection("7"));
         driver.type(Command.UNDO.keys());
@@ -297,6 +299,72 @@ class PanelTest {
         assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
         driver.type(KeyCode.ESCAPE);
         assertThat(field.getText()).isEqualTo("1");
+        assertThat(driver.text("notice")).isEmpty();
+    }
+
+    @Test
+    void whatIsSaidOfAWrongNumberIsGoneOnceItIsMended() {
+        TextField field = in(row("Shadow samples"), ".text-field", TextField.class);
+        typeText(field, "0");
+        assertThat(driver.text("notice")).startsWith("Shadow samples is '0'");
+        assertThat(field.isFocused()).isTrue();
+        typeText(field, "2");
+        assertThat(driver.text("notice")).isEmpty();
+    }
+
+    @Test
+    void enterLeadsBackToThePicture() {
+        typeText(in(row("Shadow samples"), ".text-field", TextField.class), "2");
+        assertThat(driver.find(".picture", Node.class).isFocused()).isTrue();
+        driver.type(row("Exposure").keys());
+        driver.type(KeyCode.ENTER);
+        assertThat(driver.find(".picture", Node.class).isFocused()).isTrue();
+    }
+
+    private static double sphereX() {
+        return BodyEdits.x(SPHERE).read(scene());
+    }
+
+    @Test
+    void arrowKeysAreFinerWithShiftAndControl() {
+        double before = sphereX();
+        driver.type(row("Sphere x").keys());
+        driver.type(KeyCode.RIGHT);
+        assertThat(sphereX()).isCloseTo(before + 0.1, within(1e-9));
+        driver.typeWith(KeyCode.RIGHT, KeyCode.SHIFT);
+        assertThat(sphereX()).isCloseTo(before + 0.11, within(1e-9));
+        driver.typeWith(KeyCode.LEFT, KeyCode.CONTROL);
+        assertThat(sphereX()).isCloseTo(before + 0.1, within(1e-9));
+    }
+
+    @Test
+    void aNumberIsDraggedByItsNameAndThatIsOneEdit() {
+        double before = sphereX();
+        Label name = in(row("Sphere x"), ".row-name", Label.class);
+        Bounds place = WindowDriver.call(() -> name.localToScreen(name.getLayoutBounds()));
+        driver.withRobot(hand -> hand.mouseMove(place.getMinX() + 5, place.getCenterY()));
+        driver.withRobot(hand -> hand.mousePress(MouseButton.PRIMARY));
+        for (int step = 1; step <= 4; step++) {
+            double x = place.getMinX() + 5 + 10 * step;
+            driver.withRobot(hand -> hand.mouseMove(x, place.getCenterY()));
+        }
+        driver.withRobot(hand -> hand.mouseRelease(MouseButton.PRIMARY));
+        assertThat(sphereX()).isCloseTo(before + 1, within(0.011));
+        driver.type(Command.UNDO.keys());
+        assertThat(sphereX()).isEqualTo(before);
+    }
+
+    @Test
+    void theFieldOfViewIsTakenBackByName() {
+        Scene before = scene();
+        typeText(in(row("Field of view"), ".text-field", TextField.class), "33");
+        assertThat(scene().camera().fieldOfViewDegrees()).isEqualTo(33);
+        driver.type(Command.UNDO.keys());
+        assertThat(scene()).isEqualTo(before);
+        assertThat(driver.notice()).isEqualTo("Undone: field of view");
+        driver.type(Command.REDO.keys());
+        assertThat(scene().camera().fieldOfViewDegrees()).isEqualTo(33);
+        assertThat(driver.notice()).isEqualTo("Redone: field of view");
     }
 
     @Test
@@ -451,6 +519,13 @@ class PanelTest {
         driver.run(() -> inOpenWindows(".hyperlink", Hyperlink.class).fire());
         driver.pulse();
         Node colors = WindowDriver.call(() -> inOpenWindows(".color-rect-border", Node.class));
+        assertThat(WindowDriver.call(() -> inOpenWindows("#settings-pane", Pane.class).getChildren().stream()
+                        .filter(Node::isVisible)
+                        .filter(Label.class::isInstance)
+                        .map(label -> ((Label) label).getText())
+                        .toList()))
+                .doesNotContain("Opacity:")
+                .contains("Hue:");
         Bounds place = WindowDriver.call(() -> colors.localToScreen(colors.getLayoutBounds()));
         List<Scene> seen = new ArrayList<>();
         driver.withRobot(hand -> hand.mouseMove(place.getCenterX(), place.getCenterY()));
@@ -561,6 +636,22 @@ class PanelTest {
         assertThat(panel.isVisible()).isFalse();
         driver.type(row("Exposure").keys());
         assertThat(panel.isVisible()).isTrue();
+    }
+
+    @Test
+    void keysThatDoNothingSayWhy() {
+        driver.type(KeyCode.ESCAPE);
+        driver.run(() -> driver.studio.select(Layout.LIGHT));
+        driver.type(KeyCode.DELETE);
+        assertThat(driver.notice()).isEqualTo("The light can't be deleted");
+        driver.run(() -> driver.studio.select(Layout.NOTHING));
+        driver.type(KeyCode.DELETE);
+        assertThat(driver.notice()).isEqualTo("Nothing is selected");
+        driver.run(() -> driver.studio.show(new OpenedScene(Path.of("test.json"), driver.studio.original())));
+        driver.type(Command.UNDO.keys());
+        assertThat(driver.notice()).isEqualTo("Nothing to undo");
+        driver.type(Command.REDO.keys());
+        assertThat(driver.notice()).isEqualTo("Nothing to redo");
     }
 
     @Test

@@ -19,6 +19,7 @@ import java.util.function.UnaryOperator;
 import javafx.scene.control.Button;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
+import javafx.scene.shape.Polygon;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
@@ -239,6 +240,67 @@ class PhysicsTest {
         assertThat(scene().spheres().getFirst().position().y()).isEqualTo(HEIGHT);
         driver.type(KeyCode.F5);
         assertThat(Double.parseDouble(WindowDriver.call(field::getText))).isEqualTo(HEIGHT);
+    }
+
+    @Test
+    void aFieldWithTheFocusKeepsItsTextWhileItsSphereMoves() {
+        driver.run(() -> driver.studio.select(Layout.FIRST_SPHERE));
+        TextField field = driver.find("#sphere-y .text-field", TextField.class);
+        driver.run(() -> {
+            field.requestFocus();
+            field.selectRange(0, 1);
+        });
+        driver.type(KeyCode.F5);
+        driver.awaitPicture(shown -> shown.request().motion().isOn() && height(shown) < HEIGHT - 0.5);
+        // The camera is part of the scene.
+        driver.run(() -> driver.studio.moveCamera(camera -> camera.withYaw(1)));
+        driver.pulse();
+        assertThat(Double.parseDouble(WindowDriver.call(field::getText))).isEqualTo(HEIGHT);
+        assertThat(WindowDriver.call(field::getSelection).getLength()).isOne();
+
+        driver.run(() -> {
+            field.selectAll();
+            field.replaceSelection("2");
+        });
+        driver.awaitCurrentPicture();
+        driver.type(KeyCode.ENTER);
+        assertThat(scene().spheres().getFirst().position().y()).isEqualTo(2);
+    }
+
+    @Test
+    void physicsSaysWhatFalls() {
+        driver.type(KeyCode.F5);
+        assertThat(driver.notice()).isEqualTo("Physics on: 1 sphere");
+        driver.type(KeyCode.F6);
+        assertThat(driver.notice()).isEqualTo("Paused");
+        driver.type(KeyCode.F5);
+        assertThat(driver.notice()).isEqualTo("Physics off: bodies are where the scene has them");
+        driver.run(() -> driver.studio.edit("none", scene -> scene.withSpheres(List.of())));
+        driver.type(KeyCode.F5);
+        assertThat(driver.notice()).isEqualTo("Physics on, but the scene has no spheres");
+    }
+
+    @Test
+    void aPouredSphereIsSelectedAndFollowed() {
+        driver.run(() -> driver.studio.edit(
+                "pour",
+                scene -> WindowScenes.quick(WindowScenes.shipped("pour-1000")).withSettings(scene.settings())));
+        driver.type(KeyCode.F5);
+        int first = Layout.FIRST_SPHERE + scene().spheres().size();
+        driver.awaitPicture(
+                shown -> shown.request().motion().isOn() && shown.input().bodyCount() > first);
+        driver.run(() -> driver.studio.select(first));
+        Polygon outline = driver.find("#outline", Polygon.class);
+        driver.await(() -> !outline.getPoints().isEmpty());
+        assertThat(driver.text("selection-hint")).startsWith("Poured sphere 1.");
+        driver.type(KeyCode.DELETE);
+        assertThat(driver.notice()).isEqualTo("A poured sphere can't be deleted");
+        driver.type(KeyCode.F2);
+        assertThat(WindowDriver.call(driver.studio.selectionProperty()::get)).isEqualTo(Layout.LIGHT);
+
+        driver.run(() -> driver.studio.select(first));
+        driver.type(KeyCode.F5);
+        assertThat(WindowDriver.call(driver.studio.selectionProperty()::get)).isEqualTo(Layout.NOTHING);
     }
 
     @Test

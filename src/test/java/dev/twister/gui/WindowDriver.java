@@ -3,6 +3,7 @@ package dev.twister.gui;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.AutosaveFolder;
 import dev.twister.gui.model.SettingsStore;
 import dev.twister.gui.model.WindowSettings;
 import dev.twister.scene.Scene;
@@ -22,6 +23,8 @@ import javafx.application.Platform;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.Node;
+import javafx.scene.control.Button;
+import javafx.scene.control.DialogPane;
 import javafx.scene.control.Labeled;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyCodeCombination;
@@ -31,6 +34,7 @@ import javafx.scene.input.MouseButton;
 import javafx.scene.paint.Color;
 import javafx.scene.robot.Robot;
 import javafx.stage.Stage;
+import javafx.stage.Window;
 
 /** The window on JavaFX's headless screen, with a hand on its keyboard and mouse. */
 final class WindowDriver implements AutoCloseable {
@@ -46,6 +50,8 @@ final class WindowDriver implements AutoCloseable {
     /** The window is too small for the panel. */
     private static final SettingsStore.Found FOUND = new SettingsStore.Found(
             WindowSettings.DEFAULT.withPanelShown(false).withWindow(WIDTH, HEIGHT, false), Optional.empty());
+
+    private static final AutosaveFolder NO_AUTOSAVES = new AutosaveFolder(Optional.empty());
 
     final Stage stage;
     final Studio studio;
@@ -65,16 +71,27 @@ final class WindowDriver implements AutoCloseable {
     }
 
     private WindowDriver(
-            Scene scene, EngineOffer engine, SettingsStore settings, SettingsStore.Found found, double textScale) {
+            OpenedScene opened,
+            EngineOffer engine,
+            SettingsStore settings,
+            SettingsStore.Found found,
+            AutosaveFolder autosaves,
+            double textScale) {
         stage = new Stage();
         stage.setX(0);
         stage.setY(0);
-        studio = Studio.start(new OpenedScene(Path.of("test.json"), scene), engine);
+        studio = Studio.start(opened, engine);
         window = new MainWindow(
                 stage,
                 studio,
                 new WindowOptions(
-                        files, settings, found, Path.of("skyboxes"), Optional.of(Path.of("test.json")), textScale));
+                        files,
+                        settings,
+                        found,
+                        autosaves,
+                        new ShippedFolders(Path.of("scenes"), Path.of("skyboxes")),
+                        Optional.of(Path.of("test.json")),
+                        textScale));
         ((Labeled) stage.getScene().getRoot().lookup("#notice")).textProperty().subscribe(text -> {
             if (!text.isEmpty()) {
                 notice = text;
@@ -94,13 +111,29 @@ final class WindowDriver implements AutoCloseable {
     }
 
     private static WindowDriver open(Scene scene, EngineOffer engine, double textScale) {
-        return open(() -> new WindowDriver(scene, engine, new SettingsStore(Optional.empty()), FOUND, textScale));
+        return open(() -> new WindowDriver(
+                untitled(scene), engine, new SettingsStore(Optional.empty()), FOUND, NO_AUTOSAVES, textScale));
+    }
+
+    /** A window with a scene that has a file, and with unsaved edits kept there. */
+    static WindowDriver open(OpenedScene opened, AutosaveFolder autosaves) {
+        return open(() -> new WindowDriver(
+                opened, JvmEngines.parallel(), new SettingsStore(Optional.empty()), FOUND, autosaves, TextScale.USUAL));
+    }
+
+    private static OpenedScene untitled(Scene scene) {
+        return new OpenedScene(Path.of("test.json"), scene);
     }
 
     /** A window with the settings that are kept there. */
     static WindowDriver open(SettingsStore settings) {
         return open(() -> new WindowDriver(
-                WindowScenes.tiny(), JvmEngines.parallel(), settings, settings.read(), TextScale.USUAL));
+                untitled(WindowScenes.tiny()),
+                JvmEngines.parallel(),
+                settings,
+                settings.read(),
+                NO_AUTOSAVES,
+                TextScale.USUAL));
     }
 
     private static WindowDriver open(Callable<WindowDriver> opening) {
@@ -205,6 +238,36 @@ final class WindowDriver implements AutoCloseable {
     /** The text of the label of that id. */
     String text(String id) {
         return call(() -> ((Labeled) stage.getScene().getRoot().lookup("#" + id)).getText());
+    }
+
+    /** The window's dialog of that id, where it is shown. */
+    Optional<DialogPane> dialog(String id) {
+        return call(() -> Window.getWindows().stream()
+                .map(window -> window.getScene().getRoot())
+                .filter(root -> id.equals(root.getId()))
+                .map(DialogPane.class::cast)
+                .findFirst());
+    }
+
+    DialogPane awaitDialog(String id) {
+        await(() -> dialog(id).isPresent());
+        return dialog(id).orElseThrow();
+    }
+
+    /** Presses a button of a dialog, and waits until it is gone. */
+    void answer(DialogPane dialog, String button) {
+        run(() -> press(dialog, button));
+        await(() -> dialog(dialog.getId()).filter(dialog::equals).isEmpty());
+    }
+
+    /** Presses the dialog's button of that name; on JavaFX's thread. */
+    static void press(DialogPane dialog, String button) {
+        dialog.getButtonTypes().stream()
+                .filter(type -> type.getText().equals(button))
+                .map(type -> (Button) dialog.lookupButton(type))
+                .findFirst()
+                .orElseThrow()
+                .fire();
     }
 
     /** The last notice in the status line, which shows each for some seconds: whoever looks late finds it here. */

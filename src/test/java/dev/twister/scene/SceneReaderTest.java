@@ -137,6 +137,29 @@ class SceneReaderTest {
     }
 
     @Test
+    void anotherSkyTakesThePlaceOfOneThatIsNotThere() throws IOException {
+        Path file = SampleScene.put(folder, SampleScene.MATERIALS);
+        Scene scene = SceneReader.read(file);
+        Files.delete(folder.resolve("sky.hdr"));
+        Path other = folder.resolve("other.hdr");
+
+        assertThat(SceneReader.readUnder(other, file)).isEqualTo(scene.withSkybox(other));
+        Files.delete(folder.resolve("earth.png"));
+        assertThatThrownBy(() -> SceneReader.readUnder(other, file))
+                .hasMessageContaining("$.materials.earth.texture names a file that is not there");
+    }
+
+    @Test
+    void readsASceneWhosePicturesAreNotThere() throws IOException {
+        Path file = SampleScene.put(folder, SampleScene.MATERIALS);
+        Scene scene = SceneReader.read(file);
+        Files.delete(folder.resolve("sky.hdr"));
+        Files.delete(folder.resolve("earth.png"));
+
+        assertThat(SceneReader.readWithoutPictures(file)).isEqualTo(scene);
+    }
+
+    @Test
     void fillsInWhatIsOptional() {
         String text = SampleScene.TEXT.replaceAll(
                 "(?m)^  \"(\\$schema|name|description|shading|rendering|physics|pour)\".*\n", "");

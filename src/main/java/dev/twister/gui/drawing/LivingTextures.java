@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.Supplier;
 
 /** The textures of the scene that is being drawn. Used by the drawing thread alone. */
 final class LivingTextures {
@@ -15,12 +16,19 @@ final class LivingTextures {
     private static final Skybox WHITE = new Skybox(1, 1, new float[] {1, 1, 1});
 
     private final SkyShelf shelf;
+    private final Supplier<Optional<Scene>> newest;
     private final Map<Path, String> complaints = new TreeMap<>();
     private Map<Path, Skybox> held = Map.of();
     private long edition;
 
-    LivingTextures(SkyShelf shelf) {
+    /**
+     * No textures.
+     *
+     * @param newest the scene that is asked for by now; empty where none is
+     */
+    LivingTextures(SkyShelf shelf, Supplier<Optional<Scene>> newest) {
         this.shelf = shelf;
+        this.newest = newest;
     }
 
     /** Whether files may have changed since {@link #of} was asked. */
@@ -49,7 +57,11 @@ final class LivingTextures {
     private Skybox read(Path file) {
         complaints.remove(file);
         try {
-            return shelf.texture(file);
+            return shelf.texture(
+                    file,
+                    () -> newest.get()
+                            .filter(now -> now.textures().containsKey(file))
+                            .isPresent());
         } catch (SkyException problem) {
             complaints.put(file, problem.getMessage());
         } catch (OutOfMemoryError _) {

@@ -8,6 +8,7 @@ import dev.twister.world.SceneImages;
 import dev.twister.world.World;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.Supplier;
 
 /**
  * The world of the scene that is being drawn. What does not change from one snapshot to the next stays the same array, so that
@@ -17,6 +18,7 @@ final class LivingWorld implements AutoCloseable {
     private static final float GREY = 0.5f;
 
     private final SkyShelf skies;
+    private final Supplier<Optional<Scene>> newest;
     private final LivingTextures textures;
     private final MovingBodies moving = new MovingBodies();
     private Motion motion = Motion.NONE;
@@ -28,9 +30,15 @@ final class LivingWorld implements AutoCloseable {
     private long skyEdition;
     private Optional<String> complaint = Optional.empty();
 
-    LivingWorld(SkyShelf skies) {
+    /**
+     * A world of nothing.
+     *
+     * @param newest the scene that is asked for by now; empty where none is
+     */
+    LivingWorld(SkyShelf skies, Supplier<Optional<Scene>> newest) {
         this.skies = skies;
-        textures = new LivingTextures(skies);
+        this.newest = newest;
+        textures = new LivingTextures(skies, newest);
     }
 
     /**
@@ -90,7 +98,9 @@ final class LivingWorld implements AutoCloseable {
         skyFile = Optional.of(file);
         skyEdition = edition;
         try {
-            sky = skies.find(file);
+            sky = skies.find(
+                    file,
+                    () -> newest.get().filter(now -> now.skybox().equals(file)).isPresent());
             complaint = Optional.empty();
             return true;
         } catch (SkyException problem) {

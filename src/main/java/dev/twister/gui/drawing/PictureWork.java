@@ -63,7 +63,7 @@ final class PictureWork implements AutoCloseable {
         this.newest = newest;
         slowPictures = new SlowPictures(clock);
         this.exchange = exchange;
-        world = new LivingWorld(skies);
+        world = new LivingWorld(skies, () -> newest.get().map(DrawingRequest::scene));
         seat = new EngineSeat(substitute, whenReady);
     }
 

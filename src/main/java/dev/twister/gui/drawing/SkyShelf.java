@@ -14,29 +14,107 @@ import java.util.Optional;
 import java.util.Queue;
 import java.util.SequencedMap;
 import java.util.StringJoiner;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.BiFunction;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 
 /**
  * The panoramas used last, so that going back to one does not read its file again, and the textures of the scene that was
- * opened last. Used by any thread; none waits while
- * another one reads a file.
+ * opened last. Used by any thread; none waits while another one reads a file.
  */
 public final class SkyShelf {
     private static final int KEPT = 3;
+    private static final long ASKED_EVERY_MILLIS = 20;
 
+    private final BiFunction<Path, Consumer<String>, Skybox> reader;
+    private final BiFunction<Path, Consumer<String>, Skybox> textureReader;
     private final SequencedMap<Path, Skybox> skies = new LinkedHashMap<>();
     private final Map<Path, Long> editions = new HashMap<>();
+    private volatile Optional<Path> beingRead = Optional.empty();
     private Map<Path, Skybox> textures = Map.of();
     private long texturesEdition;
     private final Queue<String> warnings = new ConcurrentLinkedQueue<>();
 
+    public SkyShelf() {
+        this(SkyboxReader::read, TextureReader::read);
+    }
+
+    /** A shelf whose files are read by those. */
+    SkyShelf(
+            BiFunction<Path, Consumer<String>, Skybox> reader,
+            BiFunction<Path, Consumer<String>, Skybox> textureReader) {
+        this.reader = reader;
+        this.textureReader = textureReader;
+    }
+
     /**
      * The panorama of that file, read where it is not at hand.
      *
-     * @throws SkyException as {@link SkyboxReader#read} does
+     * @param wanted asked again and again meanwhile, whether it still is
+     * @throws SkyException as {@link SkyboxReader#read} does, and where it is not wanted any more or was {@link #cancel
+     *     canceled}
      */
-    public Skybox find(Path file) {
-        return kept(file).orElseGet(() -> keep(file, SkyboxReader.read(file, warnings::add)));
+    Skybox find(Path file, BooleanSupplier wanted) {
+        return kept(file).orElseGet(() -> keep(file, await(file, reader, wanted)));
+    }
+
+    /** What a thread waits for in {@link #find} or {@link #texture}. */
+    public Optional<Path> beingRead() {
+        return beingRead;
+    }
+
+    /** Whoever waits in {@link #find} or {@link #texture} waits no more. */
+    public void cancel() {
+        beingRead = Optional.empty();
+    }
+
+    private Skybox await(Path file, BiFunction<Path, Consumer<String>, Skybox> from, BooleanSupplier wanted) {
+        CompletableFuture<Skybox> picture = new CompletableFuture<>();
+        beingRead = Optional.of(file);
+        Thread thread = Thread.ofPlatform().daemon().name("picture").start(() -> {
+            try {
+                picture.complete(from.apply(file, warnings::add));
+            } catch (RuntimeException | Error problem) {
+                picture.completeExceptionally(problem);
+            }
+        });
+        try {
+            while (!picture.isDone()) {
+                if (!wanted.getAsBoolean() || beingRead.isEmpty()) {
+                    throw new SkyException(file + ": reading was canceled", new CancellationException());
+                }
+                waitFor(picture);
+            }
+            return picture.join();
+        } catch (CompletionException problem) {
+            throw thrown(problem.getCause());
+        } finally {
+            beingRead = Optional.empty();
+            // Which closes the file under it.
+            thread.interrupt();
+        }
+    }
+
+    private static void waitFor(CompletableFuture<Skybox> picture) {
+        try {
+            picture.get(ASKED_EVERY_MILLIS, TimeUnit.MILLISECONDS);
+        } catch (InterruptedException | ExecutionException | TimeoutException _) {
+            // Whoever waits looks for itself.
+        }
+    }
+
+    private static RuntimeException thrown(Throwable problem) {
+        if (problem instanceof Error error) {
+            throw error;
+        }
+        return (RuntimeException) problem;
     }
 
     /**
@@ -45,7 +123,7 @@ public final class SkyShelf {
      * @throws SkyException as {@link SkyboxReader#read} does; the panorama that was at hand stays then
      */
     public void refresh(Path file) {
-        Skybox sky = SkyboxReader.read(file, warnings::add);
+        Skybox sky = reader.apply(file, warnings::add);
         synchronized (this) {
             keep(file, sky);
             editions.merge(file, 1L, Long::sum);
@@ -60,7 +138,16 @@ public final class SkyShelf {
      */
     public void refresh(Scene scene) {
         refresh(scene.skybox());
-        Map<Path, Skybox> read = SceneImages.textures(scene, file -> TextureReader.read(file, warnings::add));
+        refreshTextures(scene);
+    }
+
+    /**
+     * Reads a scene's textures anew.
+     *
+     * @throws SkyException as {@link SceneImages#textures} does; the textures that were at hand stay then
+     */
+    public void refreshTextures(Scene scene) {
+        Map<Path, Skybox> read = SceneImages.textures(scene, file -> textureReader.apply(file, warnings::add));
         synchronized (this) {
             textures = read;
             texturesEdition++;
@@ -70,10 +157,12 @@ public final class SkyShelf {
     /**
      * The texture of that file: as it was with the scene that was read last, else read now.
      *
-     * @throws SkyException as {@link TextureReader#read} does
+     * @param wanted asked again and again meanwhile, whether it still is
+     * @throws SkyException as {@link TextureReader#read} does, and where it is not wanted any more or was {@link #cancel
+     *     canceled}
      */
-    Skybox texture(Path file) {
-        return keptTexture(file).orElseGet(() -> TextureReader.read(file, warnings::add));
+    Skybox texture(Path file, BooleanSupplier wanted) {
+        return keptTexture(file).orElseGet(() -> await(file, textureReader, wanted));
     }
 
     private synchronized Optional<Skybox> keptTexture(Path file) {

@@ -1,6 +1,7 @@
 package dev.twister.gui.model;
 
 import dev.twister.gui.model.NumberSetting.Scale;
+import dev.twister.scene.Pour;
 import dev.twister.scene.Range;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
@@ -23,6 +24,12 @@ public final class BodyEdits {
         return index >= 0 && index < scene.spheres().size();
     }
 
+    /** Whether it is a sphere that comes while bodies move, and can be looked at, but not edited. */
+    public static boolean isPoured(Scene scene, int body) {
+        int index = BodyNumber.sphere(body) - scene.spheres().size();
+        return index >= 0 && index < scene.pour().map(Pour::count).orElse(0);
+    }
+
     /** Whether the body can be taken and moved: the light and the spheres. */
     public static boolean isMovable(Scene scene, int body) {
         return body == BodyNumber.LIGHT || isSphere(scene, body);
@@ -38,7 +45,7 @@ public final class BodyEdits {
         int place = switch (body) {
             case BodyNumber.NONE -> 0;
             case BodyNumber.LIGHT -> 1;
-            default -> BodyNumber.sphere(body) + 2;
+            default -> isSphere(scene, body) ? BodyNumber.sphere(body) + 2 : 0;
         };
         int next = Math.floorMod(place + steps, scene.spheres().size() + 2);
         return switch (next) {

@@ -9,6 +9,7 @@ import java.util.Locale;
 
 /** Tells what a file is that someone opens or drops on the window, by its name and its first bytes. */
 public final class DroppedFile {
+    private static final String SCHEMA = ".schema.json";
     private static final int LOOKED_AT = 256;
 
     /** What to read it as; whether it is one is for that reader to say. */
@@ -27,6 +28,9 @@ public final class DroppedFile {
             return Kind.NEITHER;
         }
         String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
+        if (name.endsWith(SCHEMA)) {
+            return Kind.NEITHER;
+        }
         if (name.endsWith(".json")) {
             return Kind.SCENE;
         }
@@ -40,6 +44,9 @@ public final class DroppedFile {
     public static String complaint(Path file) {
         if (Files.isDirectory(file)) {
             return file + ": is a folder, but must be a scene (.json) or a panorama (.hdr, .png, .jpg)";
+        }
+        if (Files.exists(file) && file.toString().toLowerCase(Locale.ROOT).endsWith(SCHEMA)) {
+            return file + ": describes scenes for editors, and is none itself";
         }
         return file
                 + (Files.exists(file)

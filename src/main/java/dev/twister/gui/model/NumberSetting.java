@@ -14,7 +14,7 @@ import java.util.function.ToDoubleFunction;
  * @param label what it is, such as "Shadow samples"
  * @param hint one sentence on what it does
  * @param allowed the values a scene may have
- * @param slid the values that a slider offers, within the allowed ones
+ * @param slid the values that a slider offers, within the allowed ones; with {@link Scale#AROUND} counted from the value
  * @param scale how the slider spreads them
  * @param decimals places after the point that are shown, 0 for whole numbers; also the finest step
  * @param unit such as "m"; may be empty
@@ -33,18 +33,32 @@ public record NumberSetting(
         BiFunction<Scene, Double, Scene> writer) {
     private static final double STEPS_LINEAR = 100;
 
+    /** That a small number has at least, where its relative size counts. */
+    private static final int DIGITS = 2;
+
     /** How a slider's places become numbers. */
     public enum Scale {
         LINEAR,
         /** Every step multiplies; the range lies above 0. */
-        LOGARITHMIC
+        LOGARITHMIC,
+        /** Linear, about the value that the slider is taken at. */
+        AROUND
+    }
+
+    /** The setting with the range that its slider has at a value. */
+    public NumberSetting around(double value) {
+        if (scale != Scale.AROUND) {
+            return this;
+        }
+        Range near = new Range(allowed.clamp(value + slid.min()), allowed.clamp(value + slid.max()));
+        return new NumberSetting(label, hint, allowed, near, Scale.LINEAR, decimals, unit, reader, writer);
     }
 
     /** The number's place on the slider, 0 to 1; at an end where it lies beyond. */
     public double placeOf(double number) {
         double within = slid.clamp(number);
         return switch (scale) {
-            case LINEAR -> (within - slid.min()) / (slid.max() - slid.min());
+            case LINEAR, AROUND -> (within - slid.min()) / (slid.max() - slid.min());
             case LOGARITHMIC -> Math.log(within / slid.min()) / Math.log(slid.max() / slid.min());
         };
     }
@@ -52,24 +66,50 @@ public record NumberSetting(
     /** The number at a place from 0 to 1, rounded to the decimals that are shown. */
     public double numberAt(double place) {
         double number = switch (scale) {
-            case LINEAR -> slid.min() + place * (slid.max() - slid.min());
+            case LINEAR, AROUND -> slid.min() + place * (slid.max() - slid.min());
             case LOGARITHMIC -> slid.min() * Math.pow(slid.max() / slid.min(), place);
         };
         return slid.clamp(rounded(number));
     }
 
-    /** The next number that an arrow key leads to: a hundredth of the slider, and at least the last decimal. */
-    public double stepped(double number, int steps) {
-        double finest = Math.pow(10, -decimals);
+    /**
+     * The next number that an arrow key leads to.
+     *
+     * @param steps hundredths of the slider; at least the last decimal is stepped
+     */
+    public double stepped(double number, double steps) {
+        double finest = Math.pow(10, -places(number));
         double next = numberAt(Math.clamp(placeOf(number) + steps / STEPS_LINEAR, 0, 1));
         boolean moved = Math.abs(next - number) >= finest / 2 && Math.signum(next - number) == Math.signum(steps);
         return moved ? next : slid.clamp(rounded(number + Math.signum(steps) * finest));
     }
 
+    /** The number so many widths of the slider further, not rounded; beyond the slider's ends, too. */
+    public double movedBy(double number, double widths) {
+        double moved = switch (scale) {
+            case LINEAR, AROUND -> number + widths * (slid.max() - slid.min());
+            case LOGARITHMIC -> (number > 0 ? number : slid.min()) * Math.pow(slid.max() / slid.min(), widths);
+        };
+        return allowed.clamp(moved);
+    }
+
+    /** Rounded to what is shown. */
+    public double rounded(double number) {
+        return BigDecimal.valueOf(number)
+                .setScale(places(number), RoundingMode.HALF_UP)
+                .doubleValue();
+    }
+
+    /** Places after the point: more where a small number's relative size counts. */
+    private int places(double number) {
+        boolean small = scale == Scale.LOGARITHMIC && decimals > 0 && number > 0;
+        return small ? Math.max(decimals, DIGITS - 1 - (int) Math.floor(Math.log10(number))) : decimals;
+    }
+
     /** As it is shown: {@code 50} or {@code -1.25}. */
     public String text(double number) {
         return BigDecimal.valueOf(number)
-                .setScale(decimals, RoundingMode.HALF_UP)
+                .setScale(places(number), RoundingMode.HALF_UP)
                 .stripTrailingZeros()
                 .toPlainString();
     }
@@ -100,12 +140,6 @@ public record NumberSetting(
 
     public Scene write(Scene scene, double number) {
         return writer.apply(scene, number);
-    }
-
-    private double rounded(double number) {
-        return BigDecimal.valueOf(number)
-                .setScale(decimals, RoundingMode.HALF_UP)
-                .doubleValue();
     }
 
     /** The label. */

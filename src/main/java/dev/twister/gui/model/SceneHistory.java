@@ -1,5 +1,6 @@
 package dev.twister.gui.model;
 
+import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import java.util.ArrayDeque;
@@ -12,8 +13,8 @@ import java.util.Set;
 
 /**
  * A scene with the edits that led to it, which can be taken back and made again. Successive edits of one gesture (a
- * drag, a slider's movement) count as one. Where the camera stands, how it looks and how wide is no edit: taking one back
- * leaves the viewer where they are; nor is where time has moved spheres. Used by one thread.
+ * drag, a slider's movement) count as one. Where the camera stands and looks is no edit: taking one back
+ * leaves the viewer where they are; nor is where time has moved spheres. The field of view can be taken back, but is nothing to save. Used by one thread.
  */
 public final class SceneHistory {
     static final int MAX_STEPS = 1000;
@@ -48,6 +49,11 @@ public final class SceneHistory {
 
         public Scene scene() {
             return scene;
+        }
+
+        /** Whether the other one is the same, but for the camera. */
+        public boolean isSame(Version other) {
+            return history == other.history && number == other.number;
         }
     }
 
@@ -85,9 +91,12 @@ public final class SceneHistory {
             past.push(past.pop().from(edited));
         }
         future.clear();
+        boolean onlyViewed = edited.withCamera(present.camera()).equals(present);
         present = edited;
-        newestVersion++;
-        version = newestVersion;
+        if (!onlyViewed) {
+            newestVersion++;
+            version = newestVersion;
+        }
         forgetTheOldest();
     }
 
@@ -133,6 +142,12 @@ public final class SceneHistory {
         step(future, past);
     }
 
+    /** There is something to save, whatever was edited. */
+    public void markUnsaved() {
+        newestVersion++;
+        version = newestVersion;
+    }
+
     /** Whether the scene was edited since it was opened or saved. */
     public boolean hasChanged() {
         return version != savedVersion;
@@ -162,11 +177,17 @@ public final class SceneHistory {
         to.push(new Step(step.what(), step.from(), step.to(), version));
         present = step.to()
                 .withSpheres(CarriedSpheres.of(step.from().spheres(), step.to().spheres(), present.spheres()))
-                .withCamera(present.camera());
+                .withCamera(camera(step));
         if (carriedOn) {
             newestVersion++;
         }
         version = carriedOn ? newestVersion : step.version();
+    }
+
+    private Camera camera(Step step) {
+        double from = step.from().camera().fieldOfViewDegrees();
+        double to = step.to().camera().fieldOfViewDegrees();
+        return from == to ? present.camera() : present.camera().withFieldOfView(to);
     }
 
     private void forgetTheOldest() {

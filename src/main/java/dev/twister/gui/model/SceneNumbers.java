@@ -12,8 +12,8 @@ import java.util.function.UnaryOperator;
 
 /** The numbers of a scene, apart from its bodies', that the panel changes. */
 public final class SceneNumbers {
-    /** Where the shipped scenes take place, with room around them. */
-    private static final Range NEARBY = new Range(-30, 30);
+    /** From where a body is, in meters. */
+    private static final Range NEARBY = new Range(-5, 5);
 
     private static final Range SMALL_LENGTHS = new Range(0.05, 10);
 
@@ -155,7 +155,7 @@ public final class SceneNumbers {
 
     static NumberSetting place(
             String label, String hint, ToDoubleFunction<Scene> reader, BiFunction<Scene, Double, Scene> writer) {
-        return new NumberSetting(label, hint, SceneLimits.POSITION, NEARBY, Scale.LINEAR, 2, "m", reader, writer);
+        return new NumberSetting(label, hint, SceneLimits.POSITION, NEARBY, Scale.AROUND, 2, "m", reader, writer);
     }
 
     private static NumberSetting lightPlace(

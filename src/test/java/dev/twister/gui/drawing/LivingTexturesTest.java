@@ -25,7 +25,7 @@ class LivingTexturesTest {
     private Path file;
     private Scene scene;
     private final SkyShelf shelf = new SkyShelf();
-    private final LivingTextures textures = new LivingTextures(shelf);
+    private final LivingTextures textures = new LivingTextures(shelf, () -> Optional.of(scene));
 
     @BeforeEach
     void writeTheScene() throws IOException {

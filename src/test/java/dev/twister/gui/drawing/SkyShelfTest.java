@@ -1,17 +1,76 @@
 package dev.twister.gui.drawing;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.sky.PngBytes;
+import dev.twister.sky.SkyException;
+import dev.twister.sky.Skybox;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class SkyShelfTest {
     @TempDir
     Path folder;
+
+    private final CountDownLatch begun = new CountDownLatch(1);
+    private final CompletableFuture<String> interrupted = new CompletableFuture<>();
+
+    private Skybox readForEver(Path file, Consumer<String> warnings) {
+        begun.countDown();
+        try {
+            new CountDownLatch(1).await();
+        } catch (InterruptedException _) {
+            interrupted.complete("");
+        }
+        throw new SkyException(file + ": interrupted", new CancellationException());
+    }
+
+    @Test
+    void whatIsNotWantedAnyMoreIsNotWaitedFor() throws InterruptedException {
+        SkyShelf shelf = new SkyShelf(this::readForEver, this::readForEver);
+        AtomicBoolean wanted = new AtomicBoolean(true);
+        CompletableFuture<Skybox> found =
+                CompletableFuture.supplyAsync(() -> shelf.find(folder.resolve("slow.hdr"), wanted::get));
+        begun.await();
+        assertThat(shelf.beingRead()).contains(folder.resolve("slow.hdr"));
+        wanted.set(false);
+        assertThatThrownBy(found::join).hasRootCauseInstanceOf(CancellationException.class);
+        interrupted.join();
+        assertThat(shelf.beingRead()).isEmpty();
+    }
+
+    @Test
+    void aTextureThatIsNotWantedAnyMoreIsNotWaitedFor() throws InterruptedException {
+        SkyShelf shelf = new SkyShelf(this::readForEver, this::readForEver);
+        AtomicBoolean wanted = new AtomicBoolean(true);
+        CompletableFuture<Skybox> found =
+                CompletableFuture.supplyAsync(() -> shelf.texture(folder.resolve("slow.png"), wanted::get));
+        begun.await();
+        assertThat(shelf.beingRead()).contains(folder.resolve("slow.png"));
+        wanted.set(false);
+        assertThatThrownBy(found::join).hasRootCauseInstanceOf(CancellationException.class);
+        interrupted.join();
+    }
+
+    @Test
+    void whatIsCanceledIsNotWaitedFor() throws InterruptedException {
+        SkyShelf shelf = new SkyShelf(this::readForEver, this::readForEver);
+        CompletableFuture<Skybox> found =
+                CompletableFuture.supplyAsync(() -> shelf.find(folder.resolve("slow.hdr"), () -> true));
+        begun.await();
+        shelf.cancel();
+        assertThatThrownBy(found::join).hasRootCauseInstanceOf(CancellationException.class);
+        interrupted.join();
+    }
 
     @Test
     void givesWarningsOnce() throws IOException {
@@ -21,7 +80,7 @@ class SkyShelfTest {
         Path file = Files.write(folder.resolve("sky.png"), image);
         SkyShelf shelf = new SkyShelf();
         shelf.refresh(file);
-        shelf.find(file);
+        shelf.find(file, () -> true);
         assertThat(shelf.takeWarnings()).isEqualTo(file + ": the gAMA chunk is damaged and is ignored");
         assertThat(shelf.takeWarnings()).isEmpty();
     }

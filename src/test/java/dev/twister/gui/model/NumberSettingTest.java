@@ -47,7 +47,7 @@ class NumberSettingTest {
     @MethodSource("all")
     void nothingElseIsWritten(NumberSetting setting) {
         double before = setting.read(scene);
-        Scene there = setting.write(scene, setting.numberAt(0.9));
+        Scene there = setting.write(scene, setting.around(before).numberAt(0.9));
         assertThat(there).isNotEqualTo(scene);
         assertThat(setting.write(there, before)).isEqualTo(scene);
     }
@@ -99,6 +99,34 @@ class NumberSettingTest {
         assertThat(shadows.numberAt(0.5)).isEqualTo(20);
         assertThat(shadows.placeOf(1000)).isEqualTo(1);
         assertThat(SceneNumbers.EXPOSURE.placeOf(0)).isEqualTo(0.5);
+    }
+
+    @Test
+    void aPlacesSliderIsAboutWhereTheBodyIs() {
+        NumberSetting near = SceneNumbers.LIGHT_X.around(50);
+        assertThat(near.placeOf(50)).isEqualTo(0.5);
+        assertThat(near.numberAt(1)).isEqualTo(55);
+        assertThat(SceneNumbers.LIGHT_X.around(1e6).numberAt(1)).isEqualTo(1e6);
+        assertThat(SceneNumbers.EXPOSURE.around(3)).isEqualTo(SceneNumbers.EXPOSURE);
+    }
+
+    @Test
+    void aSmallSizeIsShownWithItsDigits() {
+        NumberSetting radius = SceneNumbers.LIGHT_RADIUS;
+        assertThat(radius.text(0.004)).isEqualTo("0.004");
+        assertThat(radius.text(0.0123456)).isEqualTo("0.012");
+        assertThat(radius.text(1e-6)).isEqualTo("0.000001");
+        assertThat(radius.text(1.234)).isEqualTo("1.23");
+        assertThat(SceneNumbers.LIGHT_X.text(1e-9)).isEqualTo("0");
+        assertThat(radius.parse(radius.text(0.004))).contains(0.004);
+    }
+
+    @Test
+    void aDragGoesBeyondTheSliderUpToWhatIsAllowed() {
+        assertThat(SceneNumbers.EXPOSURE.movedBy(6, 0.5)).isEqualTo(12);
+        assertThat(SceneNumbers.SHADOW_SAMPLES.movedBy(400, 1)).isEqualTo(1024);
+        assertThat(SceneNumbers.SHADOW_SAMPLES.movedBy(20, 0.5)).isCloseTo(400, within(1e-6));
+        assertThat(SceneNumbers.LIGHT_STRENGTH.movedBy(0, 0.1)).isPositive();
     }
 
     @Test

@@ -232,4 +232,20 @@ class SceneHistoryTest {
         }
         assertThat(any.present()).isEqualTo(end);
     }
+
+    @Test
+    void theFieldOfViewIsTakenBackAndIsNothingToSave() {
+        Scene scene = start;
+        SceneHistory history = new SceneHistory(scene);
+        history.edit("field of view", scene.withCamera(scene.camera().withFieldOfView(33)));
+        Camera walked = history.present().camera().withYaw(12);
+        history.carryOn(history.present().withCamera(walked));
+        assertThat(history.hasChanged()).isFalse();
+
+        history.undo();
+        assertThat(history.present().camera())
+                .isEqualTo(walked.withFieldOfView(scene.camera().fieldOfViewDegrees()));
+        history.redo();
+        assertThat(history.present().camera()).isEqualTo(walked);
+    }
 }

@@ -1,0 +1,162 @@
+package dev.twister.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.gui.model.Autosave;
+import dev.twister.gui.model.AutosaveFolder;
+import dev.twister.gui.model.EditedFile;
+import dev.twister.gui.model.FileMark;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneReader;
+import dev.twister.scene.SceneWriter;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import javafx.scene.input.KeyCode;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Edits that outlive a process that is killed. */
+class AutosaveTest {
+    @TempDir
+    private Path parent;
+
+    private Path file;
+    private AutosaveFolder folder;
+    private final Scene scene = WindowScenes.tiny();
+    private final Scene edited = changed(scene);
+
+    @BeforeEach
+    void writeTheScene() {
+        file = parent.resolve("mine.json");
+        SceneWriter.write(scene, file);
+        folder = new AutosaveFolder(Optional.of(parent.resolve("autosave")));
+    }
+
+    private static Scene changed(Scene scene) {
+        return scene.withSettings(scene.settings().withBounces(scene.settings().bounces() + 1));
+    }
+
+    private List<Path> kept() throws IOException {
+        if (!Files.exists(parent.resolve("autosave"))) {
+            return List.of();
+        }
+        try (var files = Files.list(parent.resolve("autosave"))) {
+            return files.filter(path -> path.toString().endsWith(".json")).toList();
+        }
+    }
+
+    private boolean keepsSomething() {
+        try {
+            return !kept().isEmpty();
+        } catch (IOException problem) {
+            throw new AssertionError(problem);
+        }
+    }
+
+    private WindowDriver open() {
+        return WindowDriver.open(OpenedScene.read(file), folder);
+    }
+
+    /** What a killed process leaves. */
+    private void leave(Path of) throws IOException {
+        try (Autosave autosave = folder.begin(new EditedFile(of, FileMark.of(of)))) {
+            autosave.write(edited);
+        }
+    }
+
+    @Test
+    void anEditIsKeptUntilItIsSaved() throws IOException {
+        try (WindowDriver driver = open()) {
+            driver.run(() -> driver.studio.edit("bounces", _ -> edited));
+            driver.await(this::keepsSomething);
+            assertThat(SceneReader.read(kept().getFirst())).isEqualTo(edited);
+
+            driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+            driver.await(() -> !keepsSomething());
+            assertThat(SceneReader.read(file)).isEqualTo(edited);
+        }
+    }
+
+    @Test
+    void anEditThatIsGivenUpIsNotKept() throws IOException {
+        try (WindowDriver driver = open()) {
+            driver.run(() -> driver.studio.edit("bounces", _ -> edited));
+            driver.await(this::keepsSomething);
+            driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+            driver.await(() -> !keepsSomething());
+            driver.typeWith(KeyCode.Z, KeyCode.CONTROL, KeyCode.SHIFT);
+            driver.await(this::keepsSomething);
+        }
+        assertThat(kept()).isEmpty();
+    }
+
+    @Test
+    void whatAKilledProcessLeftIsRestoredAsUnsavedEdits() throws IOException {
+        leave(file);
+        try (WindowDriver driver = open()) {
+            driver.answer(driver.awaitDialog("restore-question"), "Restore");
+            driver.await(() -> driver.studio.editsProperty().get().changed());
+            assertThat(WindowDriver.call(driver.studio::scene)).isEqualTo(edited);
+            assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("• mine.json – Twister");
+            assertThat(keepsSomething()).isTrue();
+
+            driver.typeWith(KeyCode.S, KeyCode.CONTROL);
+            driver.await(() -> !keepsSomething());
+            assertThat(SceneReader.read(file)).isEqualTo(edited);
+        }
+    }
+
+    @Test
+    void restoredEditsCanBeTakenBack() throws IOException {
+        leave(file);
+        try (WindowDriver driver = open()) {
+            driver.answer(driver.awaitDialog("restore-question"), "Restore");
+            driver.await(() -> driver.studio.editsProperty().get().changed());
+            driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+            assertThat(WindowDriver.call(driver.studio::scene)).isEqualTo(scene);
+            assertThat(WindowDriver.call(driver.studio.editsProperty()::get).changed())
+                    .isFalse();
+        }
+    }
+
+    @Test
+    void editsOfAFileThatIsGoneAreRestoredToo() throws IOException {
+        leave(parent.resolve("gone.json"));
+        try (WindowDriver driver = open()) {
+            driver.answer(driver.awaitDialog("restore-question"), "Restore");
+            driver.await(() -> driver.studio.editsProperty().get().changed());
+            assertThat(WindowDriver.call(driver.studio::scene)).isEqualTo(edited);
+            assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("• gone.json – Twister");
+        }
+    }
+
+    @Test
+    void editsWhoseSkyIsGoneAreRestoredUnderThePresentOne() throws IOException {
+        Path sky = Files.copy(Path.of("skyboxes", "sunset.hdr"), parent.resolve("gone.hdr"));
+        try (Autosave autosave = folder.begin(new EditedFile(file, FileMark.of(file)))) {
+            autosave.write(edited.withSkybox(sky));
+        }
+        Files.delete(sky);
+        try (WindowDriver driver = open()) {
+            driver.answer(driver.awaitDialog("restore-question"), "Restore");
+            driver.await(() -> driver.studio.editsProperty().get().changed());
+            assertThat(WindowDriver.call(driver.studio::scene)).isEqualTo(edited);
+        }
+    }
+
+    @Test
+    void whatIsDiscardedIsGoneAndWhatIsLeftForLaterIsNot() throws IOException {
+        leave(file);
+        leave(file);
+        try (WindowDriver driver = open()) {
+            driver.answer(driver.awaitDialog("restore-question"), "Discard");
+            driver.answer(driver.awaitDialog("restore-question"), "Later");
+        }
+        assertThat(kept()).hasSize(1);
+        assertThat(folder.leftBehind()).hasSize(1);
+    }
+}
