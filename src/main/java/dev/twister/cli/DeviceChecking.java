@@ -58,6 +58,6 @@ record DeviceChecking(DeviceCheckPlan plan, PrintWriter out, PrintWriter err) {
 
     private CheckedScene read(String name) {
         Scene scene = SceneReader.read(SceneFiles.find(name));
-        return new CheckedScene(name, World.of(scene, SkyFiles.read(scene.skybox(), err)));
+        return new CheckedScene(name, World.of(scene, SkyFiles.readAll(scene, err)));
     }
 }
