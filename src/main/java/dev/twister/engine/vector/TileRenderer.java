@@ -15,10 +15,12 @@ import dev.twister.engine.vector.step.Highlight;
 import dev.twister.engine.vector.step.HitSorting;
 import dev.twister.engine.vector.step.LightDirection;
 import dev.twister.engine.vector.step.LightHit;
+import dev.twister.engine.vector.step.MaterialLanes;
 import dev.twister.engine.vector.step.NearestSphere;
 import dev.twister.engine.vector.step.ScatterLanes;
 import dev.twister.engine.vector.step.SkyDirection;
 import dev.twister.engine.vector.step.SphereSurface;
+import dev.twister.engine.vector.step.TextureLanes;
 import dev.twister.engine.vector.step.TileOutput;
 
 /** Draws tiles, step by step; one for each thread. */
@@ -95,6 +97,10 @@ final class TileRenderer {
             }
             if (tile.spheres.count > 0) {
                 SphereSurface.find(drawing, tile);
+            }
+            if (drawing.looks.isAny()) {
+                MaterialLanes.find(drawing, tile);
+                TextureLanes.multiply(drawing, tile);
             }
             if (tile.surfaces.count > 0) {
                 shade(drawing, bounce);
