@@ -2,10 +2,19 @@ package dev.twister.kernel;
 
 /** Numbers in [0, 1) that look random, and are the same on every engine and in every run. */
 public final class Noise {
-    private static final int BITS = 0xffff;
+    /** Of what is mixed: the first bits, whose products stay below 2^31, as an overflow is not defined on every device. */
+    public static final int BITS = 0xffff;
+
+    public static final int FLIPPED = 0x5bd1;
+    public static final int FIRST_FACTOR = 31153;
+    public static final int FIRST_SUMMAND = 27183;
+    public static final int FIRST_SHIFT = 15;
+    public static final int SECOND_FACTOR = 28411;
+    public static final int SECOND_SUMMAND = 12289;
+    public static final int SECOND_SHIFT = 14;
 
     /** Shifts are multiples of it. */
-    private static final float STEP = 0x1p-16f;
+    public static final float STEP = 0x1p-16f;
 
     private Noise() {}
 
@@ -28,7 +37,7 @@ public final class Noise {
      *
      * @param bounce 0 or more
      */
-    static int surface(int bounce) {
+    public static int surface(int bounce) {
         return Layout.SAMPLE_SURFACE + 2 * (bounce - bounce / Layout.SAMPLE_SURFACES * Layout.SAMPLE_SURFACES);
     }
 
@@ -41,10 +50,10 @@ public final class Noise {
         return mixed(mixed(mixed(column) ^ row) ^ mixed(place));
     }
 
-    /** Products stay below 2^31: an overflow is not defined on every device. */
-    private static int mixed(int value) {
-        int product = (value ^ 0x5bd1) * 31153 + 27183;
-        product = ((product ^ (product >> 15)) & BITS) * 28411 + 12289;
-        return (product ^ (product >> 14)) & BITS;
+    /** In [0, 65536), as the value. */
+    public static int mixed(int value) {
+        int product = (value ^ FLIPPED) * FIRST_FACTOR + FIRST_SUMMAND;
+        product = ((product ^ (product >> FIRST_SHIFT)) & BITS) * SECOND_FACTOR + SECOND_SUMMAND;
+        return (product ^ (product >> SECOND_SHIFT)) & BITS;
     }
 }

@@ -9,6 +9,7 @@ import dev.twister.engine.vector.shortcut.GroundAlone;
 import dev.twister.engine.vector.shortcut.OpenGround;
 import dev.twister.engine.vector.shortcut.TileSky;
 import dev.twister.engine.vector.step.CameraLanes;
+import dev.twister.engine.vector.step.FacetLanes;
 import dev.twister.engine.vector.step.GroundHit;
 import dev.twister.engine.vector.step.GroundSurface;
 import dev.twister.engine.vector.step.Highlight;
@@ -81,7 +82,7 @@ final class TileRenderer {
     private void follow(Drawing drawing, int firstBounce) {
         for (int bounce = firstBounce; bounce <= drawing.bounceLimit && tile.live.count > 0; bounce++) {
             tile.last = bounce == drawing.bounceLimit;
-            boolean offPlane = bounce == 1 && tile.spheres.count == 0;
+            boolean offPlane = bounce == 1 && tile.spheres.count == 0 && drawing.looks.plainPlane;
             findHits(drawing, bounce, offPlane);
             if (drawing.declined.isAnyBody()) {
                 bench.handover.endAtHits(tile, drawing, bounce);
@@ -100,7 +101,9 @@ final class TileRenderer {
             }
             if (drawing.looks.isAny()) {
                 MaterialLanes.find(drawing, tile);
-                TextureLanes.multiply(drawing, tile);
+                if (drawing.looks.textured) {
+                    TextureLanes.multiply(drawing, tile);
+                }
             }
             if (tile.surfaces.count > 0) {
                 shade(drawing, bounce);
@@ -146,7 +149,14 @@ final class TileRenderer {
         }
         Shadows.find(tile, drawing, bench.shadows);
         Highlight.find(tile);
-        ScatterLanes.scatter(drawing, tile);
+        ScatterLanes.shade(tile, drawing);
+        if (drawing.looks.rough && tile.rough.count > 0 && tile.live.count > 0) {
+            FacetLanes.find(drawing, tile, tile.live, bounce);
+            FacetLanes.reflect(tile, tile.live);
+        } else {
+            ScatterLanes.reflect(tile);
+        }
+        ScatterLanes.leave(tile);
     }
 
     /** The same from the view rays on, which all meet the ground. */

@@ -12,7 +12,7 @@ public final class Declined {
     private static final int MOST_OCCLUDERS = 256;
 
     /** The looks that lanes do not know: from the first to before the last. */
-    private static final int UNKNOWN_LOOKS = Layout.LOOK_ROUGHNESS;
+    private static final int UNKNOWN_LOOKS = Layout.LOOK_TRANSMISSION;
 
     private static final int UNKNOWN_LOOKS_END = Layout.LOOK_TEXTURE;
 

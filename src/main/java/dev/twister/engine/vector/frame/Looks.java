@@ -20,6 +20,9 @@ public final class Looks {
     /** Whether any body has a texture. */
     public boolean textured;
 
+    /** Whether any body is rough. */
+    public boolean rough;
+
     /** Whether the plane has but color and reflectivity. */
     public boolean plainPlane;
 
@@ -36,8 +39,10 @@ public final class Looks {
 
     private void copy() {
         textured = false;
+        rough = false;
         for (int body = 0; body < bodies; body++) {
             textured |= look(body, Layout.LOOK_TEXTURE) > 0f;
+            rough |= look(body, Layout.LOOK_ROUGHNESS) > 0f;
             for (int look = 0; look < COUNT && bodies <= Lanes.COUNT; look++) {
                 columns[Lanes.BORDER + look * Lanes.COUNT + body] = look(body, FIRST + look);
             }
@@ -54,6 +59,6 @@ public final class Looks {
 
     /** Whether any body has more than color and reflectivity. */
     public boolean isAny() {
-        return textured;
+        return textured || rough;
     }
 }

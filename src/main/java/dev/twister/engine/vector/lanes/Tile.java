@@ -124,7 +124,18 @@ public final class Tile {
 
     public static final int TEXTURE_HEIGHT = DIRECTION_X + 46 * SIZE;
 
-    private static final int COLUMNS = 47;
+    /** The normal of the surface's facet that reflects, turned against the ray. */
+    public static final int FACET_X = DIRECTION_X + 47 * SIZE;
+
+    public static final int FACET_Y = DIRECTION_X + 48 * SIZE;
+    public static final int FACET_Z = DIRECTION_X + 49 * SIZE;
+
+    /** Two numbers in [0, 1) that a rough surface's facet is tilted by. */
+    public static final int FIRST_NUMBER = SKY_TO_RIGHT;
+
+    public static final int SECOND_NUMBER = SKY_TO_BOTTOM;
+
+    private static final int COLUMNS = 50;
 
     /** Columns of {@link #corners}. */
     public static final int UPPER_LEFT = Lanes.BORDER;
@@ -178,6 +189,9 @@ public final class Tile {
 
     /** Those whose surfaces have a texture. */
     public final PacketList textures = new PacketList(PACKETS);
+
+    /** Those with a rough surface. */
+    public final PacketList rough = new PacketList(PACKETS);
 
     /** Those with rays {@link #TOGETHER}. */
     public final PacketList together = new PacketList(PACKETS);

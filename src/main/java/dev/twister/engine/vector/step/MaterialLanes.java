@@ -20,6 +20,21 @@ public final class MaterialLanes {
         } else {
             copy(tile, drawing.looks);
         }
+        list(tile);
+    }
+
+    /** Lists the packets with a rough surface. */
+    static void list(Tile tile) {
+        tile.rough.clear();
+        float[] t = tile.values;
+        for (int k = 0; k < tile.surfaces.count; k++) {
+            int at = tile.surfaces.places[k];
+            if (Lanes.load(t, at + Tile.ROUGHNESS)
+                    .compare(VectorOperators.GT, 0f)
+                    .anyTrue()) {
+                tile.rough.add(at);
+            }
+        }
     }
 
     /** Where one vector holds a column of all bodies. */
