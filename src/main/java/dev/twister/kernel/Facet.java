@@ -5,6 +5,9 @@ package dev.twister.kernel;
  * Benyoub, "Sampling Visible GGX Normals with Spherical Caps", 2023).
  */
 public final class Facet {
+    /** Of a cosine, below which it is taken for it. */
+    public static final float LEAST_SQUARE = 1e-12f;
+
     private Facet() {}
 
     /**
@@ -76,7 +79,7 @@ public final class Facet {
     }
 
     private static float lambda(float alpha, float cosine) {
-        float squared = Math.max(cosine * cosine, 1e-12f);
+        float squared = Math.max(cosine * cosine, LEAST_SQUARE);
         return 0.5f * (float) Math.sqrt(1f + alpha * alpha * (1f - Math.min(squared, 1f)) / squared) - 0.5f;
     }
 

@@ -33,13 +33,13 @@ public final class KernelMath {
     public static final float TEN_THIRDS_6 = 0.012356257f;
 
     /** {@code sin(2 pi x)} for x in [-0.25, 0.25] is {@code x (SINE_0 + SINE_1 x^2 + SINE_2 x^4 + ...)}. */
-    private static final float SINE_0 = 6.2831855f;
+    public static final float SINE_0 = 6.2831855f;
 
-    private static final float SINE_1 = -41.3417f;
-    private static final float SINE_2 = 81.605225f;
-    private static final float SINE_3 = -76.70428f;
-    private static final float SINE_4 = 42.00978f;
-    private static final float SINE_5 = -14.393967f;
+    public static final float SINE_1 = -41.3417f;
+    public static final float SINE_2 = 81.605225f;
+    public static final float SINE_3 = -76.70428f;
+    public static final float SINE_4 = 42.00978f;
+    public static final float SINE_5 = -14.393967f;
 
     private KernelMath() {}
 

@@ -2,10 +2,19 @@ package dev.twister.kernel;
 
 /** Numbers in [0, 1) that look random, and are the same on every engine and in every run. */
 public final class Noise {
-    private static final int BITS = 0xffff;
+    /** Of what is mixed: the first bits, whose products stay below 2^31, as an overflow is not defined on every device. */
+    public static final int BITS = 0xffff;
+
+    /** 0x88b5 and 0xdb2d modulo 2^16. */
+    public static final int FIRST_FACTOR = -0x774b;
+
+    public static final int SECOND_FACTOR = -0x24d3;
+    public static final int FIRST_SHIFT = 8;
+    public static final int SECOND_SHIFT = 7;
+    public static final int THIRD_SHIFT = 9;
 
     /** Shifts are multiples of it. */
-    private static final float STEP = 0x1p-16f;
+    public static final float STEP = 0x1p-16f;
 
     private Noise() {}
 
@@ -28,7 +37,7 @@ public final class Noise {
      *
      * @param bounce 0 or more
      */
-    static int surface(int bounce) {
+    public static int surface(int bounce) {
         return Layout.SAMPLE_SURFACE + 2 * (bounce - bounce / Layout.SAMPLE_SURFACES * Layout.SAMPLE_SURFACES);
     }
 
@@ -42,13 +51,10 @@ public final class Noise {
         return mixed(mixed(column ^ mixed(2 * place)) ^ mixed(row ^ mixed(2 * place + 1)));
     }
 
-    /**
-     * Another number of 16 bits for each, none twice. The factors stand for 0x88b5 and
-     * 0xdb2d modulo 2^16; no product reaches 2^31, as an overflow is not defined on every device.
-     */
-    private static int mixed(int value) {
-        int mixed = ((value ^ (value >> 8)) * -0x774b) & BITS;
-        mixed = ((mixed ^ (mixed >> 7)) * -0x24d3) & BITS;
-        return mixed ^ (mixed >> 9);
+    /** Another number in [0, 65536) for each, none twice. */
+    public static int mixed(int value) {
+        int mixed = ((value ^ (value >> FIRST_SHIFT)) * FIRST_FACTOR) & BITS;
+        mixed = ((mixed ^ (mixed >> SECOND_SHIFT)) * SECOND_FACTOR) & BITS;
+        return mixed ^ (mixed >> THIRD_SHIFT);
     }
 }

@@ -9,16 +9,19 @@ import dev.twister.engine.vector.shortcut.GroundAlone;
 import dev.twister.engine.vector.shortcut.OpenGround;
 import dev.twister.engine.vector.shortcut.TileSky;
 import dev.twister.engine.vector.step.CameraLanes;
+import dev.twister.engine.vector.step.FacetLanes;
 import dev.twister.engine.vector.step.GroundHit;
 import dev.twister.engine.vector.step.GroundSurface;
 import dev.twister.engine.vector.step.Highlight;
 import dev.twister.engine.vector.step.HitSorting;
 import dev.twister.engine.vector.step.LightDirection;
 import dev.twister.engine.vector.step.LightHit;
+import dev.twister.engine.vector.step.MaterialLanes;
 import dev.twister.engine.vector.step.NearestSphere;
 import dev.twister.engine.vector.step.ScatterLanes;
 import dev.twister.engine.vector.step.SkyDirection;
 import dev.twister.engine.vector.step.SphereSurface;
+import dev.twister.engine.vector.step.TextureLanes;
 import dev.twister.engine.vector.step.TileOutput;
 
 /** Draws tiles, step by step; one for each thread. */
@@ -79,7 +82,7 @@ final class TileRenderer {
     private void follow(Drawing drawing, int firstBounce) {
         for (int bounce = firstBounce; bounce <= drawing.bounceLimit && tile.live.count > 0; bounce++) {
             tile.last = bounce == drawing.bounceLimit;
-            boolean offPlane = bounce == 1 && tile.spheres.count == 0;
+            boolean offPlane = bounce == 1 && tile.spheres.count == 0 && drawing.looks.plainPlane;
             findHits(drawing, bounce, offPlane);
             if (drawing.declined.isAnyBody()) {
                 bench.handover.endAtHits(tile, drawing, bounce);
@@ -95,6 +98,12 @@ final class TileRenderer {
             }
             if (tile.spheres.count > 0) {
                 SphereSurface.find(drawing, tile);
+            }
+            if (drawing.looks.isAny()) {
+                MaterialLanes.find(drawing, tile);
+                if (drawing.looks.textured) {
+                    TextureLanes.multiply(drawing, tile);
+                }
             }
             if (tile.surfaces.count > 0) {
                 shade(drawing, bounce);
@@ -140,7 +149,14 @@ final class TileRenderer {
         }
         Shadows.find(tile, drawing, bench.shadows);
         Highlight.find(tile);
-        ScatterLanes.scatter(drawing, tile);
+        ScatterLanes.shade(tile, drawing);
+        if (drawing.looks.rough && tile.rough.count > 0 && tile.live.count > 0) {
+            FacetLanes.find(drawing, tile, tile.live, bounce);
+            FacetLanes.reflect(tile, tile.live);
+        } else {
+            ScatterLanes.reflect(tile);
+        }
+        ScatterLanes.leave(tile);
     }
 
     /** The same from the view rays on, which all meet the ground. */

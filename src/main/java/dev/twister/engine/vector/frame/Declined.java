@@ -11,8 +11,10 @@ public final class Declined {
     /** Each point that is shaded is tested against every declined occluder: with more of them, the whole frame is declined. */
     private static final int MOST_OCCLUDERS = 256;
 
-    /** The looks that lanes know are the first so many. */
-    private static final int KNOWN_LOOKS = Layout.LOOK_REFLECTIVITY + 1;
+    /** The looks that lanes do not know: from the first to before the last. */
+    private static final int UNKNOWN_LOOKS = Layout.LOOK_TRANSMISSION;
+
+    private static final int UNKNOWN_LOOKS_END = Layout.LOOK_TEXTURE;
 
     /** A camera this near to a surface, in radii, may be inside. */
     private static final float INSIDE = 1.0001f;
@@ -34,7 +36,7 @@ public final class Declined {
     /**
      * Declines nothing until a frame is taken.
      *
-     * @param bodies tells which bodies are declined beside those that have looks other than color and reflectivity
+     * @param bodies tells which bodies are declined beside those that have looks that lanes do not know
      */
     public Declined(IntPredicate bodies) {
         this.bodies = bodies;
@@ -95,7 +97,7 @@ public final class Declined {
 
     private boolean hasUnknownLooks(int body) {
         boolean unknown = false;
-        for (int look = KNOWN_LOOKS; look < Layout.LOOK_STRIDE; look++) {
+        for (int look = UNKNOWN_LOOKS; look < UNKNOWN_LOOKS_END; look++) {
             unknown |= looks[Layout.LOOK_STRIDE * body + look] != 0f;
         }
         return unknown;

@@ -15,6 +15,7 @@ public final class Drawing {
     public final Shortcuts shortcuts;
     public final Declined declined;
 
+    public final Looks looks = new Looks();
     public final BodyColumns bodies = new BodyColumns();
     public final WideHierarchy hierarchy = new WideHierarchy();
     public final DiscOrders discOrders = new DiscOrders();
@@ -84,6 +85,7 @@ public final class Drawing {
         input = newInput;
         frame = newFrame;
         declined.take(newInput);
+        looks.take(newInput);
         bodies.take(newInput);
         crowded = walk;
         if (crowded) {

@@ -83,11 +83,12 @@ public final class PaddedSky {
             source = input.panorama().texels();
             width = input.panorama().dimensions()[Layout.SKY_WIDTH];
             height = input.panorama().dimensions()[Layout.SKY_HEIGHT];
-            halved = fitHalves(source);
+            int end = NUMBERS_A_TEXEL * width * height;
+            halved = fitHalves(source, end);
             int room = BLANKS + Math.multiplyExact(NUMBERS_A_TEXEL, Math.multiplyExact(stride(), height + MORE_ROWS));
             floats = new float[halved ? 0 : room];
             halves = new short[halved ? room : 0];
-            shared = new int[halved && fitShared(source) ? Math.multiplyExact(stride(), height + MORE_ROWS) : 0];
+            shared = new int[halved && fitShared(source, end) ? Math.multiplyExact(stride(), height + MORE_ROWS) : 0];
             for (int row = -1; row <= height; row++) {
                 copyRow(row);
             }
@@ -99,9 +100,9 @@ public final class PaddedSky {
         return shared.length > 0;
     }
 
-    private static boolean fitShared(float[] radiance) {
+    private static boolean fitShared(float[] radiance, int end) {
         boolean fit = true;
-        for (int texel = 0; texel < radiance.length && fit; texel += NUMBERS_A_TEXEL) {
+        for (int texel = 0; texel < end && fit; texel += NUMBERS_A_TEXEL) {
             fit = fitsShared(radiance, texel);
         }
         return fit;
@@ -136,10 +137,10 @@ public final class PaddedSky {
         return bits;
     }
 
-    private static boolean fitHalves(float[] radiance) {
+    private static boolean fitHalves(float[] radiance, int end) {
         int lower = 0;
-        for (float value : radiance) {
-            lower |= Float.floatToRawIntBits(value) << LOWER_BITS;
+        for (int at = 0; at < end; at++) {
+            lower |= Float.floatToRawIntBits(radiance[at]) << LOWER_BITS;
         }
         return lower == 0;
     }

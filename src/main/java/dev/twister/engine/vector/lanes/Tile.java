@@ -112,7 +112,30 @@ public final class Tile {
 
     public static final int PLACE_Y = DIRECTION_X + 40 * SIZE;
 
-    private static final int COLUMNS = 41;
+    /** What the surface is made of beyond color and reflectivity, in frames with any such body: in the order of a body's looks. */
+    public static final int ROUGHNESS = DIRECTION_X + 41 * SIZE;
+
+    public static final int TRANSMISSION = DIRECTION_X + 42 * SIZE;
+    public static final int IOR = DIRECTION_X + 43 * SIZE;
+    public static final int TEXTURE = DIRECTION_X + 44 * SIZE;
+
+    /** The size of the texture in texels. */
+    public static final int TEXTURE_WIDTH = DIRECTION_X + 45 * SIZE;
+
+    public static final int TEXTURE_HEIGHT = DIRECTION_X + 46 * SIZE;
+
+    /** The normal of the surface's facet that reflects, turned against the ray. */
+    public static final int FACET_X = DIRECTION_X + 47 * SIZE;
+
+    public static final int FACET_Y = DIRECTION_X + 48 * SIZE;
+    public static final int FACET_Z = DIRECTION_X + 49 * SIZE;
+
+    /** Two numbers in [0, 1) that a rough surface's facet is tilted by. */
+    public static final int FIRST_NUMBER = SKY_TO_RIGHT;
+
+    public static final int SECOND_NUMBER = SKY_TO_BOTTOM;
+
+    private static final int COLUMNS = 50;
 
     /** Columns of {@link #corners}. */
     public static final int UPPER_LEFT = Lanes.BORDER;
@@ -163,6 +186,12 @@ public final class Tile {
     public final PacketList spheres = new PacketList(PACKETS);
     public final PacketList surfaces = new PacketList(PACKETS);
     public final PacketList shadows = new PacketList(PACKETS);
+
+    /** Those whose surfaces have a texture. */
+    public final PacketList textures = new PacketList(PACKETS);
+
+    /** Those with a rough surface. */
+    public final PacketList rough = new PacketList(PACKETS);
 
     /** Those with rays {@link #TOGETHER}. */
     public final PacketList together = new PacketList(PACKETS);

@@ -76,7 +76,9 @@ public final class Choices {
             case NOTHING ->
                 drawing.shortcuts.take(Shortcut.SKY_TILES) && sky.isCharted(drawing, tile) ? Way.SKY : Way.ANY;
             case GROUND ->
-                drawing.shortcuts.take(Shortcut.GROUND_TILES) && !drawing.declined.isBody(Layout.PLANE)
+                drawing.shortcuts.take(Shortcut.GROUND_TILES)
+                                && drawing.looks.plainPlane
+                                && !drawing.declined.isBody(Layout.PLANE)
                         ? chooseOnGround(drawing, tile)
                         : Way.ANY;
             case PART -> Way.ANY;

@@ -13,13 +13,6 @@ import jdk.incubator.vector.VectorOperators;
 public final class ScatterLanes {
     private ScatterLanes() {}
 
-    /** Adds what the surfaces send towards the eye, and starts the rays that go on. */
-    public static void scatter(Drawing drawing, Tile tile) {
-        shade(tile, drawing);
-        reflect(tile);
-        leave(tile);
-    }
-
     /**
      * Adds {@code T * (lightColor * spec + (1 - k) * C * lit)} and leaves {@code T * k * lit}; lists the packets with a
      * lane that goes on as live.
@@ -57,7 +50,7 @@ public final class ScatterLanes {
     }
 
     /** Mirrors the live rays at the surfaces and starts them there. */
-    static void reflect(Tile tile) {
+    public static void reflect(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
@@ -83,7 +76,7 @@ public final class ScatterLanes {
     }
 
     /** Starts the live rays at the surfaces they leave. */
-    static void leave(Tile tile) {
+    public static void leave(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];

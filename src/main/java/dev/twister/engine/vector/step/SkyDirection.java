@@ -1,6 +1,7 @@
 package dev.twister.engine.vector.step;
 
 import dev.twister.engine.vector.frame.PaddedSky;
+import dev.twister.engine.vector.lanes.ArcTangent;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.kernel.KernelMath;
@@ -55,16 +56,7 @@ public final class SkyDirection {
         float[] t = tile.values;
         for (int k = 0; k < tile.skies.count; k++) {
             int at = tile.skies.places[k] + column;
-            FloatVector ratio = Lanes.load(t, at);
-            FloatVector s = ratio.mul(ratio);
-            FloatVector polynomial = Lanes.fma(s, KernelMath.ATAN_8, KernelMath.ATAN_7);
-            polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.ATAN_6));
-            polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.ATAN_5));
-            polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.ATAN_4));
-            polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.ATAN_3));
-            polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.ATAN_2));
-            polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.ATAN_1));
-            Lanes.fma(ratio, polynomial.mul(s), ratio).intoArray(t, at);
+            ArcTangent.of(Lanes.load(t, at)).intoArray(t, at);
         }
     }
 

@@ -1,0 +1,64 @@
+package dev.twister.engine.vector.frame;
+
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.kernel.Layout;
+import dev.twister.world.FrameInput;
+
+/** What bodies are made of beyond color and reflectivity. Kept while the input's array is the same. */
+public final class Looks {
+    /** The looks from that one on are told. */
+    public static final int FIRST = Layout.LOOK_ROUGHNESS;
+
+    public static final int COUNT = Layout.LOOK_STRIDE - FIRST;
+
+    /** {@link Layout#LOOK_STRIDE} floats a body. */
+    public float[] values = {};
+
+    /** The looks from {@link #FIRST} on in columns of {@link Lanes#COUNT}, from {@link Lanes#BORDER} on, where so many hold all bodies. */
+    public final float[] columns = new float[Lanes.BORDER + COUNT * Lanes.COUNT];
+
+    /** Whether any body has a texture. */
+    public boolean textured;
+
+    /** Whether any body is rough. */
+    public boolean rough;
+
+    /** Whether the plane has but color and reflectivity. */
+    public boolean plainPlane;
+
+    private int bodies;
+
+    @SuppressWarnings("ReferenceEquality") // an input's arrays never change
+    void take(FrameInput input) {
+        if (values != input.bodies().looks() || bodies != input.bodyCount()) {
+            values = input.bodies().looks();
+            bodies = input.bodyCount();
+            copy();
+        }
+    }
+
+    private void copy() {
+        textured = false;
+        rough = false;
+        for (int body = 0; body < bodies; body++) {
+            textured |= look(body, Layout.LOOK_TEXTURE) > 0f;
+            rough |= look(body, Layout.LOOK_ROUGHNESS) > 0f;
+            for (int look = 0; look < COUNT && bodies <= Lanes.COUNT; look++) {
+                columns[Lanes.BORDER + look * Lanes.COUNT + body] = look(body, FIRST + look);
+            }
+        }
+        plainPlane = true;
+        for (int look = FIRST; look < Layout.LOOK_STRIDE; look++) {
+            plainPlane &= look(Layout.PLANE, look) == 0f;
+        }
+    }
+
+    private float look(int body, int look) {
+        return values[Layout.LOOK_STRIDE * body + look];
+    }
+
+    /** Whether any body has more than color and reflectivity. */
+    public boolean isAny() {
+        return textured || rough;
+    }
+}

@@ -1,0 +1,200 @@
+package dev.twister.engine.vector.step;
+
+import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.lanes.ArcTangent;
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.kernel.KernelMath;
+import dev.twister.kernel.Layout;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+
+/** Pictures on bodies: {@link dev.twister.kernel.Texture}. Places in them are found in lanes, texels are fetched
+ * pixel by pixel, and weighed in lanes. */
+public final class TextureLanes {
+    private static final int CHANNELS = 3;
+    private static final float TURNS_PER_RADIAN = 0.15915494f;
+    private static final float HALF_TURNS_PER_RADIAN = 0.31830987f;
+
+    /** Less than any coordinate that matters, more than 0: keeps 0 / 0 away. */
+    private static final float TINY = 1e-37f;
+
+    private TextureLanes() {}
+
+    /** Multiplies the albedo of the surfaces that have a texture. */
+    public static void multiply(Drawing drawing, Tile tile) {
+        list(tile);
+        if (tile.textures.count > 0) {
+            findPlaces(tile);
+            findRepeats(tile);
+            fetchSizes(tile, drawing);
+            findTexels(tile);
+            fetch(tile, drawing);
+            multiply(tile);
+        }
+    }
+
+    /** Lists the packets and the pixels with a texture. */
+    static void list(Tile tile) {
+        tile.textures.clear();
+        float[] t = tile.values;
+        int count = 0;
+        for (int k = 0; k < tile.surfaces.count; k++) {
+            int at = tile.surfaces.places[k];
+            long textured = Lanes.load(t, at + Tile.TEXTURE)
+                    .compare(VectorOperators.GT, 0f)
+                    .toLong();
+            if (textured != 0L) {
+                tile.textures.add(at);
+                Lanes.pack(tile.pixels, at, textured, tile.lonely.pixels, count);
+                count += Long.bitCount(textured);
+            }
+        }
+        tile.lonely.count = count;
+    }
+
+    /** Writes where the normals point in a picture that goes around once, in pictures from the left and from the top. */
+    static void findPlaces(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.textures.count; k++) {
+            int at = tile.textures.places[k];
+            FloatVector x = Lanes.load(t, at + Tile.NORMAL_X);
+            FloatVector y = Lanes.load(t, at + Tile.NORMAL_Y);
+            FloatVector z = Lanes.load(t, at + Tile.NORMAL_Z);
+            FloatVector across = x.abs();
+            FloatVector ahead = z.abs();
+            VectorMask<Float> sideways = across.compare(VectorOperators.GT, ahead);
+            FloatVector octant = ArcTangent.of(ahead.blend(across, sideways.not())
+                    .div(Lanes.larger(ahead.blend(across, sideways), Lanes.all(TINY))));
+            FloatVector quadrant = octant.blend(Lanes.all(KernelMath.HALF_PI).sub(octant), sideways);
+            FloatVector half =
+                    quadrant.blend(Lanes.all(KernelMath.PI).sub(quadrant), z.compare(VectorOperators.GT, 0f));
+            FloatVector turns = half.blend(half.neg(), x.compare(VectorOperators.LT, 0f))
+                    .mul(TURNS_PER_RADIAN)
+                    .add(0.5f);
+            turns.blend(turns.add(1f), turns.compare(VectorOperators.LT, 0f)).intoArray(t, at + Tile.SKY_TO_RIGHT);
+            FloatVector level = Lanes.fma(x, x, z.mul(z)).sqrt();
+            FloatVector up = y.abs();
+            VectorMask<Float> steep = up.compare(VectorOperators.GT, level);
+            octant = ArcTangent.of(up.blend(level, steep).div(Lanes.larger(level.blend(up, steep), Lanes.all(TINY))));
+            quadrant = octant.blend(Lanes.all(KernelMath.HALF_PI).sub(octant), steep);
+            FloatVector elevation = quadrant.blend(quadrant.neg(), y.compare(VectorOperators.LT, 0f));
+            Lanes.all(0.5f).sub(elevation.mul(HALF_TURNS_PER_RADIAN)).intoArray(t, at + Tile.SKY_TO_BOTTOM);
+        }
+    }
+
+    /** The same on the plane, whose picture repeats every meter. */
+    static void findRepeats(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.textures.count; k++) {
+            int at = tile.textures.places[k];
+            VectorMask<Float> ground = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.PLANE);
+            FloatVector x = Lanes.load(t, at + Tile.POINT_X);
+            FloatVector z = Lanes.load(t, at + Tile.POINT_Z).neg();
+            Lanes.load(t, at + Tile.SKY_TO_RIGHT)
+                    .blend(x.sub(Lanes.floor(x)), ground)
+                    .intoArray(t, at + Tile.SKY_TO_RIGHT);
+            Lanes.load(t, at + Tile.SKY_TO_BOTTOM)
+                    .blend(z.sub(Lanes.floor(z)), ground)
+                    .intoArray(t, at + Tile.SKY_TO_BOTTOM);
+        }
+    }
+
+    /** Writes the size of each listed pixel's picture, and where it begins. */
+    static void fetchSizes(Tile tile, Drawing drawing) {
+        float[] t = tile.values;
+        int[] dimensions = drawing.input.panorama().dimensions();
+        for (int k = 0; k < tile.lonely.count; k++) {
+            int pixel = tile.lonely.pixels[k];
+            int at = Layout.SKY_DIMENSIONS_LENGTH + Layout.TEXTURE_STRIDE * ((int) t[pixel + Tile.TEXTURE] - 1);
+            tile.texels[pixel] = dimensions[at + Layout.TEXTURE_START];
+            t[pixel + Tile.TEXTURE_WIDTH] = dimensions[at + Layout.TEXTURE_WIDTH];
+            t[pixel + Tile.TEXTURE_HEIGHT] = dimensions[at + Layout.TEXTURE_HEIGHT];
+        }
+    }
+
+    /** Turns the places into the four texels about them and the fractions from the upper left one. */
+    static void findTexels(Tile tile) {
+        float[] t = tile.values;
+        int[] corners = tile.corners;
+        for (int k = 0; k < tile.textures.count; k++) {
+            int at = tile.textures.places[k];
+            FloatVector columns = Lanes.load(t, at + Tile.TEXTURE_WIDTH);
+            FloatVector rows = Lanes.load(t, at + Tile.TEXTURE_HEIGHT);
+            FloatVector column =
+                    Lanes.load(t, at + Tile.SKY_TO_RIGHT).mul(columns).sub(0.5f);
+            FloatVector row = Lanes.load(t, at + Tile.SKY_TO_BOTTOM).mul(rows).sub(0.5f);
+            FloatVector left = Lanes.floor(column);
+            FloatVector top = Lanes.floor(row);
+            column.sub(left).intoArray(t, at + Tile.SKY_TO_RIGHT);
+            row.sub(top).intoArray(t, at + Tile.SKY_TO_BOTTOM);
+            FloatVector right = left.add(1f);
+            FloatVector bottom = top.add(1f);
+            FloatVector lastColumn = columns.sub(1f);
+            FloatVector lastRow = rows.sub(1f);
+            right = right.blend(0f, right.compare(VectorOperators.GE, columns));
+            bottom = bottom.blend(0f, bottom.compare(VectorOperators.GE, rows));
+            left = Lanes.smaller(left.blend(lastColumn, left.compare(VectorOperators.LT, 0f)), lastColumn);
+            top = Lanes.smaller(top.blend(lastRow, top.compare(VectorOperators.LT, 0f)), lastRow);
+            IntVector start = IntVector.fromArray(Lanes.INTS, tile.texels, at);
+            IntVector width = Lanes.truncated(columns);
+            IntVector upper = Lanes.truncated(top).mul(width);
+            IntVector lower = Lanes.truncated(bottom).mul(width);
+            IntVector first = Lanes.truncated(left);
+            IntVector second = Lanes.truncated(right);
+            upper.add(first).mul(CHANNELS).add(start).intoArray(corners, at + Tile.UPPER_LEFT);
+            upper.add(second).mul(CHANNELS).add(start).intoArray(corners, at + Tile.UPPER_RIGHT);
+            lower.add(first).mul(CHANNELS).add(start).intoArray(corners, at + Tile.LOWER_LEFT);
+            lower.add(second).mul(CHANNELS).add(start).intoArray(corners, at + Tile.LOWER_RIGHT);
+        }
+    }
+
+    /** Fetches the four texels of every listed pixel, one pixel a step. */
+    static void fetch(Tile tile, Drawing drawing) {
+        float[] from = drawing.input.panorama().texels();
+        float[] to = tile.cornerNumbers;
+        int[] corners = tile.corners;
+        for (int k = 0; k < tile.lonely.count; k++) {
+            int pixel = tile.lonely.pixels[k];
+            int upperLeft = corners[Tile.UPPER_LEFT + pixel];
+            int upperRight = corners[Tile.UPPER_RIGHT + pixel];
+            int lowerLeft = corners[Tile.LOWER_LEFT + pixel];
+            int lowerRight = corners[Tile.LOWER_RIGHT + pixel];
+            for (int channel = 0; channel < CHANNELS; channel++) {
+                int place = Tile.CORNERS * channel * Tile.SIZE + pixel;
+                to[Tile.UPPER_LEFT + place] = from[upperLeft + channel];
+                to[Tile.UPPER_RIGHT + place] = from[upperRight + channel];
+                to[Tile.LOWER_LEFT + place] = from[lowerLeft + channel];
+                to[Tile.LOWER_RIGHT + place] = from[lowerRight + channel];
+            }
+        }
+    }
+
+    /** Multiplies the albedo by the color between the texels. */
+    static void multiply(Tile tile) {
+        for (int channel = 0; channel < CHANNELS; channel++) {
+            multiply(tile.values, tile.cornerNumbers, channel, tile);
+        }
+    }
+
+    private static void multiply(float[] t, float[] corners, int channel, Tile tile) {
+        int albedo = Tile.ALBEDO_RED + channel * Tile.SIZE;
+        int column = Tile.CORNERS * channel * Tile.SIZE;
+        for (int k = 0; k < tile.textures.count; k++) {
+            int at = tile.textures.places[k];
+            FloatVector toRight = Lanes.load(t, at + Tile.SKY_TO_RIGHT);
+            FloatVector upper = Lanes.load(corners, Tile.UPPER_LEFT + column + at);
+            FloatVector lower = Lanes.load(corners, Tile.LOWER_LEFT + column + at);
+            upper = Lanes.fma(
+                    Lanes.load(corners, Tile.UPPER_RIGHT + column + at).sub(upper), toRight, upper);
+            lower = Lanes.fma(
+                    Lanes.load(corners, Tile.LOWER_RIGHT + column + at).sub(lower), toRight, lower);
+            FloatVector color = Lanes.fma(lower.sub(upper), Lanes.load(t, at + Tile.SKY_TO_BOTTOM), upper);
+            FloatVector before = Lanes.load(t, at + albedo);
+            before.blend(before.mul(color), Lanes.load(t, at + Tile.TEXTURE).compare(VectorOperators.GT, 0f))
+                    .intoArray(t, at + albedo);
+        }
+    }
+}
