@@ -4,16 +4,14 @@ import dev.twister.world.FrameInput;
 import java.util.Optional;
 
 /**
- * By which of two ways frames are drawn: past all bodies, or on a walk through the hierarchy. What the JVM has not compiled
- * takes seconds for a frame. So where a crowd is to come, the walk is rehearsed, and the few that are there already are drawn
- * past until then; and while nothing is drawn, the way that has not been taken yet is rehearsed, as another scene may be next.
+ * By which of two ways a frame is drawn: by brute force, or through the hierarchy. They round differently, so the frame alone
+ * decides. What the JVM has not compiled takes seconds for a frame. So where a crowd is to come, the hierarchy is rehearsed
+ * beside the frames by brute force; and while nothing is drawn, the way that has not been taken yet is rehearsed, as another
+ * scene may be next.
  */
 final class Ways implements AutoCloseable {
     /** An engine that is still warming itself is left alone. */
     private static final int FIRST_FRAMES = 50;
-
-    /** From so many times a crowd on, passing all takes so long that the walk is begun, rehearsed or not. */
-    private static final int MOST_CROWDS = 2;
 
     private final int crowd;
     private final Rehearsal.Start rehearsals;
@@ -41,7 +39,7 @@ final class Ways implements AutoCloseable {
         } else if (rehearsal.isEmpty() && frames++ >= FIRST_FRAMES) {
             rehearsal = Optional.of(rehearsals.of(true));
         }
-        boolean walk = input.bodyCount() >= (isUnfinished() ? MOST_CROWDS * crowd : crowd);
+        boolean walk = input.bodyCount() >= crowd;
         if (walk) {
             walked = true;
             endUnfinished();
