@@ -53,12 +53,13 @@ final class Handover {
         for (int axis = 0; axis < 3; axis++) {
             path[Layout.ORIGIN + axis] = t[pixel + Tile.ORIGIN_X + axis * Tile.SIZE];
             path[Layout.DIRECTION + axis] = t[pixel + Tile.DIRECTION_X + axis * Tile.SIZE];
-            path[Layout.RADIANCE + axis] = t[pixel + Tile.RED + axis * Tile.SIZE];
         }
         path[Layout.LEAVING] = t[pixel + Tile.LEAVING];
-        path[Layout.INSIDE] = 0f;
+        path[Layout.INSIDE] = t[pixel + Tile.INSIDE];
         for (int channel = 0; channel < 3; channel++) {
-            path[Layout.THROUGHPUT + channel] = t[pixel + Tile.THROUGHPUT];
+            float tint = t[pixel + Tile.TINT_RED + channel * Tile.SIZE];
+            path[Layout.THROUGHPUT + channel] = t[pixel + Tile.THROUGHPUT] * tint;
+            path[Layout.RADIANCE + channel] = t[pixel + Tile.RED + channel * Tile.SIZE] * tint;
         }
         path[Layout.PIXEL_COLUMN] = tile.left + t[pixel + Tile.PLACE_X];
         path[Layout.PIXEL_ROW] = drawing.input.firstRow() + tile.top + t[pixel + Tile.PLACE_Y];
@@ -66,8 +67,10 @@ final class Handover {
         kernel.follow(drawing.input, bounce);
         for (int channel = 0; channel < 3; channel++) {
             t[pixel + Tile.RED + channel * Tile.SIZE] = path[Layout.RADIANCE + channel];
+            t[pixel + Tile.TINT_RED + channel * Tile.SIZE] = 1f;
         }
         t[pixel + Tile.THROUGHPUT] = 0f;
+        t[pixel + Tile.WHOLE] = 0f;
         t[pixel + Tile.SHADOW_OPEN] = 0f;
         t[pixel + Tile.HIT] = Tile.ENDED;
     }

@@ -8,6 +8,7 @@ import dev.twister.engine.vector.shortcut.Choices;
 import dev.twister.engine.vector.shortcut.GroundAlone;
 import dev.twister.engine.vector.shortcut.OpenGround;
 import dev.twister.engine.vector.shortcut.TileSky;
+import dev.twister.engine.vector.step.BranchLanes;
 import dev.twister.engine.vector.step.CameraLanes;
 import dev.twister.engine.vector.step.FacetLanes;
 import dev.twister.engine.vector.step.GroundHit;
@@ -18,11 +19,14 @@ import dev.twister.engine.vector.step.LightDirection;
 import dev.twister.engine.vector.step.LightHit;
 import dev.twister.engine.vector.step.MaterialLanes;
 import dev.twister.engine.vector.step.NearestSphere;
+import dev.twister.engine.vector.step.RefractionLanes;
 import dev.twister.engine.vector.step.ScatterLanes;
 import dev.twister.engine.vector.step.SkyDirection;
 import dev.twister.engine.vector.step.SphereSurface;
 import dev.twister.engine.vector.step.TextureLanes;
 import dev.twister.engine.vector.step.TileOutput;
+import dev.twister.engine.vector.step.TransmittingSphere;
+import dev.twister.engine.vector.step.TransmittingSurface;
 
 /** Draws tiles, step by step; one for each thread. */
 final class TileRenderer {
@@ -81,82 +85,138 @@ final class TileRenderer {
     /** Follows the live rays, which have met and left so many surfaces, to their ends. */
     private void follow(Drawing drawing, int firstBounce) {
         for (int bounce = firstBounce; bounce <= drawing.bounceLimit && tile.live.count > 0; bounce++) {
-            tile.last = bounce == drawing.bounceLimit;
             boolean offPlane = bounce == 1 && tile.spheres.count == 0 && drawing.looks.plainPlane;
-            findHits(drawing, bounce, offPlane);
-            if (drawing.declined.isAnyBody()) {
-                bench.handover.endAtHits(tile, drawing, bounce);
-            }
-            if (tile.lights.count > 0) {
-                LightHit.add(tile, drawing.bodies);
-            }
-            if (tile.skies.count > 0) {
-                addSky(drawing, bounce == 0 || offPlane, offPlane);
-            }
-            if (tile.grounds.count > 0) {
-                GroundSurface.find(drawing, tile);
-            }
-            if (tile.spheres.count > 0) {
-                SphereSurface.find(drawing, tile);
-            }
-            if (drawing.looks.isAny()) {
-                MaterialLanes.find(drawing, tile);
-                if (drawing.looks.textured) {
-                    TextureLanes.multiply(drawing, tile);
-                }
-            }
-            if (tile.surfaces.count > 0) {
-                shade(drawing, bounce);
-            } else {
-                tile.live.clear();
-            }
+            followOnce(drawing, tile, bounce, offPlane);
+        }
+        if (drawing.looks.transparent) {
+            followWaiting(drawing);
+        }
+    }
+
+    /** Follows the rays that wait, and those that then wait for them, to their ends. */
+    private void followWaiting(Drawing drawing) {
+        Tile rays = bench.branches;
+        rays.moveTo(tile);
+        rays.sample = tile.sample;
+        for (int bounce = bench.waiting.next(); bounce >= 0; bounce = bench.waiting.next()) {
+            BranchLanes.resume(rays, bench.waiting, bounce);
+            followOnce(drawing, rays, bounce, false);
+            BranchLanes.add(rays, tile);
+        }
+    }
+
+    /** Follows the live rays to what they meet. */
+    private void followOnce(Drawing drawing, Tile rays, int bounce, boolean offPlane) {
+        rays.last = bounce == drawing.bounceLimit;
+        findHits(drawing, rays, bounce, offPlane);
+        if (drawing.declined.isAnyBody()) {
+            bench.handover.endAtHits(rays, drawing, bounce);
+        }
+        if (rays.lights.count > 0) {
+            LightHit.add(rays, drawing.bodies);
+        }
+        if (rays.skies.count > 0) {
+            addSky(drawing, rays, bounce == 0 || offPlane, offPlane);
+        }
+        if (rays.grounds.count > 0) {
+            GroundSurface.find(drawing, rays);
+        }
+        if (rays.spheres.count > 0) {
+            SphereSurface.find(drawing, rays);
+        }
+        if (rays.surfaces.count > 0) {
+            shade(drawing, rays, bounce);
+        } else {
+            rays.live.clear();
         }
     }
 
     /** Sorts the live rays by what they meet. */
-    private void findHits(Drawing drawing, int bounce, boolean offPlane) {
+    private void findHits(Drawing drawing, Tile rays, int bounce, boolean offPlane) {
         boolean rise = offPlane;
         if (drawing.crowded) {
-            PacketHits.find(tile, drawing, bench.walks);
+            PacketHits.find(rays, drawing, bench.walks);
         } else {
-            rise = bench.choices.cull(tile, drawing, bounce, offPlane);
-            if (rise && tile.candidates.count == 0) {
-                HitSorting.sortSkies(tile);
+            rise = bench.choices.cull(rays, drawing, bounce, offPlane);
+            if (rise && rays.candidates.count == 0) {
+                HitSorting.sortSkies(rays);
                 return;
             }
-            NearestSphere.find(tile, drawing.bodies, tile.candidates);
+            if (drawing.looks.transparent) {
+                TransmittingSphere.tellApart(rays, drawing.looks);
+            }
+            NearestSphere.find(rays, drawing.bodies, rays.candidates);
+            if (drawing.looks.transparent) {
+                TransmittingSphere.find(rays, drawing.bodies);
+            }
         }
         if (!rise) {
-            GroundHit.find(tile, drawing);
+            GroundHit.find(rays, drawing);
         }
-        HitSorting.sort(tile);
+        HitSorting.sort(rays);
     }
 
-    private void addSky(Drawing drawing, boolean ofViewRays, boolean mirrored) {
-        if (ofViewRays && bench.sky.pays(tile, drawing)) {
-            bench.sky.addCharted(tile, drawing, mirrored);
+    private void addSky(Drawing drawing, Tile rays, boolean ofViewRays, boolean mirrored) {
+        if (ofViewRays && bench.sky.pays(rays, drawing)) {
+            bench.sky.addCharted(rays, drawing, mirrored);
         } else {
-            SkyDirection.find(drawing.sky, tile);
-            TileSky.add(tile, drawing);
+            SkyDirection.find(drawing.sky, rays);
+            TileSky.add(rays, drawing);
         }
     }
 
     /** Adds what the surfaces send towards the eye, and starts the rays that go on. */
-    private void shade(Drawing drawing, int bounce) {
-        LightDirection.find(drawing, tile);
+    private void shade(Drawing drawing, Tile rays, int bounce) {
+        if (drawing.looks.isAny()) {
+            findMaterials(drawing, rays);
+        }
+        LightDirection.find(drawing, rays);
+        if (drawing.looks.transparent) {
+            TransmittingSurface.leaveInTheLight(rays);
+        }
         if (drawing.declined.isAnyBody() || drawing.planeMayShade) {
-            bench.handover.endInShadows(tile, drawing, bounce);
+            bench.handover.endInShadows(rays, drawing, bounce);
         }
-        Shadows.find(tile, drawing, bench.shadows);
-        Highlight.find(tile);
-        ScatterLanes.shade(tile, drawing);
-        if (drawing.looks.rough && tile.rough.count > 0 && tile.live.count > 0) {
-            FacetLanes.find(drawing, tile, tile.live, bounce);
-            FacetLanes.reflect(tile, tile.live);
+        Shadows.find(rays, drawing, bench.shadows);
+        Highlight.find(rays);
+        ScatterLanes.shade(rays, drawing);
+        if (drawing.looks.isAny()) {
+            goOn(drawing, rays, bounce);
         } else {
-            ScatterLanes.reflect(tile);
+            ScatterLanes.reflect(rays);
+            ScatterLanes.leave(rays);
         }
-        ScatterLanes.leave(tile);
+    }
+
+    private static void findMaterials(Drawing drawing, Tile rays) {
+        MaterialLanes.find(drawing, rays);
+        if (drawing.looks.textured) {
+            TextureLanes.multiply(drawing, rays);
+        }
+        if (drawing.looks.transparent) {
+            TransmittingSurface.face(rays);
+        }
+    }
+
+    /** Starts the rays that go on from surfaces of any material. */
+    private void goOn(Drawing drawing, Tile rays, int bounce) {
+        if (drawing.looks.transparent && (rays == bench.branches || rays.transparent.count > 0)) {
+            rays.live.clear();
+            if (!rays.last) {
+                FacetLanes.find(drawing, rays, rays.surfaces, bounce);
+                RefractionLanes.find(rays);
+                FacetLanes.reflect(rays, rays.surfaces);
+                BranchLanes.split(rays, bench.waiting, bounce);
+            }
+        } else {
+            if (drawing.looks.rough && rays.rough.count > 0 && rays.live.count > 0) {
+                FacetLanes.find(drawing, rays, rays.live, bounce);
+                FacetLanes.reflect(rays, rays.live);
+            } else {
+                ScatterLanes.reflect(rays);
+            }
+            ScatterLanes.leave(rays);
+        }
     }
 
     /** The same from the view rays on, which all meet the ground. */

@@ -3,6 +3,7 @@ package dev.twister.engine.vector;
 import dev.twister.engine.vector.crowd.Walks;
 import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.engine.vector.lanes.WaitingRays;
 import dev.twister.engine.vector.shadow.ShadowBench;
 import dev.twister.engine.vector.shortcut.Choices;
 import dev.twister.engine.vector.shortcut.TileSky;
@@ -11,6 +12,11 @@ import dev.twister.engine.vector.shortcut.WholeTiles;
 /** One thread's tile and tools. */
 final class Workbench {
     final Tile tile = new Tile();
+
+    /** Of rays that waited. */
+    final Tile branches = new Tile();
+
+    final WaitingRays waiting = new WaitingRays();
     final Handover handover = new Handover();
     final Walks walks = new Walks();
     final ShadowBench shadows = new ShadowBench(walks);
@@ -21,6 +27,12 @@ final class Workbench {
     /** Prepares for a frame. */
     void start(Drawing drawing) {
         tile.candidates.reserve(drawing.input.bodyCount());
+        if (drawing.looks.transparent) {
+            tile.transmitting.reserve(drawing.input.bodyCount());
+            branches.candidates.reserve(drawing.input.bodyCount());
+            branches.transmitting.reserve(drawing.input.bodyCount());
+            waiting.reserve(drawing.bounceLimit);
+        }
         shadows.start(drawing);
         sky.start(drawing);
     }

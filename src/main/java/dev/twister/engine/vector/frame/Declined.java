@@ -11,11 +11,6 @@ public final class Declined {
     /** Each point that is shaded is tested against every declined occluder: with more of them, the whole frame is declined. */
     private static final int MOST_OCCLUDERS = 256;
 
-    /** The looks that lanes do not know: from the first to before the last. */
-    private static final int UNKNOWN_LOOKS = Layout.LOOK_TRANSMISSION;
-
-    private static final int UNKNOWN_LOOKS_END = Layout.LOOK_TEXTURE;
-
     /** A camera this near to a surface, in radii, may be inside. */
     private static final float INSIDE = 1.0001f;
 
@@ -30,23 +25,25 @@ public final class Declined {
     private boolean[] declined = {};
     private float[] looks = {};
     private int count;
+    private boolean crowded;
     private boolean any;
     private boolean frame;
 
     /**
      * Declines nothing until a frame is taken.
      *
-     * @param bodies tells which bodies are declined beside those that have looks that lanes do not know
+     * @param bodies tells which bodies are declined beside those that transmit in a crowd
      */
     public Declined(IntPredicate bodies) {
         this.bodies = bodies;
     }
 
     @SuppressWarnings("ReferenceEquality") // an input's arrays never change
-    void take(FrameInput input) {
-        if (looks != input.bodies().looks() || count != input.bodyCount()) {
+    void take(FrameInput input, boolean walk) {
+        if (looks != input.bodies().looks() || count != input.bodyCount() || crowded != walk) {
             looks = input.bodies().looks();
             count = input.bodyCount();
+            crowded = walk;
             takeBodies();
         }
         int toneMap = (int) input.view().properties()[Layout.TONE_MAP];
@@ -86,21 +83,12 @@ public final class Declined {
         any = false;
         for (int body = 0; body < count; body++) {
             boolean transmits = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0;
-            boolean tested = bodies.test(body);
-            declined[body] = tested || hasUnknownLooks(body);
+            declined[body] = bodies.test(body) || (transmits && crowded);
             any |= declined[body];
-            if ((tested || transmits) && body >= Layout.FIRST_SPHERE) {
+            if (declined[body] && body >= Layout.FIRST_SPHERE) {
                 occluders.add(body);
             }
         }
-    }
-
-    private boolean hasUnknownLooks(int body) {
-        boolean unknown = false;
-        for (int look = UNKNOWN_LOOKS; look < UNKNOWN_LOOKS_END; look++) {
-            unknown |= looks[Layout.LOOK_STRIDE * body + look] != 0f;
-        }
-        return unknown;
     }
 
     /** Whether view rays may start inside a body that transmits: lanes do not see it from there. */

@@ -84,7 +84,7 @@ public final class Drawing {
     public void take(FrameInput newInput, Frame newFrame, boolean walk) {
         input = newInput;
         frame = newFrame;
-        declined.take(newInput);
+        declined.take(newInput, walk);
         looks.take(newInput);
         bodies.take(newInput);
         crowded = walk;

@@ -23,6 +23,9 @@ public final class Looks {
     /** Whether any body is rough. */
     public boolean rough;
 
+    /** Whether any body transmits. */
+    public boolean transparent;
+
     /** Whether the plane has but color and reflectivity. */
     public boolean plainPlane;
 
@@ -40,9 +43,11 @@ public final class Looks {
     private void copy() {
         textured = false;
         rough = false;
+        transparent = false;
         for (int body = 0; body < bodies; body++) {
             textured |= look(body, Layout.LOOK_TEXTURE) > 0f;
             rough |= look(body, Layout.LOOK_ROUGHNESS) > 0f;
+            transparent |= transmits(body);
             for (int look = 0; look < COUNT && bodies <= Lanes.COUNT; look++) {
                 columns[Lanes.BORDER + look * Lanes.COUNT + body] = look(body, FIRST + look);
             }
@@ -57,8 +62,17 @@ public final class Looks {
         return values[Layout.LOOK_STRIDE * body + look];
     }
 
+    /** In [0, 1]. */
+    public float transmission(int body) {
+        return look(body, Layout.LOOK_TRANSMISSION);
+    }
+
+    public boolean transmits(int body) {
+        return transmission(body) > 0f;
+    }
+
     /** Whether any body has more than color and reflectivity. */
     public boolean isAny() {
-        return textured || rough;
+        return textured || rough || transparent;
     }
 }

@@ -135,7 +135,44 @@ public final class Tile {
 
     public static final int SECOND_NUMBER = SKY_TO_BOTTOM;
 
-    private static final int COLUMNS = 50;
+    /** 1 where the ray goes on inside the body that it leaves, and where it comes from inside the one that it meets; else 0. */
+    public static final int INSIDE = DIRECTION_X + 50 * SIZE;
+
+    public static final int FROM_INSIDE = DIRECTION_X + 51 * SIZE;
+
+    /** The throughput before the surface. */
+    public static final int WHOLE = DIRECTION_X + 52 * SIZE;
+
+    /** What the body's color lets pass, while the albedo is that of what it does not transmit. */
+    public static final int PASSED_RED = DIRECTION_X + 53 * SIZE;
+
+    public static final int PASSED_GREEN = DIRECTION_X + 54 * SIZE;
+    public static final int PASSED_BLUE = DIRECTION_X + 55 * SIZE;
+
+    /** What the colors found are to be multiplied by, in a tile of rays that waited; 1 in others. */
+    public static final int TINT_RED = DIRECTION_X + 56 * SIZE;
+
+    public static final int TINT_GREEN = DIRECTION_X + 57 * SIZE;
+    public static final int TINT_BLUE = DIRECTION_X + 58 * SIZE;
+
+    /** The number of the pixel that the ray is drawn for. */
+    public static final int PIXEL = DIRECTION_X + 59 * SIZE;
+
+    /** The refracted ray, and what part of the throughput it takes; needed only once the surface is shaded. */
+    public static final int REFRACTED_X = TO_LIGHT_X;
+
+    public static final int REFRACTED_Y = TO_LIGHT_Y;
+    public static final int REFRACTED_Z = TO_LIGHT_Z;
+    public static final int REFRACTED_PART = SPECULAR;
+
+    /** The tint of a ray that goes on, and whether it does so inside. */
+    public static final int NEXT_RED = FACET_X;
+
+    public static final int NEXT_GREEN = FACET_Y;
+    public static final int NEXT_BLUE = FACET_Z;
+    public static final int NEXT_INSIDE = VISIBLE;
+
+    private static final int COLUMNS = 60;
 
     /** Columns of {@link #corners}. */
     public static final int UPPER_LEFT = Lanes.BORDER;
@@ -193,6 +230,9 @@ public final class Tile {
     /** Those with a rough surface. */
     public final PacketList rough = new PacketList(PACKETS);
 
+    /** Those with a surface that transmits. */
+    public final PacketList transparent = new PacketList(PACKETS);
+
     /** Those with rays {@link #TOGETHER}. */
     public final PacketList together = new PacketList(PACKETS);
 
@@ -208,6 +248,9 @@ public final class Tile {
     /** The bodies that the live rays may meet. */
     public final BodyList candidates = new BodyList();
 
+    /** Of those, the ones that transmit, once they are told apart. */
+    public final BodyList transmitting = new BodyList();
+
     /** The first pixel's place in the frame. */
     public int left;
 
@@ -216,6 +259,9 @@ public final class Tile {
     /** Which of the pixels' samples is drawn. */
     public int sample;
 
+    /** How many rays there are in a tile of rays that waited. */
+    public int rays;
+
     /** Whether no ray goes on from here. */
     public boolean last;
 
@@ -223,6 +269,10 @@ public final class Tile {
         for (int pixel = 0; pixel < SIZE; pixel++) {
             values[PLACE_X + pixel] = column(pixel);
             values[PLACE_Y + pixel] = row(pixel);
+            values[TINT_RED + pixel] = 1f;
+            values[TINT_GREEN + pixel] = 1f;
+            values[TINT_BLUE + pixel] = 1f;
+            values[PIXEL + pixel] = pixel;
             pixels[pixel] = pixel;
         }
     }

@@ -107,6 +107,12 @@ public final class Shadows {
     }
 
     private static void sample(Drawing drawing, Tile tile, ShadowBench bench) {
+        if (drawing.looks.transparent && TransmittedLight.isAny(bench.columns, drawing.looks)) {
+            for (int k = 0; k < tile.shadows.count; k++) {
+                TransmittedLight.find(tile, tile.shadows.places[k], drawing, bench.columns);
+            }
+            return;
+        }
         for (int k = 0; k < tile.shadows.count; k++) {
             int at = tile.shadows.places[k];
             if (ShadowCandidates.find(tile, at, drawing.bodies, bench.columns)) {

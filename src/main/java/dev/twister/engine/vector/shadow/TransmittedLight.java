@@ -1,0 +1,125 @@
+package dev.twister.engine.vector.shadow;
+
+import dev.twister.engine.vector.frame.BodyColumns;
+import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.frame.Looks;
+import dev.twister.engine.vector.lanes.BodyList;
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.ShadowColumns;
+import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.kernel.Shadow;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+
+/** The visible part of the light behind spheres of which some transmit, ray by ray: {@link Shadow}. */
+final class TransmittedLight {
+    private TransmittedLight() {}
+
+    /** Whether any sphere between the tile's points and the light transmits. */
+    static boolean isAny(ShadowColumns scratch, Looks looks) {
+        BodyList candidates = scratch.tileCandidates;
+        boolean any = false;
+        for (int c = 0; c < candidates.count; c++) {
+            any |= looks.transmits(candidates.bodies[c]);
+        }
+        return any;
+    }
+
+    /** Writes the visible parts of the packet's open lanes. */
+    static void find(Tile tile, int at, Drawing drawing, ShadowColumns scratch) {
+        scratch.startPacket();
+        BodyList candidates = scratch.tileCandidates;
+        for (int c = 0; c < candidates.count; c++) {
+            int body = candidates.bodies[c];
+            long between = ShadowCandidates.between(tile.values, at, drawing.bodies, body)
+                    & ShadowCandidates.open(tile, at);
+            if (between != 0L) {
+                scratch.add(body, between, 0L);
+            }
+        }
+        if (scratch.touched != 0L) {
+            ShadowFrame.findAxes(tile, at, drawing, scratch);
+            ShadowFrame.placeAll(tile, at, drawing.bodies, scratch);
+            limitAll(tile, at, drawing, scratch);
+            average(tile, at, drawing, scratch);
+        }
+    }
+
+    /** Writes the squared radii, or less than 0 in lanes that a sphere cannot shade. */
+    private static void limitAll(Tile tile, int at, Drawing drawing, ShadowColumns scratch) {
+        BodyColumns bodies = drawing.bodies;
+        BodyList found = scratch.candidates;
+        for (int c = 0; c < found.count; c++) {
+            int body = found.bodies[c];
+            boolean seenFromInside = drawing.looks.transmits(body);
+            limit(tile, at, body, bodies.sphereRadius(body), seenFromInside, scratch.facts, c * ShadowColumns.STRIDE);
+        }
+    }
+
+    private static void limit(
+            Tile tile, int at, int body, float radius, boolean seenFromInside, float[] facts, int to) {
+        float[] t = tile.values;
+        FloatVector along = Lanes.load(facts, to + ShadowColumns.ALONG);
+        FloatVector u = Lanes.load(facts, to + ShadowColumns.ACROSS_U);
+        FloatVector w = Lanes.load(facts, to + ShadowColumns.ACROSS_W);
+        FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
+        float radiusSquared = radius * radius;
+        float nearest = seenFromInside ? -1f : radiusSquared;
+        VectorMask<Float> shades = along.compare(VectorOperators.GT, -radius)
+                .and(along.sub(radius).compare(VectorOperators.LT, distance.mul(Shadow.RELATIVE_MARGIN)))
+                .and(Lanes.fma(along, along, Lanes.fma(u, u, w.mul(w))).compare(VectorOperators.GT, nearest))
+                .and(Lanes.load(t, at + Tile.HIT).compare(VectorOperators.NE, body))
+                .and(Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f));
+        Lanes.all(-1f).blend(radiusSquared, shades).intoArray(facts, to + ShadowColumns.RADIUS_SQUARED);
+    }
+
+    /** The mean over the samples of what all spheres let pass. */
+    static void average(Tile tile, int at, Drawing drawing, ShadowColumns scratch) {
+        float[] t = tile.values;
+        float[] disc = drawing.input.view().shadowDisc();
+        float[] facts = scratch.facts;
+        FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
+        FloatVector scale = Lanes.load(scratch.frame, ShadowColumns.SCALE);
+        FloatVector blocked = Lanes.all(0f);
+        for (int sample = 0; sample < drawing.shadowSamples; sample++) {
+            FloatVector x = scale.mul(disc[2 * sample]);
+            FloatVector y = scale.mul(disc[2 * sample + 1]);
+            FloatVector lengthSquared = Lanes.fma(x, x, Lanes.fma(y, y, Lanes.all(1f)));
+            FloatVector light = Lanes.all(1f);
+            for (int c = 0; c < scratch.candidates.count; c++) {
+                int from = c * ShadowColumns.STRIDE;
+                FloatVector a = Lanes.load(facts, from + ShadowColumns.ALONG);
+                FloatVector u = Lanes.load(facts, from + ShadowColumns.ACROSS_U);
+                FloatVector w = Lanes.load(facts, from + ShadowColumns.ACROSS_W);
+                FloatVector radiusSquared = Lanes.load(facts, from + ShadowColumns.RADIUS_SQUARED);
+                FloatVector p = u.sub(a.mul(x));
+                FloatVector q = w.sub(a.mul(y));
+                FloatVector moment = p.mul(y).sub(q.mul(x));
+                FloatVector beyondA = distance.sub(a);
+                FloatVector beyondU = distance.mul(x).sub(u);
+                FloatVector beyondW = distance.mul(y).sub(w);
+                FloatVector along = Lanes.fma(x, u, Lanes.fma(y, w, a));
+                VectorMask<Float> endsInside = Lanes.fma(
+                                beyondA, beyondA, Lanes.fma(beyondU, beyondU, beyondW.mul(beyondW)))
+                        .compare(VectorOperators.LT, radiusSquared);
+                VectorMask<Float> outside = Lanes.fma(a, a, Lanes.fma(u, u, w.mul(w)))
+                        .compare(VectorOperators.GT, radiusSquared);
+                VectorMask<Float> before = along.compare(VectorOperators.LT, distance.mul(lengthSquared))
+                        .or(endsInside)
+                        .and(along.compare(VectorOperators.GT, 0f));
+                VectorMask<Float> blocks = before.and(outside)
+                        .or(endsInside.or(outside).not())
+                        .and(Lanes.fma(moment, moment, Lanes.fma(p, p, q.mul(q)))
+                                .compare(VectorOperators.LE, radiusSquared.mul(lengthSquared)));
+                light = light.blend(
+                        light.mul(drawing.looks.transmission(scratch.candidates.bodies[c])), blocks);
+            }
+            blocked = blocked.add(Lanes.all(1f).sub(light));
+        }
+        FloatVector visible = Lanes.all(1f).sub(blocked.div(drawing.shadowSamples));
+        Lanes.load(t, at + Tile.VISIBLE)
+                .blend(visible, Lanes.load(t, at + Tile.SHADOW_OPEN).compare(VectorOperators.GT, 0f))
+                .intoArray(t, at + Tile.VISIBLE);
+    }
+}
