@@ -13,7 +13,10 @@ import java.util.stream.Stream;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVPrinter;
 
-/** A report for spreadsheets: a line for each figure, setting and engine, with all there is to know on it. */
+/**
+ * A report for spreadsheets: a line for each figure, setting and engine, with all there is to know on it. Text that would be a formula there begins
+ * with an apostrophe.
+ */
 public final class CsvReport {
     /** Whatever is known of a measurement. */
     private static final List<String> COLUMNS =
@@ -23,6 +26,9 @@ public final class CsvReport {
                             + "failure scene plannedWarmupFrames plannedFrames maxSeconds processor cores memoryBytes "
                             + "maxHeapBytes operatingSystem jdk jdkVendor jit twister tornadoVm finished")
                     .split(" "));
+
+    /** With which spreadsheets take a cell for a formula: a processor's or a scene's name is none. */
+    private static final String FORMULA_STARTS = "=+-@\t\r";
 
     /** The first column, where there are several. */
     private static final String FIGURE = "figure";
@@ -49,11 +55,17 @@ public final class CsvReport {
                     .print(new OutputStreamWriter(out, StandardCharsets.UTF_8));
             for (Map<String, Object> row : rows(report)) {
                 printer.printRecord(columns.stream()
-                        .map(column -> row.getOrDefault(column, common.getOrDefault(column, "")))
+                        .map(column -> cell(row.getOrDefault(column, common.getOrDefault(column, ""))))
                         .toList());
             }
             printer.flush();
         });
+    }
+
+    private static Object cell(Object value) {
+        return value instanceof String text && !text.isEmpty() && FORMULA_STARTS.indexOf(text.charAt(0)) >= 0
+                ? "'" + text
+                : value;
     }
 
     private static List<Map<String, Object>> rows(BenchmarkReport report) {

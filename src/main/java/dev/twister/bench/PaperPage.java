@@ -88,7 +88,7 @@ final class PaperPage {
                 PaperFigure.SIZES.title(),
                 plot(
                         PaperFigure.SIZES.id(),
-                        "Hard shadows (one sample), one bounce. The grey bars are the paper's own figures on an "
+                        "Hard shadows (one sample), one bounce. The gray bars are the paper's own figures on an "
                                 + PublishedFigures.DEVICE + ", not measured here."),
                 PaperTables.sizes(report));
     }

@@ -1,13 +1,16 @@
 package dev.twister.bench;
 
+import dev.twister.files.SmallFile;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.Properties;
 
 /** The TornadoVM in this JVM, by its SDK's own file; no class of it is touched. */
 final class TornadoVersion {
+    private static final int MOST_BYTES = 1 << 16;
+
     private TornadoVersion() {}
 
     static Optional<String> find() {
@@ -21,9 +24,9 @@ final class TornadoVersion {
 
     private static Optional<String> version(Path release) {
         Properties properties = new Properties();
-        try (var reader = Files.newBufferedReader(release)) {
-            properties.load(reader);
-        } catch (IOException notHere) {
+        try {
+            properties.load(new ByteArrayInputStream(SmallFile.read(release, MOST_BYTES)));
+        } catch (IOException | IllegalArgumentException notReadable) {
             return Optional.empty();
         }
         return Optional.ofNullable(properties.getProperty("version"));

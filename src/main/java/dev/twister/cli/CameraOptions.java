@@ -12,7 +12,7 @@ final class CameraOptions {
             names = "--camera",
             paramLabel = "X,Y,Z",
             converter = Vector3Converter.class,
-            description = "The camera's position, in metres.")
+            description = "The camera's position, in meters.")
     private Optional<Vector3> position = Optional.empty();
 
     @Option(names = "--yaw", paramLabel = "DEGREES", description = "Turn to the right.")

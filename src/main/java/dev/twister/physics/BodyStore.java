@@ -20,14 +20,14 @@ final class BodyStore {
     /** Numbers for each body: places 0 to 11. */
     static final int STRIDE = 12;
 
-    /** The centre, in metres: x, y, z. */
+    /** The centre, in meters: x, y, z. */
     static final int POSITION = 0;
 
-    /** In metres. */
+    /** In meters. */
     static final int RADIUS = 3;
 
     /**
-     * What the centre moved in the last sub-step, in metres: the position less the previous one of Verlet's method,
+     * What the centre moved in the last sub-step, in meters: the position less the previous one of Verlet's method,
      * which is kept instead of that one because it loses no digits far from the origin.
      */
     static final int MOVE = 4;
@@ -52,7 +52,7 @@ final class BodyStore {
 
     final double[] numbers;
 
-    /** How far from the centre something may touch the body until the pairs are looked for again, in metres. */
+    /** How far from the centre something may touch the body until the pairs are looked for again, in meters. */
     final double[] reach;
 
     /** Where the centres were one step ago: 3 for each body. */

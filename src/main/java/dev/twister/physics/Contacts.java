@@ -23,7 +23,7 @@ final class Contacts {
     /** The other body, or {@code -1 - k} for surface k of the {@link Surroundings}. */
     int[] second = NO_BODIES;
 
-    /** {@value #IMPULSES} for each contact, in masses times metres a sub-step, as they act on the first body. */
+    /** {@value #IMPULSES} for each contact, in masses times meters a sub-step, as they act on the first body. */
     double[] impulses = NO_IMPULSES;
 
     int count;

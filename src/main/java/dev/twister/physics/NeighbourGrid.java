@@ -100,7 +100,7 @@ final class NeighbourGrid {
         }
     }
 
-    /** How far the two bodies of a pair without a giant are apart at most, along an axis, in metres. */
+    /** How far the two bodies of a pair without a giant are apart at most, along an axis, in meters. */
     double farthestPair() {
         return cells[topLevel] * ROUNDED_REACH * ROUNDED_REACH + 4 * largestRounding;
     }
@@ -112,7 +112,7 @@ final class NeighbourGrid {
     /**
      * Lays the buckets out for bodies within some bounds; others are found too, but share buckets with them.
      *
-     * @param bounds least and largest x, y, z, in metres
+     * @param bounds least and largest x, y, z, in meters
      */
     void layOut(double[] bounds) {
         int buckets = Math.max(MIN_BUCKETS, Integer.highestOneBit(Math.max(1, bodies.count)) * BUCKETS_FOR_A_BODY);

@@ -21,12 +21,12 @@ final class Rest {
         return IMPACT_SECONDS * gravity;
     }
 
-    /** For each metre of radius, in m^2/s^2. */
+    /** For each meter of radius, in m^2/s^2. */
     static double calmSpeedSquared(double gravity) {
         return CALM_SHARE * CALM_SHARE * gravity;
     }
 
-    /** For each metre of radius, in m^2/s^2. */
+    /** For each meter of radius, in m^2/s^2. */
     static double wakeSpeedSquared(double gravity) {
         return WAKE_FACTOR * WAKE_FACTOR * calmSpeedSquared(gravity);
     }

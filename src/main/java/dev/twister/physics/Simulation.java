@@ -16,7 +16,7 @@ import java.util.stream.IntStream;
  * <p>No sphere passes through the ground or a wall at any speed. Spheres do not pass through each other up to
  * {@value #MAX_SPEED} m/s, which is the speed limit; a sphere that is hit and itself flies more than its diameter in a
  * {@value #MAX_PARTS}th of a step may pass through a third one within that step. A sphere that falls off the plane stops
- * {@value #DEPTH} metres away from everything that the scene started with.
+ * {@value #DEPTH} meters away from everything that the scene started with.
  */
 public final class Simulation implements AutoCloseable {
     /** The length of a step. */

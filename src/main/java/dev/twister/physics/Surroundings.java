@@ -9,8 +9,8 @@ import dev.twister.scene.Vector3;
  * What does not move: the plane's square, which is met from above, from below and at its border, and four walls on the
  * border.
  *
- * @param halfSide of the square, in metres
- * @param height the plane's y, in metres
+ * @param halfSide of the square, in meters
+ * @param height the plane's y, in meters
  * @param gravity in m/s^2
  */
 record Surroundings(
@@ -54,7 +54,7 @@ record Surroundings(
         return Math.max(-halfSide, Math.min(halfSide, coordinate));
     }
 
-    /** How far a point is from the y axis towards a wall, in metres. */
+    /** How far a point is from the y axis towards a wall, in meters. */
     double towardsWall(int wall, double x, double z) {
         double along = wall < 2 ? x : z;
         return wall % 2 == 0 ? along : -along;

@@ -27,7 +27,7 @@ final class Survey {
      * Remembers where the bodies are, before a step, and lets those that were hit in the last one be awake.
      *
      * @param limit the largest coordinate of the world: what gets there stays there
-     * @return the square of the longest move of a sub-step, in metres squared; below 0 where all bodies sleep
+     * @return the square of the longest move of a sub-step, in meters squared; below 0 where all bodies sleep
      */
     double begin(double limit) {
         double[] longest = look((from, to, at) -> {
@@ -45,7 +45,7 @@ final class Survey {
      *
      * @param margin of each body, in its radii
      * @param moves how many sub-steps there are until then
-     * @param fall what gravity adds until then, in metres
+     * @param fall what gravity adds until then, in meters
      * @return where the centres are: least and largest x, y, z; overwritten by the next call
      */
     double[] reach(double margin, double moves, double fall) {

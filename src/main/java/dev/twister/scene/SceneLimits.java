@@ -2,16 +2,16 @@ package dev.twister.scene;
 
 /** The values that a scene file may have. {@code scenes/scene.schema.json} says the same to editors. */
 public final class SceneLimits {
-    /** Keeps every position, and its square, far from where floats overflow or lose metres. */
-    public static final Range POSITION = new Range(-1e6, 1e6, "metres");
+    /** Keeps every position, and its square, far from where floats overflow or lose meters. */
+    public static final Range POSITION = new Range(-1e6, 1e6, "meters");
 
     /** Above 0, so that no normal is divided by 0. */
-    public static final Range LENGTH = new Range(1e-6, 1e6, "metres");
+    public static final Range LENGTH = new Range(1e-6, 1e6, "meters");
 
     public static final Range YAW = new Range(-1e6, 1e6, "degrees");
     public static final Range PITCH = new Range(-90, 90, "degrees");
     public static final Range FIELD_OF_VIEW = new Range(1, 179, "degrees");
-    public static final Range APERTURE = new Range(0, 1e6, "metres");
+    public static final Range APERTURE = new Range(0, 1e6, "meters");
     public static final Range FOCUS_DISTANCE = LENGTH;
     public static final Range ALBEDO = new Range(0, 1);
     public static final Range RADIANCE = new Range(0, 1e6);

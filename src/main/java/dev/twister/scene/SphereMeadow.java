@@ -25,7 +25,7 @@ final class SphereMeadow {
         discRadius = discRadius(count);
     }
 
-    /** The radius of the disc that holds the spheres, in metres. */
+    /** The radius of the disc that holds the spheres, in meters. */
     static double discRadius(int count) {
         return 2 + 0.85 * Math.sqrt(count);
     }

@@ -9,7 +9,7 @@ import java.util.Random;
  * neighbours about equally far apart however many there are, so none touches another.
  */
 final class SphereVortex {
-    /** The radius of the disc that holds the spheres, in metres. */
+    /** The radius of the disc that holds the spheres, in meters. */
     static final double DISC_RADIUS = 40;
 
     static final double MIRROR_RADIUS = 4.5;

@@ -116,6 +116,11 @@ sealed interface ValueType<T>
         @Override
         public Path read(Place place) {
             String name = text.read(place);
+            // Windows asks the machine before it says whether the file is there, and tells it who the user is.
+            if (name.matches("[/\\\\]{2}.*")) {
+                throw place.failure("names a file on another machine, " + Excerpt.quoted(name)
+                        + "; copy the file here and name it relative to the scene file's folder");
+            }
             try {
                 return files.find(place, Path.of(name));
             } catch (InvalidPathException e) {

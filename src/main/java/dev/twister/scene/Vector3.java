@@ -1,4 +1,4 @@
 package dev.twister.scene;
 
-/** A place or a displacement in metres; x points right, y up, z into the picture. */
+/** A place or a displacement in meters; x points right, y up, z into the picture. */
 public record Vector3(double x, double y, double z) {}

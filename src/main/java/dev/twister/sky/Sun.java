@@ -12,7 +12,7 @@ final class Sun {
     /** Illuminance of the sun before it meets the air, in klx (solar illuminance constant, IES 1984: 127.5 klx). */
     private static final double KILOLUX_ABOVE_THE_AIR = 127.5;
 
-    /** Wavelengths in micrometres that stand for sRGB's three primaries. */
+    /** Wavelengths in micrometers that stand for sRGB's three primaries. */
     private static final double RED = 0.611;
 
     private static final double GREEN = 0.549;
@@ -49,11 +49,11 @@ final class Sun {
      * coefficients of Preetham et al. 1999, appendix A.1. Ozone, mixed gases and water vapour, of which the visible loses
      * a few per cent, are left out.
      */
-    private static double transmittance(double micrometres, double elevation, double turbidity) {
+    private static double transmittance(double micrometers, double elevation, double turbidity) {
         double zenithDegrees = 90 - StrictMath.toDegrees(elevation);
         double airMass = 1 / (StrictMath.sin(elevation) + 0.15 * StrictMath.pow(93.885 - zenithDegrees, -1.253));
-        double rayleigh = 0.008735 * StrictMath.pow(micrometres, -4.08);
-        double haze = (0.04608 * turbidity - 0.04586) * StrictMath.pow(micrometres, -1.3);
+        double rayleigh = 0.008735 * StrictMath.pow(micrometers, -4.08);
+        double haze = (0.04608 * turbidity - 0.04586) * StrictMath.pow(micrometers, -1.3);
         return StrictMath.exp(-(rayleigh + haze) * airMass);
     }
 }

@@ -13,7 +13,7 @@ public final class CameraMotion {
     public static final double TURN_DEGREES_PER_SECOND = 45;
     public static final double FAST_TURN_DEGREES_PER_SECOND = 135;
 
-    /** The camera stays this far above the plane, in metres. */
+    /** The camera stays this far above the plane, in meters. */
     public static final double CLEARANCE_METRES = 0.1;
 
     /** Field of view that one notch of the wheel leaves of it. */
@@ -34,8 +34,8 @@ public final class CameraMotion {
             return camera;
         }
         double length = Math.hypot(Math.hypot(walk.right(), walk.up()), walk.forward());
-        double metres = (walk.running() ? RUN_METRES_PER_SECOND : WALK_METRES_PER_SECOND) * seconds;
-        double scale = metres / Math.max(1, length);
+        double meters = (walk.running() ? RUN_METRES_PER_SECOND : WALK_METRES_PER_SECOND) * seconds;
+        double scale = meters / Math.max(1, length);
         double yaw = Math.toRadians(camera.yawDegrees());
         Vector3 from = camera.position();
         Vector3 to = new Vector3(

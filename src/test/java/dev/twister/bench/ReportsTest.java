@@ -14,6 +14,8 @@ import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVRecord;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -77,6 +79,24 @@ class ReportsTest {
         assertThat(device.get("cores"))
                 .isEqualTo(String.valueOf(REPORT.machine().cores()));
         assertThat(records.get(4).get("failure")).isEqualTo("out of order");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"=1+1", "+1", "-1", "@now", "\tx", "\rx"})
+    void csvHasNoFormulas(String failure) throws IOException {
+        Path file = folder.resolve("report.csv");
+        CsvReport.write(
+                new BenchmarkReport(
+                        REPORT.machine(),
+                        REPORT.plan(),
+                        REPORT.scene(),
+                        List.of(),
+                        List.of(new EngineFailure("broken", failure)),
+                        Map.of(),
+                        true),
+                file);
+
+        assertThat(records(file).getFirst().get("failure")).isEqualTo("'" + failure);
     }
 
     @Test

@@ -76,8 +76,8 @@ class ConvergenceTest {
                 .withLight(Light.of(new Vector3(3, 5, -3), 0.5, new Rgb(1, 1, 1)))
                 .withPlane(Plane.of(20, 0, new Rgb(0.8, 0.8, 0.8), new Rgb(0.3, 0.3, 0.3), 0))
                 .withSpheres(List.of(
-                        new Sphere(new Vector3(-0.9, 1, 0), 1, material),
-                        new Sphere(new Vector3(1.1, 0.8, 0.5), 0.8, material)))
+                        Sphere.of(new Vector3(-0.9, 1, 0), 1, material),
+                        Sphere.of(new Vector3(1.1, 0.8, 0.5), 0.8, material)))
                 .withSettings(
                         RenderSettings.DEFAULT.withSize(32, 24).withShadows(1).withBounces(3));
     }

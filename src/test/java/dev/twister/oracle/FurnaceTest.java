@@ -69,9 +69,9 @@ class FurnaceTest {
             List<Sphere> spheres =
                     new ArrayList<>(scene.spheres().stream().limit(8).toList());
             Scene without = scene.withSettings(settings).withSpheres(List.copyOf(spheres));
-            spheres.add(new Sphere(new Vector3(0, 1, 0), 3, invisible));
-            spheres.add(new Sphere(new Vector3(0.5, 1.5, 0), 1, invisible));
-            spheres.add(new Sphere(new Vector3(-2, 3, 2), 2, invisible));
+            spheres.add(Sphere.of(new Vector3(0, 1, 0), 3, invisible));
+            spheres.add(Sphere.of(new Vector3(0.5, 1.5, 0), 1, invisible));
+            spheres.add(Sphere.of(new Vector3(-2, 3, 2), 2, invisible));
             Scene with = without.withSpheres(spheres).withPlane(scene.plane());
             PictureDifference difference = PictureDifference.between(
                     Pictures.argb(JvmEngines.SEQUENTIAL, with, lit.sky()),
@@ -87,8 +87,8 @@ class FurnaceTest {
                 .withLight(Light.of(new Vector3(0, 50, 0), 0.1, BLACK))
                 .withPlane(Plane.of(20, 0, WHITE, WHITE, 0))
                 .withSpheres(List.of(
-                        new Sphere(new Vector3(0, 1, 0), 1, material),
-                        new Sphere(new Vector3(1.5, 0.5, 1), 0.5, material)))
+                        Sphere.of(new Vector3(0, 1, 0), 1, material),
+                        Sphere.of(new Vector3(1.5, 0.5, 1), 0.5, material)))
                 .withAmbient(1)
                 .withSettings(RenderSettings.DEFAULT.withSize(48, 36).withBounces(bounces));
         return Pictures.radiance(JvmEngines.SEQUENTIAL, scene, WHITE_SKY);

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 class HeavySphereTest {
     private static final int POURED = 4000;
 
-    /** Metres a second; nothing falls any more that could be faster. */
+    /** Meters a second; nothing falls any more that could be faster. */
     private static final double TOP_SPEED = 4;
 
     @Test

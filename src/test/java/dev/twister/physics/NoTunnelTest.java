@@ -38,7 +38,7 @@ class NoTunnelTest {
                 Motion.scene(Motion.WEIGHTLESS, Motion.sphere(-5, 5, 0, RADIUS), Motion.sphere(5.013, 5, 0, RADIUS)))) {
             Motion.setVelocity(simulation, 1, speed, 0, 0);
             Motion.setVelocity(simulation, 2, -speed, 0, 0);
-            // They meet after 5 metres each.
+            // They meet after 5 meters each.
             for (double way = 0; way < 8; way += speed * Simulation.STEP_SECONDS) {
                 simulation.step();
                 assertThat(Motion.place(simulation, 1, 0)).isLessThan(Motion.place(simulation, 2, 0));

@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
+import com.sun.management.ThreadMXBean;
 import dev.twister.Links;
 import java.io.IOException;
 import java.io.RandomAccessFile;
+import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -19,6 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.FieldSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class SceneReaderTest {
     static final List<SpoiltScenes.Spoilt> SPOILT = SpoiltScenes.ALL;
@@ -225,6 +228,52 @@ class SceneReaderTest {
     void refusesAbsurdNesting() {
         assertThat(message(SampleScene.put(folder, SampleScene.with("1.5", "[".repeat(100_000)))))
                 .endsWith("scene.json:16:53: objects and arrays are nested more than 16 deep");
+    }
+
+    @Test
+    void refusesMoreContainersAndItemsThanAnySceneHas() {
+        assertThat(message(SampleScene.put(folder, "{\"a\": [" + "[],".repeat(500_000) + "[]]}")))
+                .endsWith("scene.json:1:1500008: $.a has more than 500000 items");
+        String most = "[" + "[],".repeat(499_999) + "[]],";
+        assertThat(message(SampleScene.put(folder, "{\"a\": [" + most.repeat(4) + "[]]}")))
+                .endsWith("a scene file may hold at most 2000000 objects and arrays");
+    }
+
+    @Test
+    void refusalsOfWholeObjectsSayWhereTheyAre() {
+        assertThat(message(SampleScene.put(folder, "{\"a\": [0, {\"b\": {\"c\": 1, \"c\": 2}}]}")))
+                .endsWith(": $.a[1].b.c is given twice, first on line 1");
+    }
+
+    @Test
+    void refusesAFileWithLittleMoreMemoryThanItsOwn() {
+        Path file = SampleScene.put(folder, "{\"a\": [" + "[],".repeat(499_999) + "[]]}");
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        message(file);
+        long before = threads.getCurrentThreadAllocatedBytes();
+        message(file);
+        assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(40L * 1_500_000);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "//host/share/sky.hdr",
+                "\\\\\\\\host\\\\share\\\\sky.hdr",
+                "/\\\\host/sky.hdr",
+                "\\\\\\\\?\\\\UNC\\\\host\\\\sky.hdr"
+            })
+    void refusesFilesOnOtherMachines(String name) {
+        assertThat(message(SampleScene.put(folder, SampleScene.with("sky.hdr", name))))
+                .contains(":9:13: $.skybox names a file on another machine, ")
+                .endsWith("; copy the file here and name it relative to the scene file's folder");
+        assertThat(message(SampleScene.put(
+                        folder,
+                        SampleScene.with(
+                                SampleScene.MATERIALS,
+                                "0.25, \"texture\": \"earth.png\"",
+                                "0.25, \"texture\": \"" + name + "\""))))
+                .contains("$.materials.earth.texture names a file on another machine, ");
     }
 
     @Test

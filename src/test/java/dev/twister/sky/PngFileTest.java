@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import com.sun.management.ThreadMXBean;
 import java.awt.color.ColorSpace;
 import java.awt.color.ICC_Profile;
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -26,6 +28,21 @@ class PngFileTest {
             ICC_Profile.getInstance(ColorSpace.CS_GRAY).getData();
 
     private final List<String> warnings = new ArrayList<>();
+
+    @ParameterizedTest
+    @ValueSource(strings = {"IDAT", "tEXt"})
+    void manyEmptyChunksTakeLittleMoreMemoryThanTheFile(String type) throws IOException {
+        PngBytes png = rgb();
+        for (int chunk = 0; chunk < 100_000; chunk++) {
+            png.chunk(type);
+        }
+        byte[] file = png.texels(136, 136, 136);
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        read(file);
+        long before = threads.getCurrentThreadAllocatedBytes();
+        assertThat(read(file)[0]).isCloseTo(AS_SRGB, within(1e-4f));
+        assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(16L * file.length);
+    }
 
     @Test
     void samplesWithoutAWordAboutThemAreSrgb() throws IOException {

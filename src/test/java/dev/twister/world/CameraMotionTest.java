@@ -90,12 +90,12 @@ class CameraMotionTest {
     void slantwiseIsNotFaster() {
         Camera moved = CameraMotion.walk(CAMERA, new Walk(1, 1, 1, true), 1, PLANE);
 
-        double metres = Math.hypot(
+        double meters = Math.hypot(
                 Math.hypot(
                         moved.position().x() - CAMERA.position().x(),
                         moved.position().y() - CAMERA.position().y()),
                 moved.position().z() - CAMERA.position().z());
-        assertThat(metres).isCloseTo(CameraMotion.RUN_METRES_PER_SECOND, within(TINY));
+        assertThat(meters).isCloseTo(CameraMotion.RUN_METRES_PER_SECOND, within(TINY));
     }
 
     @Test

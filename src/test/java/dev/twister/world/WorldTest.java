@@ -41,7 +41,13 @@ class WorldTest {
     void materialsStandInTheirPlaces() {
         Path file = Path.of("texture.png");
         Skybox texture = new Skybox(1, 1, new float[] {90, 91, 92});
-        Material material = new Material(new Rgb(0.1, 0.2, 0.3), 40, 0.41, 0.42, 1.43, Optional.of(file));
+        Material material = Material.DEFAULT
+                .withColor(new Rgb(0.1, 0.2, 0.3))
+                .withReflectivity(40)
+                .withRoughness(0.41)
+                .withTransmission(0.42)
+                .withIor(1.43)
+                .withTexture(Optional.of(file));
         Scene scene = Worlds.scene();
         Sphere sphere = scene.spheres().getFirst().withMaterial(material);
         FrameInput input = World.of(

@@ -1,9 +1,11 @@
 package dev.twister.engine.auto;
 
+import dev.twister.files.SmallFile;
 import dev.twister.files.UserFolder;
 import dev.twister.files.WholeFile;
 import java.io.IOException;
-import java.io.Reader;
+import java.io.StringReader;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -18,6 +20,9 @@ import java.util.Properties;
 record ChoiceStore(Optional<Path> folder) {
     private static final String ENGINE = "engine";
 
+    /** Hundreds of times what is written. */
+    private static final int MOST_BYTES = 1 << 18;
+
     static ChoiceStore ofThisUser() {
         return new ChoiceStore(UserFolder.CACHE.ofThisUser());
     }
@@ -27,8 +32,9 @@ record ChoiceStore(Optional<Path> folder) {
             return Optional.empty();
         }
         Properties properties = new Properties();
-        try (Reader reader = Files.newBufferedReader(folder.get().resolve(key.fileName()))) {
-            properties.load(reader);
+        try {
+            byte[] bytes = SmallFile.read(folder.get().resolve(key.fileName()), MOST_BYTES);
+            properties.load(new StringReader(new String(bytes, StandardCharsets.UTF_8)));
         } catch (IOException | IllegalArgumentException _) {
             return Optional.empty();
         }
@@ -38,7 +44,9 @@ record ChoiceStore(Optional<Path> folder) {
     }
 
     void write(MachineKey key, String engine) {
-        if (folder.isEmpty() || read(key).equals(Optional.of(engine))) {
+        if (folder.isEmpty()
+                || isDevice(folder.get().resolve(key.fileName()))
+                || read(key).equals(Optional.of(engine))) {
             return;
         }
         Properties properties = new Properties();
@@ -52,5 +60,10 @@ record ChoiceStore(Optional<Path> folder) {
         } catch (IOException _) {
             // The next start measures again.
         }
+    }
+
+    // A pipe without a reader would be waited for.
+    private static boolean isDevice(Path file) {
+        return Files.exists(file) && !Files.isRegularFile(file);
     }
 }

@@ -1,5 +1,6 @@
 package dev.twister.gui.model;
 
+import dev.twister.files.SmallFile;
 import dev.twister.files.UserFolder;
 import dev.twister.files.WholeFile;
 import java.io.IOException;
@@ -25,7 +26,7 @@ public record SettingsStore(Optional<Path> folder) {
     static final String DAMAGED_FILE = "window.damaged.json";
 
     /** Thousands of times what the settings take. */
-    private static final long MAX_BYTES = 1 << 22;
+    private static final int MAX_BYTES = 1 << 22;
 
     private static final JsonMapper JSON = JsonMapper.builder()
             .enable(SerializationFeature.INDENT_OUTPUT)
@@ -75,10 +76,7 @@ public record SettingsStore(Optional<Path> folder) {
     }
 
     private static WindowSettings parse(Path file) throws IOException {
-        if (Files.size(file) > MAX_BYTES) {
-            throw new IOException("too large");
-        }
-        JsonNode found = JSON.readTree(Files.readAllBytes(file));
+        JsonNode found = JSON.readTree(SmallFile.read(file, MAX_BYTES));
         if (!(found instanceof ObjectNode fields)) {
             throw new IOException("not an object");
         }

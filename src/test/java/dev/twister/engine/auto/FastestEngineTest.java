@@ -2,6 +2,7 @@ package dev.twister.engine.auto;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
@@ -98,6 +99,21 @@ class FastestEngineTest {
             assertThat(open(offers)).isEqualTo("parallel");
             assertThat(fastest().remembered(offers)).contains("parallel");
         }
+    }
+
+    @Test
+    void aPipeInTheFilesPlaceIsNotWaitedFor() throws IOException, InterruptedException {
+        List<EngineOffer> offers = offers("sequential", "parallel");
+        open(offers);
+        for (Path file : files()) {
+            Files.delete(file);
+            assumeThat(new ProcessBuilder("mkfifo", file.toString()).start().waitFor())
+                    .isZero();
+        }
+
+        assertThat(fastest().remembered(offers)).isEmpty();
+        assertThat(open(offers)).isEqualTo("parallel");
+        assertThat(fastest().remembered(offers)).isEmpty();
     }
 
     @Test

@@ -1,6 +1,7 @@
 package dev.twister.gui.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import dev.twister.scene.Camera;
 import dev.twister.scene.Vector3;
@@ -89,6 +90,16 @@ class SettingsStoreTest {
         assertThat(file).doesNotExist();
         store().write(WindowSettings.DEFAULT);
         assertThat(store().read().message()).isEmpty();
+    }
+
+    @Test
+    void aPipeInTheFilesPlaceIsSetAside() throws IOException, InterruptedException {
+        Path file = put("");
+        Files.delete(file);
+        assumeThat(new ProcessBuilder("mkfifo", file.toString()).start().waitFor())
+                .isZero();
+        assertThat(store().read().message()).isPresent();
+        assertThat(file).doesNotExist();
     }
 
     @Test

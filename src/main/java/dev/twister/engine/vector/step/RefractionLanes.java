@@ -42,8 +42,8 @@ public final class RefractionLanes {
         FloatVector ratio = Lanes.all(1f)
                 .div(index)
                 .blend(index, Lanes.load(t, at + Tile.FROM_INSIDE).compare(VectorOperators.GT, 0f));
-        FloatVector squared = Lanes.all(1f)
-                .sub(ratio.mul(ratio).mul(Lanes.all(1f).sub(cosine.mul(cosine))));
+        FloatVector squared =
+                Lanes.all(1f).sub(ratio.mul(ratio).mul(Lanes.all(1f).sub(cosine.mul(cosine))));
         VectorMask<Float> passes = squared.compare(VectorOperators.GT, 0f);
         FloatVector passed = Lanes.larger(squared, Lanes.all(0f)).sqrt();
         FloatVector before = ratio.mul(cosine);
@@ -56,10 +56,7 @@ public final class RefractionLanes {
         FloatVector transmission = Lanes.load(t, at + Tile.TRANSMISSION);
         FloatVector passing = Lanes.all(0f)
                 .blend(
-                        Lanes.all(1f)
-                                .sub(mirror)
-                                .mul(transmission)
-                                .mul(Lanes.load(t, at + Tile.WHOLE)),
+                        Lanes.all(1f).sub(mirror).mul(transmission).mul(Lanes.load(t, at + Tile.WHOLE)),
                         transmission.compare(VectorOperators.GT, 0f));
         FloatVector through = passing.mul(Lanes.all(1f).sub(reflectance));
         through.blend(0f, transmission.compare(VectorOperators.LE, 0f)).intoArray(t, at + Tile.REFRACTED_PART);
@@ -85,16 +82,18 @@ public final class RefractionLanes {
         VectorMask<Float> behind = in.compare(VectorOperators.GT, 0f);
         VectorMask<Float> sheet = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.PLANE);
         FloatVector ratio = Lanes.load(t, at + Tile.REFRACTED_Y).blend(1f, sheet);
-        FloatVector cosine = directionX.mul(facetX).add(directionY.mul(facetY)).add(directionZ.mul(facetZ)).neg();
+        FloatVector cosine = directionX
+                .mul(facetX)
+                .add(directionY.mul(facetY))
+                .add(directionZ.mul(facetZ))
+                .neg();
         cosine = Lanes.smaller(Lanes.larger(cosine, Lanes.all(0f)), Lanes.all(1f));
         FloatVector along = Lanes.load(t, at + Tile.REFRACTED_X).blend(cosine.add(cosine), sheet);
         FloatVector x = directionX.mul(ratio).add(along.mul(facetX));
         FloatVector y = directionY.mul(ratio).add(along.mul(facetY));
         FloatVector z = directionZ.mul(ratio).add(along.mul(facetZ));
-        FloatVector mirrored = x.mul(normalX)
-                .add(y.mul(normalY))
-                .add(z.mul(normalZ))
-                .mul(-2f);
+        FloatVector mirrored =
+                x.mul(normalX).add(y.mul(normalY)).add(z.mul(normalZ)).mul(-2f);
         mirrored = Lanes.all(0f).blend(mirrored, sheet);
         x = x.add(mirrored.mul(normalX));
         y = y.add(mirrored.mul(normalY));

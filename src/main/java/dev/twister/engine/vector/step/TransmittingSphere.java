@@ -58,8 +58,7 @@ public final class TransmittingSphere {
             FloatVector half = Lanes.all(radiusSquared).sub(across);
             FloatVector chord = Lanes.larger(half, Lanes.all(0f)).sqrt();
             VectorMask<Float> own = Lanes.load(t, at + Tile.LEAVING).compare(VectorOperators.EQ, body);
-            VectorMask<Float> passedBy =
-                    own.and(Lanes.load(t, at + Tile.INSIDE).compare(VectorOperators.LE, 0f));
+            VectorMask<Float> passedBy = own.and(Lanes.load(t, at + Tile.INSIDE).compare(VectorOperators.LE, 0f));
             VectorMask<Float> before = along.compare(VectorOperators.GT, 0f)
                     .and(x.mul(x).add(y.mul(y)).add(z.mul(z)).compare(VectorOperators.GT, radiusSquared))
                     .andNot(own);
