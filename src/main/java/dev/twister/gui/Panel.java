@@ -29,6 +29,7 @@ final class Panel extends ScrollPane {
     private final SkySection sky;
     private final PhysicsSection physics;
     private final SelectionSection selection;
+    private final MaterialSection material;
 
     Panel(Studio studio, EngineList engines, FileActions files, CommandActions actions) {
         engine = new EngineSection(
@@ -38,6 +39,7 @@ final class Panel extends ScrollPane {
         sky = new SkySection(studio, files);
         physics = new PhysicsSection(studio, actions);
         selection = new SelectionSection(studio);
+        material = new MaterialSection(studio, files);
         Button reset = new Button("Reset everything");
         reset.setId("reset-everything");
         reset.setTooltip(PanelRow.tooltip(
@@ -47,6 +49,9 @@ final class Panel extends ScrollPane {
         physicsSection.getChildren().add(physics.buttons());
         PanelSection lightSection = section("Light", light.rows());
         PanelSection selectionSection = new PanelSection("Selection", selection);
+        PanelSection materialSection = new PanelSection("Material", material);
+        materialSection.visibleProperty().bind(material.visibleProperty());
+        materialSection.managedProperty().bind(material.visibleProperty());
         VBox sections = new VBox(
                 section("Drawing", engine.rows()),
                 section("Picture", picture.rows()),
@@ -54,6 +59,7 @@ final class Panel extends ScrollPane {
                 section("Sky", sky.rows()),
                 physicsSection,
                 selectionSection,
+                materialSection,
                 reset);
         sections.getStyleClass().add("sections");
         setId("panel");
@@ -70,14 +76,26 @@ final class Panel extends ScrollPane {
         setFocusTraversable(false);
         studio.selectionProperty().subscribe((_, body) -> {
             if (body.intValue() != BodyNumber.NONE) {
-                scrollTo(body.intValue() == BodyNumber.LIGHT ? lightSection : selectionSection);
+                scrollTo(
+                        switch (body.intValue()) {
+                            case BodyNumber.LIGHT -> lightSection;
+                            case BodyNumber.PLANE -> materialSection;
+                            default -> selectionSection;
+                        });
             }
         });
     }
 
     /** All rows, in the order in which they are shown. */
     List<PanelRow> rows() {
-        return Stream.of(engine.rows(), picture.rows(), light.rows(), sky.rows(), physics.rows(), selection.rows())
+        return Stream.of(
+                        engine.rows(),
+                        picture.rows(),
+                        light.rows(),
+                        sky.rows(),
+                        physics.rows(),
+                        selection.rows(),
+                        material.rows())
                 .flatMap(List::stream)
                 .toList();
     }

@@ -312,10 +312,10 @@ public final class Studio implements AutoCloseable {
         return selection.getReadOnlyProperty();
     }
 
-    /** Selects the light, a sphere or one that is poured; any other number selects nothing. */
+    /** Selects the light, the plane, a sphere or one that is poured; any other number selects nothing. */
     public void select(int body) {
         Scene now = scene.get();
-        int selected = BodyEdits.isMovable(now, body) || BodyEdits.isPoured(now, body) ? body : BodyNumber.NONE;
+        int selected = BodyEdits.isEditable(now, body) || BodyEdits.isPoured(now, body) ? body : BodyNumber.NONE;
         if (selected != selection.get()) {
             // The next edit may have the same name, but is of another body.
             endGesture();
@@ -477,6 +477,15 @@ public final class Studio implements AutoCloseable {
      */
     public void readTextures(Scene textured) {
         skies.refreshTextures(textured);
+    }
+
+    /**
+     * Reads a texture that a scene does not have yet; any thread may do so.
+     *
+     * @throws dev.twister.sky.SkyException where it cannot be read
+     */
+    public void readTexture(Scene textured, Path file) {
+        skies.refreshTexture(textured, file);
     }
 
     /** The panorama or texture that the drawing thread waits for. */

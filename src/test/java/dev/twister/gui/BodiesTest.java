@@ -142,10 +142,16 @@ class BodiesTest {
     }
 
     @Test
-    void theSkyAndThePlaneSelectNothing() {
-        click(seenAt(MIDDLE));
+    void aClickOnThePlaneSelectsItWithoutAnOutlineAndOnTheSkyNothing() {
         Bounds picture = driver.pictureOnScreen();
-        click(new Point2D(picture.getCenterX() + 60, picture.getMinY() + 130));
+        click(new Point2D(picture.getCenterX(), picture.getMaxY() - 5));
+        assertThat(selected()).isEqualTo(Layout.PLANE);
+        driver.pulse();
+        assertThat(driver.find("#outline", Polygon.class).getPoints()).isEmpty();
+        driver.type(KeyCode.DELETE);
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        click(seenAt(MIDDLE));
+        click(new Point2D(picture.getCenterX() + 60, picture.getMinY() + 5));
         assertThat(selected()).isEqualTo(Layout.NOTHING);
         assertThat(driver.find("#outline", Polygon.class).getPoints()).isEmpty();
     }

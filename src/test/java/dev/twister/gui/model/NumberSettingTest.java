@@ -30,7 +30,11 @@ class NumberSettingTest {
                 BodyEdits.y(body),
                 BodyEdits.z(body),
                 BodyEdits.radiusOf(body),
-                BodyEdits.reflectivityOf(body));
+                MaterialNumbers.of(body).reflectivity(),
+                MaterialNumbers.of(body).roughness(),
+                MaterialNumbers.of(body).transmission(),
+                MaterialNumbers.of(body).ior(),
+                MaterialNumbers.of(Layout.PLANE).reflectivity());
     }
 
     @ParameterizedTest
