@@ -25,6 +25,7 @@ final class HelpWindows {
             new KeyLine("Q E", "Up and down"),
             new KeyLine("Drag, ← → ↑ ↓", "Look around; with Shift, the arrows turn faster"),
             new KeyLine("Wheel", "Field of view"),
+            new KeyLine("Shift+click", "Focus on what is under the pointer"),
             new KeyLine("Home", "Back to where the scene has the camera"),
             new KeyLine("Ctrl+0 … Ctrl+9", "Keep this view under a number"),
             new KeyLine("0 … 9", "Go to the view of that number"));

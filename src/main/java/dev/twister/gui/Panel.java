@@ -1,6 +1,7 @@
 package dev.twister.gui;
 
 import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.model.Lens;
 import dev.twister.gui.model.ResolutionMode;
 import java.nio.file.Path;
 import java.util.List;
@@ -25,6 +26,7 @@ final class Panel extends ScrollPane {
 
     private final EngineSection engine;
     private final PictureSection picture;
+    private final CameraSection camera;
     private final LightSection light;
     private final SkySection sky;
     private final PhysicsSection physics;
@@ -35,6 +37,7 @@ final class Panel extends ScrollPane {
         engine = new EngineSection(
                 studio, engines, studio.engineProperty().get().offer().id());
         picture = new PictureSection(studio);
+        camera = new CameraSection(studio);
         light = new LightSection(studio);
         sky = new SkySection(studio, files);
         physics = new PhysicsSection(studio, actions);
@@ -55,6 +58,7 @@ final class Panel extends ScrollPane {
         VBox sections = new VBox(
                 section("Drawing", engine.rows()),
                 section("Picture", picture.rows()),
+                section("Camera", camera.rows()),
                 lightSection,
                 section("Sky", sky.rows()),
                 physicsSection,
@@ -91,6 +95,7 @@ final class Panel extends ScrollPane {
         return Stream.of(
                         engine.rows(),
                         picture.rows(),
+                        camera.rows(),
                         light.rows(),
                         sky.rows(),
                         physics.rows(),
@@ -159,7 +164,10 @@ final class Panel extends ScrollPane {
     static void resetAll(Studio studio, EngineList engines, String usualEngine) {
         // First, as an edit of moving bodies keeps where it found them.
         studio.setMoving(false);
-        studio.edit("everything", scene -> studio.original().withCamera(scene.camera()));
+        studio.edit(
+                "everything",
+                scene -> studio.original()
+                        .withCamera(Lens.of(studio.original().camera()).on(scene.camera())));
         studio.endGesture();
         studio.goHome();
         studio.setResolution(ResolutionMode.WINDOW);

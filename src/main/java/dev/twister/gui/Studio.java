@@ -13,6 +13,7 @@ import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.EditState;
 import dev.twister.gui.model.EditedFile;
+import dev.twister.gui.model.Lens;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.gui.model.SceneHistory;
 import dev.twister.image.PictureSize;
@@ -333,10 +334,10 @@ public final class Studio implements AutoCloseable {
         request();
     }
 
-    /** Moves the viewer, which is no edit. */
+    /** Moves the viewer, which is no edit; the lens stays. */
     public void moveCamera(UnaryOperator<Camera> move) {
         Scene now = scene.get();
-        Camera moved = move.apply(now.camera());
+        Camera moved = Lens.of(now.camera()).on(move.apply(now.camera()));
         if (!moved.equals(now.camera())) {
             document.carryOn(now.withCamera(moved));
             show();

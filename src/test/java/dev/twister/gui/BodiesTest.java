@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.model.SphereOutline;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Rgb;
@@ -232,6 +233,10 @@ class BodiesTest {
 
     /** As the system reports it, and no more of it than that. */
     private static void fire(EventType<MouseEvent> type, Point2D place, PictureView view) {
+        fire(type, place, view, false);
+    }
+
+    private static void fire(EventType<MouseEvent> type, Point2D place, PictureView view, boolean shift) {
         driver.run(() -> {
             Point2D inScene = view.localToScene(view.screenToLocal(place));
             MouseEvent event = new MouseEvent(
@@ -242,7 +247,7 @@ class BodiesTest {
                     place.getY(),
                     MouseButton.PRIMARY,
                     1,
-                    false,
+                    shift,
                     false,
                     false,
                     false,
@@ -356,5 +361,32 @@ class BodiesTest {
         click(seenAt(MIDDLE));
         driver.type(KeyCode.ESCAPE);
         assertThat(selected()).isEqualTo(Layout.NOTHING);
+    }
+
+    @Test
+    void aShiftClickFocusesOnWhatIsUnderThePointerAndThatIsOneEdit() {
+        Scene before = scene();
+        int selected = selected();
+        Point2D place = seenAt(MIDDLE);
+        // The robot's clicks say of no key that is held.
+        fire(MouseEvent.MOUSE_CLICKED, place, view(), true);
+
+        Vector3 center = BodyEdits.position(before, MIDDLE);
+        double radius = BodyEdits.radius(before, MIDDLE);
+        double away = Math.hypot(
+                Math.hypot(
+                        center.x() - before.camera().position().x(),
+                        center.y() - before.camera().position().y()),
+                center.z() - before.camera().position().z());
+        double focus = scene().camera().focusDistance();
+        assertThat(focus).isBetween(away - 3 * radius, away);
+        assertThat(selected()).isEqualTo(selected);
+        assertThat(driver.notice()).startsWith("Focus distance: ");
+        driver.run(() -> driver.studio.edit("aperture", now -> SceneNumbers.APERTURE.write(now, 0.1)));
+        driver.awaitCurrentPicture();
+        driver.await(() -> driver.text("facts").endsWith("focus at " + SceneNumbers.FOCUS_DISTANCE.text(focus) + " m"));
+        driver.run(driver.studio::undo);
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene()).isEqualTo(before);
     }
 }

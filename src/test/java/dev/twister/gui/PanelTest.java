@@ -72,6 +72,8 @@ class PanelTest {
                 SceneNumbers.SAMPLES_PER_PIXEL,
                 SceneNumbers.EXPOSURE,
                 SceneNumbers.FIELD_OF_VIEW,
+                SceneNumbers.APERTURE,
+                SceneNumbers.FOCUS_DISTANCE,
                 SceneNumbers.LIGHT_X,
                 SceneNumbers.LIGHT_Y,
                 SceneNumbers.LIGHT_Z,

@@ -79,6 +79,18 @@ class StudioTest {
         assertThat(studio.scene().camera().position()).isEqualTo(new Vector3(0, lowest, -8));
     }
 
+    @Test
+    void whoeverMovesHasTheSameLens() {
+        studio.keepView(1);
+        studio.edit("lens", now -> now.withCamera(now.camera().withAperture(0.1).withFocusDistance(3)));
+        studio.goHome();
+        studio.recallView(1);
+        assertThat(studio.scene().camera())
+                .isEqualTo(scene.camera().withAperture(0.1).withFocusDistance(3));
+        studio.undo();
+        assertThat(studio.scene().camera()).isEqualTo(scene.camera());
+    }
+
     private DrawingRequest awaitRequest(Predicate<DrawingRequest> wanted) {
         long end = System.nanoTime() + TimeUnit.MINUTES.toNanos(5);
         studio.pulse(System.nanoTime());

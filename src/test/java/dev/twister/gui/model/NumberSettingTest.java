@@ -21,6 +21,8 @@ class NumberSettingTest {
                 SceneNumbers.SAMPLES_PER_PIXEL,
                 SceneNumbers.EXPOSURE,
                 SceneNumbers.FIELD_OF_VIEW,
+                SceneNumbers.APERTURE,
+                SceneNumbers.FOCUS_DISTANCE,
                 SceneNumbers.LIGHT_X,
                 SceneNumbers.LIGHT_Y,
                 SceneNumbers.LIGHT_Z,
