@@ -14,6 +14,7 @@ import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.EditState;
 import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.model.Lens;
+import dev.twister.gui.model.RefinementGoal;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.gui.model.SceneHistory;
 import dev.twister.image.PictureSize;
@@ -45,9 +46,6 @@ import javafx.collections.ObservableMap;
  * JavaFX's thread alone; needs no toolkit.
  */
 public final class Studio implements AutoCloseable {
-    /** Samples a pixel that a picture at rest gathers. */
-    public static final int REFINE_TO = 64;
-
     private static final double NANOS_PER_SECOND = 1e9;
 
     /** After the window was asleep, say, the camera does not leap. */
@@ -572,8 +570,7 @@ public final class Studio implements AutoCloseable {
         if (viewWidth >= 1 && viewHeight >= 1) {
             requests++;
             PictureSize size = resolution.get().size(viewWidth, viewHeight);
-            int refineTo =
-                    refining.get() ? Math.max(REFINE_TO, scene.get().settings().samplesPerPixel()) : 0;
+            int refineTo = refining.get() ? RefinementGoal.samples(scene.get()) : 0;
             loop.request(new DrawingRequest(
                     requests,
                     documents,
