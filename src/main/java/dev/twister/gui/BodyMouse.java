@@ -4,6 +4,8 @@ import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.BodyPicker;
+import dev.twister.gui.model.FocusPoint;
+import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.model.SphereDrag;
 import java.util.Optional;
 import javafx.beans.value.ObservableValue;
@@ -13,7 +15,7 @@ import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 
 /**
- * Selects the body that is clicked, and moves the selected one with the pointer. A drag that begins anywhere else is left
+ * Selects the body that is clicked, or focuses on it, and moves the selected one with the pointer. A drag that begins anywhere else is left
  * to {@link CameraMouse}.
  */
 final class BodyMouse {
@@ -50,6 +52,7 @@ final class BodyMouse {
         }
         int selected = studio.selectionProperty().get();
         if (event.getButton() == MouseButton.PRIMARY
+                && !event.isShiftDown()
                 && BodyEdits.isMovable(studio.scene(), selected)
                 && bodyAt(event).filter(body -> body == selected).isPresent()) {
             DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
@@ -90,8 +93,27 @@ final class BodyMouse {
 
     private void clicked(MouseEvent event) {
         if (event.getButton() == MouseButton.PRIMARY && event.isStillSincePress()) {
-            studio.select(bodyAt(event).orElse(BodyNumber.NONE));
+            if (event.isShiftDown()) {
+                focus(event);
+            } else {
+                studio.select(bodyAt(event).orElse(BodyNumber.NONE));
+            }
         }
+    }
+
+    /** What is seen there is sharp from now on. */
+    private void focus(MouseEvent event) {
+        studio.pictureProperty()
+                .get()
+                .filter(_ -> view.place().contains(event.getX(), event.getY()))
+                .ifPresent(picture -> {
+                    Point2D place = place(event);
+                    double meters = SceneNumbers.FOCUS_DISTANCE.rounded(
+                            FocusPoint.distance(picture.input(), place.getX(), place.getY()));
+                    studio.edit("focus distance", scene -> SceneNumbers.FOCUS_DISTANCE.write(scene, meters));
+                    studio.endGesture();
+                    studio.notice(StatusText.focused(studio.scene().camera()));
+                });
     }
 
     private void moved(MouseEvent event) {

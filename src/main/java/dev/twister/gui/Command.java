@@ -16,7 +16,7 @@ enum Command {
     REDO_ALSO(Group.EDIT, "Redo", "Shortcut+Y", "As Ctrl+Shift+Z."),
     INSERT(Group.EDIT, "Insert sphere", "Insert", "A new sphere in the middle of the picture."),
     DELETE(Group.EDIT, "Delete sphere", "Delete", "Deletes the selected sphere."),
-    NEXT(Group.EDIT, "Next body", "F2", "Selects the light, then one sphere after the other, then nothing."),
+    NEXT(Group.EDIT, "Next body", "F2", "Selects the light, the plane, then one sphere after the other, then nothing."),
     PREVIOUS(Group.EDIT, "Previous body", "Shift+F2", "The same the other way round."),
     DESELECT(Group.EDIT, "Back to the picture", "Esc", "Leaves the panel; in the picture, selects nothing."),
     RESET(Group.EDIT, "Reset everything", "Shortcut+Shift+Home", "Everything in the panel as it was at first."),

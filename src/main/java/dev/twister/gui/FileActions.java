@@ -17,6 +17,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 
 /** Opens and saves: what the menu, a key, or a file dropped on the window asks for. */
 final class FileActions {
@@ -116,6 +117,46 @@ final class FileActions {
                 problem -> {
                     refused.run();
                     complain("This sky cannot be used", problem);
+                },
+                refused);
+    }
+
+    /**
+     * Asks which texture, where the present one is.
+     *
+     * @param then gets its file
+     */
+    void chooseTexture(Optional<Path> present, Consumer<Path> then) {
+        choice.texture(present.map(Path::getParent).orElse(folder()))
+                .map(file -> file.toAbsolutePath().normalize())
+                .ifPresent(then);
+    }
+
+    /**
+     * Reads a texture for the body that is selected.
+     *
+     * @param then called once it has been read; not where another body is selected by then
+     * @param refused called where it cannot be read, and where the person does not wait for it
+     */
+    void readTexture(Path file, Runnable then, Runnable refused) {
+        Scene scene = studio.scene();
+        int body = studio.selectionProperty().get();
+        long document = studio.document();
+        reading.begin(
+                name(file),
+                () -> {
+                    studio.readTexture(scene, file);
+                    return file;
+                },
+                _ -> {
+                    if (studio.document() == document
+                            && studio.selectionProperty().get() == body) {
+                        then.run();
+                    }
+                },
+                problem -> {
+                    refused.run();
+                    complain("Couldn't load the texture", problem);
                 },
                 refused);
     }

@@ -14,6 +14,9 @@ interface FileChoice {
     /** A panorama that is there. */
     Optional<Path> panorama(Path folder);
 
+    /** A texture that is there. */
+    Optional<Path> texture(Path folder);
+
     /** Where to save a picture, .png or .hdr. */
     Optional<Path> toSavePicture(Path suggested);
 

@@ -25,11 +25,12 @@ final class HelpWindows {
             new KeyLine("Q E", "Up and down"),
             new KeyLine("Drag, ← → ↑ ↓", "Look around; with Shift, the arrows turn faster"),
             new KeyLine("Wheel", "Field of view"),
+            new KeyLine("Shift+click", "Focus on what is under the pointer"),
             new KeyLine("Home", "Back to where the scene has the camera"),
             new KeyLine("Ctrl+0 … Ctrl+9", "Keep this view under a number"),
             new KeyLine("0 … 9", "Go to the view of that number"));
     private static final List<KeyLine> BODIES = List.of(
-            new KeyLine("Click", "Select a sphere or the light"),
+            new KeyLine("Click", "Select a sphere, the light or the plane"),
             new KeyLine("Drag the selected one", "Move it, at the same distance from the camera"),
             new KeyLine("Drop a file", "Open a scene; a panorama becomes the sky"));
 

@@ -1,6 +1,7 @@
 package dev.twister.gui;
 
 import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.model.Lens;
 import dev.twister.gui.model.ResolutionMode;
 import java.nio.file.Path;
 import java.util.List;
@@ -25,19 +26,23 @@ final class Panel extends ScrollPane {
 
     private final EngineSection engine;
     private final PictureSection picture;
+    private final CameraSection camera;
     private final LightSection light;
     private final SkySection sky;
     private final PhysicsSection physics;
     private final SelectionSection selection;
+    private final MaterialSection material;
 
     Panel(Studio studio, EngineList engines, FileActions files, CommandActions actions) {
         engine = new EngineSection(
                 studio, engines, studio.engineProperty().get().offer().id());
         picture = new PictureSection(studio);
+        camera = new CameraSection(studio);
         light = new LightSection(studio);
         sky = new SkySection(studio, files);
         physics = new PhysicsSection(studio, actions);
         selection = new SelectionSection(studio);
+        material = new MaterialSection(studio, files);
         Button reset = new Button("Reset everything");
         reset.setId("reset-everything");
         reset.setTooltip(PanelRow.tooltip(
@@ -47,13 +52,18 @@ final class Panel extends ScrollPane {
         physicsSection.getChildren().add(physics.buttons());
         PanelSection lightSection = section("Light", light.rows());
         PanelSection selectionSection = new PanelSection("Selection", selection);
+        PanelSection materialSection = new PanelSection("Material", material);
+        materialSection.visibleProperty().bind(material.visibleProperty());
+        materialSection.managedProperty().bind(material.visibleProperty());
         VBox sections = new VBox(
                 section("Drawing", engine.rows()),
                 section("Picture", picture.rows()),
+                section("Camera", camera.rows()),
                 lightSection,
                 section("Sky", sky.rows()),
                 physicsSection,
                 selectionSection,
+                materialSection,
                 reset);
         sections.getStyleClass().add("sections");
         setId("panel");
@@ -70,14 +80,27 @@ final class Panel extends ScrollPane {
         setFocusTraversable(false);
         studio.selectionProperty().subscribe((_, body) -> {
             if (body.intValue() != BodyNumber.NONE) {
-                scrollTo(body.intValue() == BodyNumber.LIGHT ? lightSection : selectionSection);
+                scrollTo(
+                        switch (body.intValue()) {
+                            case BodyNumber.LIGHT -> lightSection;
+                            case BodyNumber.PLANE -> materialSection;
+                            default -> selectionSection;
+                        });
             }
         });
     }
 
     /** All rows, in the order in which they are shown. */
     List<PanelRow> rows() {
-        return Stream.of(engine.rows(), picture.rows(), light.rows(), sky.rows(), physics.rows(), selection.rows())
+        return Stream.of(
+                        engine.rows(),
+                        picture.rows(),
+                        camera.rows(),
+                        light.rows(),
+                        sky.rows(),
+                        physics.rows(),
+                        selection.rows(),
+                        material.rows())
                 .flatMap(List::stream)
                 .toList();
     }
@@ -141,7 +164,10 @@ final class Panel extends ScrollPane {
     static void resetAll(Studio studio, EngineList engines, String usualEngine) {
         // First, as an edit of moving bodies keeps where it found them.
         studio.setMoving(false);
-        studio.edit("everything", scene -> studio.original().withCamera(scene.camera()));
+        studio.edit(
+                "everything",
+                scene -> studio.original()
+                        .withCamera(Lens.of(studio.original().camera()).on(scene.camera())));
         studio.endGesture();
         studio.goHome();
         studio.setResolution(ResolutionMode.WINDOW);

@@ -24,8 +24,7 @@ final class PictureSection {
                 new NumberRow(SceneNumbers.SHADOW_SAMPLES, "Alt+S", studio),
                 new NumberRow(SceneNumbers.BOUNCES, "Alt+B", studio),
                 new NumberRow(SceneNumbers.SAMPLES_PER_PIXEL, "Alt+A", studio),
-                new NumberRow(SceneNumbers.EXPOSURE, "Alt+X", studio),
-                new NumberRow(SceneNumbers.FIELD_OF_VIEW, "Alt+W", studio));
+                new NumberRow(SceneNumbers.EXPOSURE, "Alt+X", studio));
         toneMap = new ChoiceRow<>(
                 "Tone map",
                 "How bright colours are brought down to what a screen can show.",

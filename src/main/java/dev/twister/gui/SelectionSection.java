@@ -5,7 +5,6 @@ import dev.twister.gui.model.BodyNumber;
 import dev.twister.scene.Scene;
 import java.util.List;
 import java.util.function.Predicate;
-import java.util.stream.Stream;
 import javafx.scene.control.Label;
 import javafx.scene.layout.VBox;
 
@@ -16,7 +15,6 @@ final class SelectionSection extends VBox {
     private final Studio studio;
     private final Label hint = new Label();
     private List<NumberRow> numbers = List.of();
-    private List<ColorRow> colors = List.of();
     private Scene atSelection;
     private long followedNanos;
 
@@ -45,7 +43,7 @@ final class SelectionSection extends VBox {
 
     /** The rows of the sphere that is selected; none where there is none. */
     List<PanelRow> rows() {
-        return Stream.<PanelRow>concat(numbers.stream(), colors.stream()).toList();
+        return List.copyOf(numbers);
     }
 
     private void rebuild() {
@@ -57,7 +55,6 @@ final class SelectionSection extends VBox {
         atSelection = studio.scene();
         boolean sphere = BodyEdits.isSphere(atSelection, body);
         numbers = sphere ? numbers(body) : List.of();
-        colors = sphere ? List.of(color(body)) : List.of();
         hint.setText(hint(atSelection, body));
         getChildren().setAll(hint);
         getChildren().addAll(rows());
@@ -72,8 +69,10 @@ final class SelectionSection extends VBox {
         }
         return switch (body) {
             case BodyNumber.NONE ->
-                "Click a sphere or the light in the picture to select it, or press F2; drag the selected one to move it.";
+                "Click a sphere, the light or the plane in the picture to select it, or press F2; drag the selected sphere "
+                        + "or light to move it.";
             case BodyNumber.LIGHT -> "The light is selected; its controls are above.";
+            case BodyNumber.PLANE -> "The plane is selected; its material is below.";
             default ->
                 "Sphere " + (BodyNumber.sphere(body) + 1) + " of " + spheres
                         + ". Drag it to move it, Delete deletes it.";
@@ -85,18 +84,7 @@ final class SelectionSection extends VBox {
                 new NumberRow(BodyEdits.x(body), "Alt+4", studio),
                 new NumberRow(BodyEdits.y(body), "Alt+5", studio),
                 new NumberRow(BodyEdits.z(body), "Alt+6", studio),
-                new NumberRow(BodyEdits.radiusOf(body), "Alt+7", studio),
-                new NumberRow(BodyEdits.reflectivityOf(body), "Alt+8", studio));
-    }
-
-    private ColorRow color(int body) {
-        return new ColorRow(
-                "Sphere colour",
-                "The sphere's own colour.",
-                "Alt+9",
-                studio,
-                scene -> BodyEdits.sphere(scene, body).color(),
-                (scene, albedo) -> BodyEdits.colored(scene, body, albedo));
+                new NumberRow(BodyEdits.radiusOf(body), "Alt+7", studio));
     }
 
     private void follow() {
@@ -112,7 +100,6 @@ final class SelectionSection extends VBox {
                     ? BodyEdits.moved(scene, body, studio.positionNow(body))
                     : scene;
             numbers.stream().filter(which).forEach(row -> row.show(seen, atSelection));
-            colors.forEach(row -> row.show(scene, atSelection));
         }
     }
 }

@@ -44,8 +44,8 @@ final class SelectionView extends Pane {
         int selected = studio.selectionProperty().get();
         List<Double> points = studio.picturedBodies()
                 .map(bodies -> bodies.inPicture(selected))
-                // Nothing is selected, or the picture is of the time before the body was there.
-                .filter(body -> body != BodyNumber.NONE)
+                // Nothing is selected, or the plane, or the picture is of the time before the body was there.
+                .filter(body -> body != BodyNumber.NONE && body != BodyNumber.PLANE)
                 .flatMap(body -> studio.pictureProperty()
                         .get()
                         .filter(picture -> body < picture.input().bodyCount())

@@ -2,6 +2,8 @@ package dev.twister.gui;
 
 import dev.twister.gui.drawing.DrawingStatus;
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.SceneNumbers;
+import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import java.util.Optional;
@@ -14,18 +16,31 @@ final class StatusText {
 
     private StatusText() {}
 
-    /** Scene, engine, size, bodies that are there. */
+    /** Scene, engine, size, bodies that are there, and where a lens is focused. */
     static String facts(DrawnPicture picture) {
         String chosen = picture.request().engine().offer().id();
         String name = picture.request().scene().name();
+        Camera camera = picture.request().scene().camera();
         return Stream.of(
                         name.isEmpty() ? "untitled" : name,
                         (chosen.equals(picture.engine()) ? "" : chosen + ": ") + picture.engine() + " ("
                                 + picture.device() + ")",
                         picture.frame().width() + " × " + picture.frame().height(),
                         picture.samples() + (picture.samples() == 1 ? " sample a pixel" : " samples a pixel"),
-                        picture.input().bodyCount() + " bodies")
+                        picture.input().bodyCount() + " bodies",
+                        camera.aperture() > 0 ? "focus at " + meters(camera) : "")
+                .filter(part -> !part.isEmpty())
                 .collect(Collectors.joining(BETWEEN));
+    }
+
+    /** What the camera has been focused on. */
+    static String focused(Camera camera) {
+        return "Focus distance: " + meters(camera)
+                + (camera.aperture() > 0 ? "" : ". The aperture is 0: everything is in focus");
+    }
+
+    private static String meters(Camera camera) {
+        return SceneNumbers.FOCUS_DISTANCE.text(camera.focusDistance()) + " m";
     }
 
     /** Whether {@link #facts} are known to be the same for both, told without putting them together. */

@@ -13,6 +13,8 @@ import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.EditState;
 import dev.twister.gui.model.EditedFile;
+import dev.twister.gui.model.Lens;
+import dev.twister.gui.model.RefinementGoal;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.gui.model.SceneHistory;
 import dev.twister.image.PictureSize;
@@ -44,9 +46,6 @@ import javafx.collections.ObservableMap;
  * JavaFX's thread alone; needs no toolkit.
  */
 public final class Studio implements AutoCloseable {
-    /** Samples a pixel that a picture at rest gathers. */
-    public static final int REFINE_TO = 64;
-
     private static final double NANOS_PER_SECOND = 1e9;
 
     /** After the window was asleep, say, the camera does not leap. */
@@ -312,10 +311,10 @@ public final class Studio implements AutoCloseable {
         return selection.getReadOnlyProperty();
     }
 
-    /** Selects the light, a sphere or one that is poured; any other number selects nothing. */
+    /** Selects the light, the plane, a sphere or one that is poured; any other number selects nothing. */
     public void select(int body) {
         Scene now = scene.get();
-        int selected = BodyEdits.isMovable(now, body) || BodyEdits.isPoured(now, body) ? body : BodyNumber.NONE;
+        int selected = BodyEdits.isEditable(now, body) || BodyEdits.isPoured(now, body) ? body : BodyNumber.NONE;
         if (selected != selection.get()) {
             // The next edit may have the same name, but is of another body.
             endGesture();
@@ -333,10 +332,10 @@ public final class Studio implements AutoCloseable {
         request();
     }
 
-    /** Moves the viewer, which is no edit. */
+    /** Moves the viewer, which is no edit; the lens stays. */
     public void moveCamera(UnaryOperator<Camera> move) {
         Scene now = scene.get();
-        Camera moved = move.apply(now.camera());
+        Camera moved = Lens.of(now.camera()).on(move.apply(now.camera()));
         if (!moved.equals(now.camera())) {
             document.carryOn(now.withCamera(moved));
             show();
@@ -479,6 +478,15 @@ public final class Studio implements AutoCloseable {
         skies.refreshTextures(textured);
     }
 
+    /**
+     * Reads a texture that a scene does not have yet; any thread may do so.
+     *
+     * @throws dev.twister.sky.SkyException where it cannot be read
+     */
+    public void readTexture(Scene textured, Path file) {
+        skies.refreshTexture(textured, file);
+    }
+
     /** The panorama or texture that the drawing thread waits for. */
     Optional<Path> skyBeingRead() {
         return skies.beingRead();
@@ -562,8 +570,7 @@ public final class Studio implements AutoCloseable {
         if (viewWidth >= 1 && viewHeight >= 1) {
             requests++;
             PictureSize size = resolution.get().size(viewWidth, viewHeight);
-            int refineTo =
-                    refining.get() ? Math.max(REFINE_TO, scene.get().settings().samplesPerPixel()) : 0;
+            int refineTo = refining.get() ? RefinementGoal.samples(scene.get()) : 0;
             loop.request(new DrawingRequest(
                     requests,
                     documents,

@@ -18,6 +18,7 @@ import javafx.stage.Window;
 final class SystemFileChoice implements FileChoice {
     private static final String SCENE = "*" + ChosenFile.SCENE;
     private static final List<String> PANORAMAS = List.of("*.hdr", "*.pic", "*.png", "*.jpg", "*.jpeg");
+    private static final List<String> TEXTURES = List.of("*.png", "*.jpg", "*.jpeg");
 
     private final Window owner;
 
@@ -50,6 +51,14 @@ final class SystemFileChoice implements FileChoice {
         FileChooser chooser = chooser("Choose a sky", folder);
         chooser.getExtensionFilters()
                 .addAll(new ExtensionFilter("Panoramas", PANORAMAS), new ExtensionFilter("All files", "*"));
+        return path(chooser.showOpenDialog(owner));
+    }
+
+    @Override
+    public Optional<Path> texture(Path folder) {
+        FileChooser chooser = chooser("Choose a texture", folder);
+        chooser.getExtensionFilters()
+                .addAll(new ExtensionFilter("Textures", TEXTURES), new ExtensionFilter("All files", "*"));
         return path(chooser.showOpenDialog(owner));
     }
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.model.SphereOutline;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Rgb;
@@ -142,10 +143,16 @@ class BodiesTest {
     }
 
     @Test
-    void theSkyAndThePlaneSelectNothing() {
-        click(seenAt(MIDDLE));
+    void aClickOnThePlaneSelectsItWithoutAnOutlineAndOnTheSkyNothing() {
         Bounds picture = driver.pictureOnScreen();
-        click(new Point2D(picture.getCenterX() + 60, picture.getMinY() + 130));
+        click(new Point2D(picture.getCenterX(), picture.getMaxY() - 5));
+        assertThat(selected()).isEqualTo(Layout.PLANE);
+        driver.pulse();
+        assertThat(driver.find("#outline", Polygon.class).getPoints()).isEmpty();
+        driver.type(KeyCode.DELETE);
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        click(seenAt(MIDDLE));
+        click(new Point2D(picture.getCenterX() + 60, picture.getMinY() + 5));
         assertThat(selected()).isEqualTo(Layout.NOTHING);
         assertThat(driver.find("#outline", Polygon.class).getPoints()).isEmpty();
     }
@@ -226,6 +233,10 @@ class BodiesTest {
 
     /** As the system reports it, and no more of it than that. */
     private static void fire(EventType<MouseEvent> type, Point2D place, PictureView view) {
+        fire(type, place, view, false);
+    }
+
+    private static void fire(EventType<MouseEvent> type, Point2D place, PictureView view, boolean shift) {
         driver.run(() -> {
             Point2D inScene = view.localToScene(view.screenToLocal(place));
             MouseEvent event = new MouseEvent(
@@ -236,7 +247,7 @@ class BodiesTest {
                     place.getY(),
                     MouseButton.PRIMARY,
                     1,
-                    false,
+                    shift,
                     false,
                     false,
                     false,
@@ -350,5 +361,32 @@ class BodiesTest {
         click(seenAt(MIDDLE));
         driver.type(KeyCode.ESCAPE);
         assertThat(selected()).isEqualTo(Layout.NOTHING);
+    }
+
+    @Test
+    void aShiftClickFocusesOnWhatIsUnderThePointerAndThatIsOneEdit() {
+        Scene before = scene();
+        int selected = selected();
+        Point2D place = seenAt(MIDDLE);
+        // The robot's clicks say of no key that is held.
+        fire(MouseEvent.MOUSE_CLICKED, place, view(), true);
+
+        Vector3 center = BodyEdits.position(before, MIDDLE);
+        double radius = BodyEdits.radius(before, MIDDLE);
+        double away = Math.hypot(
+                Math.hypot(
+                        center.x() - before.camera().position().x(),
+                        center.y() - before.camera().position().y()),
+                center.z() - before.camera().position().z());
+        double focus = scene().camera().focusDistance();
+        assertThat(focus).isBetween(away - 3 * radius, away);
+        assertThat(selected()).isEqualTo(selected);
+        assertThat(driver.notice()).startsWith("Focus distance: ");
+        driver.run(() -> driver.studio.edit("aperture", now -> SceneNumbers.APERTURE.write(now, 0.1)));
+        driver.awaitCurrentPicture();
+        driver.await(() -> driver.text("facts").endsWith("focus at " + SceneNumbers.FOCUS_DISTANCE.text(focus) + " m"));
+        driver.run(driver.studio::undo);
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene()).isEqualTo(before);
     }
 }

@@ -6,6 +6,7 @@ import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.RefinementGoal;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.scene.Scene;
 import java.util.List;
@@ -109,7 +110,7 @@ class EngineChangeTest {
                             scene.name(),
                             JvmEngines.PARALLEL,
                             picture.frame().width() + " × " + picture.frame().height(),
-                            Studio.REFINE_TO + " samples a pixel",
+                            RefinementGoal.SHARP + " samples a pixel",
                             (scene.spheres().size() + 2) + " bodies");
         }
     }

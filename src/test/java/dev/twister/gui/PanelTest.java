@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.MaterialNumbers;
 import dev.twister.gui.model.NumberSetting;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.gui.model.SceneNumbers;
@@ -71,6 +72,8 @@ class PanelTest {
                 SceneNumbers.SAMPLES_PER_PIXEL,
                 SceneNumbers.EXPOSURE,
                 SceneNumbers.FIELD_OF_VIEW,
+                SceneNumbers.APERTURE,
+                SceneNumbers.FOCUS_DISTANCE,
                 SceneNumbers.LIGHT_X,
                 SceneNumbers.LIGHT_Y,
                 SceneNumbers.LIGHT_Z,
@@ -82,7 +85,10 @@ class PanelTest {
                 BodyEdits.y(SPHERE),
                 BodyEdits.z(SPHERE),
                 BodyEdits.radiusOf(SPHERE),
-                BodyEdits.reflectivityOf(SPHERE));
+                MaterialNumbers.of(SPHERE).reflectivity(),
+                MaterialNumbers.of(SPHERE).roughness(),
+                MaterialNumbers.of(SPHERE).transmission(),
+                MaterialNumbers.of(SPHERE).ior());
     }
 
     private static Scene scene() {
@@ -237,6 +243,7 @@ class PanelTest {
     void aSliderIsDraggedAndThatIsOneEdit() {
         NumberRow row = (NumberRow) row("Exposure");
         Node slider = row.firstControl();
+        driver.type(row.keys());
         DrawnPicture before = driver.awaitCurrentPicture();
         long darkness = brightness(before);
         var bounds = WindowDriver.call(() -> slider.localToScreen(slider.getLayoutBounds()));
@@ -262,9 +269,9 @@ class PanelTest {
 
     @Test
     void theSelectedSpheresNumberFollowsItsSlider() {
-        NumberRow row = (NumberRow) row("Sphere reflectivity");
+        NumberRow row = (NumberRow) row("Reflectivity");
         TextField field = in(row, ".text-field", TextField.class);
-        NumberSetting setting = BodyEdits.reflectivityOf(SPHERE);
+        NumberSetting setting = MaterialNumbers.of(SPHERE).reflectivity();
         String before = WindowDriver.call(field::getText);
         driver.type(row.keys());
         driver.pulse();
@@ -485,7 +492,7 @@ class PanelTest {
 
     @Test
     void coloursAreChosenFromThePalette() {
-        for (String label : List.of("Light colour", "Sphere colour")) {
+        for (String label : List.of("Light colour", "Color")) {
             PanelRow row = row(label);
             Scene before = scene();
             ColorPicker picker = openPalette(row);
@@ -555,7 +562,7 @@ class PanelTest {
 
     @Test
     void spaceOpensListsAndPalettesAndEscapeClosesThemAndNoMore() {
-        for (String label : List.of("Resolution", "Light colour", "Sphere colour")) {
+        for (String label : List.of("Resolution", "Light colour", "Color")) {
             PanelRow row = row(label);
             ComboBoxBase<?> control = (ComboBoxBase<?>) row.firstControl();
             driver.type(row.keys());
@@ -673,10 +680,10 @@ class PanelTest {
     }
 
     @Test
-    void theLightAndEverySphereAreSelectedByKeys() {
+    void theLightThePlaneAndEverySphereAreSelectedByKeys() {
         driver.run(() -> driver.studio.select(Layout.NOTHING));
         int spheres = scene().spheres().size();
-        List<Integer> round = new ArrayList<>(List.of(Layout.LIGHT));
+        List<Integer> round = new ArrayList<>(List.of(Layout.LIGHT, Layout.PLANE));
         for (int sphere = 0; sphere < spheres; sphere++) {
             round.add(Layout.FIRST_SPHERE + sphere);
         }

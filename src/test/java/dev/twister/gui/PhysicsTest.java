@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.Motion;
 import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyMaterials;
 import dev.twister.kernel.Layout;
 import dev.twister.physics.Simulation;
 import dev.twister.scene.Rgb;
@@ -178,7 +179,9 @@ class PhysicsTest {
         double fallen = HEIGHT - height(awaitSteps(60));
         driver.run(() -> {
             driver.studio.edit("light", scene -> BodyEdits.moved(scene, Layout.LIGHT, new Vector3(1, 7, 1)));
-            driver.studio.edit("colour", scene -> BodyEdits.colored(scene, Layout.FIRST_SPHERE, new Rgb(0, 1, 0)));
+            driver.studio.edit(
+                    "colour",
+                    scene -> BodyMaterials.edited(scene, Layout.FIRST_SPHERE, old -> old.withColor(new Rgb(0, 1, 0))));
             driver.studio.edit(
                     "gravity", scene -> scene.withPhysics(scene.physics().withGravity(new Vector3(0, 0, 0))));
         });
@@ -316,7 +319,8 @@ class PhysicsTest {
     @Test
     void anEditWhileSpheresAreThrownStaysAsItIs() {
         Rgb green = new Rgb(0, 1, 0);
-        Sphere before = editWhileSpheresAreThrown(scene -> BodyEdits.colored(scene, Layout.FIRST_SPHERE, green))
+        Sphere before = editWhileSpheresAreThrown(
+                        scene -> BodyMaterials.edited(scene, Layout.FIRST_SPHERE, old -> old.withColor(green)))
                 .spheres()
                 .getFirst();
 

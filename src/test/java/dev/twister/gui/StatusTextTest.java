@@ -8,6 +8,7 @@ import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.EngineChoice;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
+import dev.twister.scene.Camera;
 import dev.twister.world.FrameInput;
 import dev.twister.world.Positions;
 import dev.twister.world.SampleWorld;
@@ -42,6 +43,16 @@ class StatusTextTest {
         assertThat(StatusText.facts(picture)).endsWith("7 bodies");
         assertThat(StatusText.facts(fewer)).endsWith("3 bodies");
         assertThat(StatusText.isSame(picture, fewer)).isFalse();
+    }
+
+    @Test
+    void theFocusIsToldWhereThereIsALens() {
+        Camera pinhole = WindowScenes.tiny().camera().withFocusDistance(5.1);
+
+        assertThat(StatusText.facts(picture)).doesNotContain("focus");
+        assertThat(StatusText.focused(pinhole))
+                .isEqualTo("Focus distance: 5.1 m. The aperture is 0: everything is in focus");
+        assertThat(StatusText.focused(pinhole.withAperture(0.1))).isEqualTo("Focus distance: 5.1 m");
     }
 
     private static DrawnPicture picture(long request, String engine, int samples, int side) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.drawing.DrawingRequest;
 import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.RefinementGoal;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
@@ -77,6 +78,28 @@ class StudioTest {
 
         studio.show(new OpenedScene(FILE, buried));
         assertThat(studio.scene().camera().position()).isEqualTo(new Vector3(0, lowest, -8));
+    }
+
+    @Test
+    void whoeverMovesHasTheSameLens() {
+        studio.keepView(1);
+        studio.edit("lens", now -> now.withCamera(now.camera().withAperture(0.1).withFocusDistance(3)));
+        studio.goHome();
+        studio.recallView(1);
+        assertThat(studio.scene().camera())
+                .isEqualTo(scene.camera().withAperture(0.1).withFocusDistance(3));
+        studio.undo();
+        assertThat(studio.scene().camera()).isEqualTo(scene.camera());
+    }
+
+    @Test
+    void aPictureWithALensGathersMoreSamples() {
+        studio.setViewSize(SIDE, SIDE);
+        assertThat(awaitRequest(_ -> true).refineTo()).isEqualTo(RefinementGoal.SHARP);
+        studio.edit("aperture", now -> now.withCamera(now.camera().withAperture(0.1)));
+        assertThat(awaitRequest(request -> request.scene().camera().aperture() > 0)
+                        .refineTo())
+                .isEqualTo(RefinementGoal.NOISY);
     }
 
     private DrawingRequest awaitRequest(Predicate<DrawingRequest> wanted) {

@@ -26,8 +26,8 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
 /**
- * The panoramas used last, so that going back to one does not read its file again, and the textures of the scene that was
- * opened last. Used by any thread; none waits while another one reads a file.
+ * The panoramas used last, so that going back to one does not read its file again, and the textures of the
+ * scene. Used by any thread; none waits while another one reads a file.
  */
 public final class SkyShelf {
     private static final int KEPT = 3;
@@ -155,7 +155,23 @@ public final class SkyShelf {
     }
 
     /**
-     * The texture of that file: as it was with the scene that was read last, else read now.
+     * Reads a texture anew, which a scene is to have besides its own.
+     *
+     * @throws SkyException as {@link TextureReader#read} does; the textures that were at hand stay then
+     */
+    public void refreshTexture(Scene scene, Path file) {
+        Skybox read = textureReader.apply(file, warnings::add);
+        synchronized (this) {
+            Map<Path, Skybox> kept = new HashMap<>(textures);
+            kept.keySet().retainAll(scene.textures().keySet());
+            kept.put(file, read);
+            textures = kept;
+            texturesEdition++;
+        }
+    }
+
+    /**
+     * The texture of that file: as it was read last with the scene or for it, else read now.
      *
      * @param wanted asked again and again meanwhile, whether it still is
      * @throws SkyException as {@link TextureReader#read} does, and where it is not wanted any more or was {@link #cancel

@@ -3,7 +3,6 @@ package dev.twister.gui.model;
 import dev.twister.gui.model.NumberSetting.Scale;
 import dev.twister.scene.Pour;
 import dev.twister.scene.Range;
-import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Sphere;
@@ -30,29 +29,27 @@ public final class BodyEdits {
         return index >= 0 && index < scene.pour().map(Pour::count).orElse(0);
     }
 
+    /** Whether the body can be selected and edited: the light, the plane and the spheres. */
+    public static boolean isEditable(Scene scene, int body) {
+        return body == BodyNumber.LIGHT || body == BodyNumber.PLANE || isSphere(scene, body);
+    }
+
     /** Whether the body can be taken and moved: the light and the spheres. */
     public static boolean isMovable(Scene scene, int body) {
         return body == BodyNumber.LIGHT || isSphere(scene, body);
     }
 
     /**
-     * The body so many steps on in the round of nothing, the light, and all spheres in their order.
+     * The body so many steps on in the round of nothing, the light, the plane, and all spheres in their order.
      *
-     * @param body where the round begins: {@link BodyNumber#NONE} or a movable body
+     * @param body where the round begins: {@link BodyNumber#NONE} or an editable body
      * @param steps back where they are negative
      */
     public static int along(Scene scene, int body, int steps) {
-        int place = switch (body) {
-            case BodyNumber.NONE -> 0;
-            case BodyNumber.LIGHT -> 1;
-            default -> isSphere(scene, body) ? BodyNumber.sphere(body) + 2 : 0;
-        };
-        int next = Math.floorMod(place + steps, scene.spheres().size() + 2);
-        return switch (next) {
-            case 0 -> BodyNumber.NONE;
-            case 1 -> BodyNumber.LIGHT;
-            default -> BodyNumber.ofSphere(next - 2);
-        };
+        int from = isEditable(scene, body) ? body : BodyNumber.NONE;
+        int bodies = BodyNumber.ofSphere(scene.spheres().size());
+        // In the order of their numbers, of which that of nothing comes first.
+        return BodyNumber.NONE + Math.floorMod(from - BodyNumber.NONE + steps, bodies - BodyNumber.NONE);
     }
 
     public static Sphere sphere(Scene scene, int body) {
@@ -79,10 +76,6 @@ public final class BodyEdits {
             return scene.withLight(scene.light().withPosition(position));
         }
         return edited(scene, body, sphere -> sphere.withPosition(position));
-    }
-
-    public static Scene colored(Scene scene, int body, Rgb albedo) {
-        return edited(scene, body, sphere -> sphere.withColor(albedo));
     }
 
     /** The scene with one sphere more, which is the last. */
@@ -123,19 +116,6 @@ public final class BodyEdits {
                 (scene, radius) -> edited(scene, body, sphere -> sphere.withRadius(radius)));
     }
 
-    public static NumberSetting reflectivityOf(int body) {
-        return new NumberSetting(
-                "Sphere reflectivity",
-                "0 is matt, 128 a perfect mirror.",
-                SceneLimits.REFLECTIVITY,
-                SceneLimits.REFLECTIVITY,
-                Scale.LINEAR,
-                0,
-                "",
-                scene -> sphere(scene, body).reflectivity(),
-                (scene, reflectivity) -> edited(scene, body, sphere -> sphere.withReflectivity(reflectivity)));
-    }
-
     private static NumberSetting place(
             int body,
             String axis,
@@ -149,7 +129,7 @@ public final class BodyEdits {
                 (scene, number) -> moved(scene, body, writer.apply(position(scene, body), number)));
     }
 
-    private static Scene edited(Scene scene, int body, UnaryOperator<Sphere> edit) {
+    static Scene edited(Scene scene, int body, UnaryOperator<Sphere> edit) {
         List<Sphere> spheres = new ArrayList<>(scene.spheres());
         spheres.set(BodyNumber.sphere(body), edit.apply(sphere(scene, body)));
         return scene.withSpheres(spheres);

@@ -9,6 +9,8 @@ public final class BodyNumber {
 
     public static final int LIGHT = Layout.LIGHT;
 
+    public static final int PLANE = Layout.PLANE;
+
     private BodyNumber() {}
 
     /** The number of the sphere at that place of the scene's list. */

@@ -14,7 +14,8 @@ import java.util.Set;
 /**
  * A scene with the edits that led to it, which can be taken back and made again. Successive edits of one gesture (a
  * drag, a slider's movement) count as one. Where the camera stands and looks is no edit: taking one back
- * leaves the viewer where they are; nor is where time has moved spheres. The field of view can be taken back, but is nothing to save. Used by one thread.
+ * leaves the viewer where they are; nor is where time has moved spheres. The field of view can be taken
+ * back, but is nothing to save; the lens is both. Used by one thread.
  */
 public final class SceneHistory {
     static final int MAX_STEPS = 1000;
@@ -91,7 +92,8 @@ public final class SceneHistory {
             past.push(past.pop().from(edited));
         }
         future.clear();
-        boolean onlyViewed = edited.withCamera(present.camera()).equals(present);
+        boolean onlyViewed = edited.withCamera(present.camera()).equals(present)
+                && Lens.of(edited.camera()).equals(Lens.of(present.camera()));
         present = edited;
         if (!onlyViewed) {
             newestVersion++;
@@ -187,7 +189,9 @@ public final class SceneHistory {
     private Camera camera(Step step) {
         double from = step.from().camera().fieldOfViewDegrees();
         double to = step.to().camera().fieldOfViewDegrees();
-        return from == to ? present.camera() : present.camera().withFieldOfView(to);
+        Camera turned = from == to ? present.camera() : present.camera().withFieldOfView(to);
+        Lens lens = Lens.of(step.to().camera());
+        return lens.equals(Lens.of(step.from().camera())) ? turned : lens.on(turned);
     }
 
     private void forgetTheOldest() {

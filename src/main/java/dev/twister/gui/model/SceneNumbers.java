@@ -74,6 +74,28 @@ public final class SceneNumbers {
             scene -> scene.camera().fieldOfViewDegrees(),
             (scene, degrees) -> scene.withCamera(scene.camera().withFieldOfView(degrees)));
 
+    public static final NumberSetting APERTURE = new NumberSetting(
+            "Aperture",
+            "The lens's radius. 0 is sharp everywhere; larger values blur more of what is not in focus.",
+            SceneLimits.APERTURE,
+            new Range(0, 0.5),
+            Scale.LINEAR,
+            3,
+            "m",
+            scene -> scene.camera().aperture(),
+            (scene, radius) -> scene.withCamera(scene.camera().withAperture(radius)));
+
+    public static final NumberSetting FOCUS_DISTANCE = new NumberSetting(
+            "Focus distance",
+            "Distance to the plane in focus, straight ahead. Shift+click in the picture sets it.",
+            SceneLimits.FOCUS_DISTANCE,
+            new Range(0.1, 100),
+            Scale.LOGARITHMIC,
+            2,
+            "m",
+            scene -> scene.camera().focusDistance(),
+            (scene, meters) -> scene.withCamera(scene.camera().withFocusDistance(meters)));
+
     public static final NumberSetting LIGHT_X = lightPlace(
             "Light x",
             "The light's place from left to right.",

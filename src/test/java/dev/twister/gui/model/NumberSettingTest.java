@@ -21,6 +21,8 @@ class NumberSettingTest {
                 SceneNumbers.SAMPLES_PER_PIXEL,
                 SceneNumbers.EXPOSURE,
                 SceneNumbers.FIELD_OF_VIEW,
+                SceneNumbers.APERTURE,
+                SceneNumbers.FOCUS_DISTANCE,
                 SceneNumbers.LIGHT_X,
                 SceneNumbers.LIGHT_Y,
                 SceneNumbers.LIGHT_Z,
@@ -30,7 +32,11 @@ class NumberSettingTest {
                 BodyEdits.y(body),
                 BodyEdits.z(body),
                 BodyEdits.radiusOf(body),
-                BodyEdits.reflectivityOf(body));
+                MaterialNumbers.of(body).reflectivity(),
+                MaterialNumbers.of(body).roughness(),
+                MaterialNumbers.of(body).transmission(),
+                MaterialNumbers.of(body).ior(),
+                MaterialNumbers.of(Layout.PLANE).reflectivity());
     }
 
     @ParameterizedTest

@@ -7,6 +7,7 @@ import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
 import dev.twister.scene.Scene;
+import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
@@ -74,6 +75,14 @@ class PickingTest {
                                         .x()
                                 - 1,
                         within(1e-3));
+    }
+
+    @Test
+    void aLensIsFocusedAlongTheForwardAxis() {
+        double[] side = pixelOf(new Vector3(3, 0, -4));
+        assertThat(FocusPoint.distance(input, side[0], side[1])).isCloseTo(6, within(1e-4));
+        double[] sky = pixelOf(new Vector3(0, 7, 0));
+        assertThat(FocusPoint.distance(input, sky[0], sky[1])).isEqualTo(SceneLimits.FOCUS_DISTANCE.max());
     }
 
     @Test

@@ -8,7 +8,9 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
 import dev.twister.engine.JvmEngines;
 import dev.twister.image.Frame;
+import dev.twister.kernel.Layout;
 import dev.twister.oracle.Pictures;
+import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
 import dev.twister.world.FrameInput;
 import java.nio.IntBuffer;
@@ -73,6 +75,31 @@ class RefinedPictureTest {
         for (int i = 0; i < radiance.length; i++) {
             assertThat(radiance[i]).isCloseTo(inOneGo.radiance()[i], within(1e-5f));
         }
+    }
+
+    /** Each pass has samples of its own for the lens and for rough surfaces, so that noise becomes less. */
+    @Test
+    void passesThroughALensOnRoughSurfacesConvergeOnThePictureOfManySamples() {
+        Scene scene = Scenes.scene();
+        Scene rough = BodyMaterials.edited(
+                scene.withCamera(scene.camera().withAperture(0.2).withFocusDistance(8)),
+                Layout.PLANE,
+                old -> old.withReflectivity(100).withRoughness(0.6));
+        FrameInput noisy = Scenes.input(rough);
+        float[] many = after(noisy, 1024, 1024).radiance();
+
+        double few = error(after(noisy, 1024, 1, 1, 1, 1).radiance(), many);
+        double more = error(after(noisy, 1024, 16, 16, 16, 16).radiance(), many);
+
+        assertThat(more).isLessThan(few / 3);
+    }
+
+    private static double error(float[] radiance, float[] expected) {
+        double squares = 0;
+        for (int i = 0; i < radiance.length; i++) {
+            squares += Math.pow(radiance[i] - expected[i], 2);
+        }
+        return Math.sqrt(squares / radiance.length);
     }
 
     @Test

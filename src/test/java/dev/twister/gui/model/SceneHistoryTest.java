@@ -248,4 +248,26 @@ class SceneHistoryTest {
         history.redo();
         assertThat(history.present().camera()).isEqualTo(walked);
     }
+
+    @Test
+    void theLensIsTakenBackAndIsToBeSaved() {
+        SceneHistory history = new SceneHistory(start);
+        history.edit("aperture", start.withCamera(start.camera().withAperture(0.1)));
+        assertThat(history.hasChanged()).isTrue();
+        history.edit(
+                "focus distance",
+                history.present().withCamera(history.present().camera().withFocusDistance(3)));
+        Camera walked = history.present().camera().withYaw(12);
+        history.carryOn(history.present().withCamera(walked));
+
+        history.undo();
+        assertThat(history.present().camera())
+                .isEqualTo(walked.withFocusDistance(start.camera().focusDistance()));
+        history.undo();
+        assertThat(history.present().camera()).isEqualTo(start.camera().withYaw(12));
+        assertThat(history.hasChanged()).isFalse();
+        history.redo();
+        history.redo();
+        assertThat(history.present().camera()).isEqualTo(walked);
+    }
 }

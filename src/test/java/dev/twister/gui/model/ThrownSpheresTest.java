@@ -106,10 +106,10 @@ class ThrownSpheresTest {
     void aSceneThatWasEditedMeanwhileKeepsAllButThePlaces() {
         Scene before = many(20);
         Scene thrown = ThrownSpheres.of(before, 7);
-        Scene colored = BodyEdits.colored(before, Layout.FIRST_SPHERE, new Rgb(0, 1, 0));
+        Scene colored = BodyMaterials.edited(before, Layout.FIRST_SPHERE, old -> old.withColor(new Rgb(0, 1, 0)));
         assertThat(ThrownSpheres.fit(thrown, colored)).isTrue();
         assertThat(ThrownSpheres.placed(thrown, colored))
-                .isEqualTo(BodyEdits.colored(thrown, Layout.FIRST_SPHERE, new Rgb(0, 1, 0)));
+                .isEqualTo(BodyMaterials.edited(thrown, Layout.FIRST_SPHERE, old -> old.withColor(new Rgb(0, 1, 0))));
 
         assertThat(ThrownSpheres.fit(thrown, many(21))).isFalse();
         Light light = before.light();

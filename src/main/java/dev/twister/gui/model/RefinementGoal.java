@@ -1,0 +1,43 @@
+package dev.twister.gui.model;
+
+import dev.twister.scene.Material;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+
+/** How many samples per pixel a picture at rest gathers. */
+public final class RefinementGoal {
+    /** Smooths edges. */
+    public static final int SHARP = 64;
+
+    /** Of a scene with a lens or rough surfaces: its noise is a 32nd of one sample's. */
+    public static final int NOISY = 1024;
+
+    private RefinementGoal() {}
+
+    /** At least as many samples as the scene's settings have. */
+    public static int samples(Scene scene) {
+        return Math.max(isNoisy(scene) ? NOISY : SHARP, scene.settings().samplesPerPixel());
+    }
+
+    private static boolean isNoisy(Scene scene) {
+        return scene.camera().aperture() > 0
+                || isRough(scene.plane().material())
+                || scene.pour().filter(pour -> isRough(pour.material())).isPresent()
+                || hasRoughSphere(scene);
+    }
+
+    // Asked for each picture while the camera moves, of up to half a million spheres.
+    private static boolean hasRoughSphere(Scene scene) {
+        for (Sphere sphere : scene.spheres()) {
+            if (isRough(sphere.material())) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** A matte surface is the same, however rough. */
+    private static boolean isRough(Material material) {
+        return material.roughness() > 0 && (material.reflectivity() > 0 || material.transmission() > 0);
+    }
+}

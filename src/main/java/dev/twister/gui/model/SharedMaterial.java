@@ -1,0 +1,75 @@
+package dev.twister.gui.model;
+
+import dev.twister.scene.Material;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SequencedMap;
+import java.util.function.UnaryOperator;
+
+/**
+ * A material that a scene has under a name, and the bodies that are made of it. They stay the same while it is edited, though
+ * it may come to equal another one on the way.
+ *
+ * @param bodies by their {@link BodyNumber}
+ */
+public record SharedMaterial(String name, List<Integer> bodies) {
+    public SharedMaterial {
+        bodies = List.copyOf(bodies);
+    }
+
+    /** The named material that a body is made of; empty where it has one of its own. */
+    public static Optional<SharedMaterial> of(Scene scene, int body) {
+        Material material = BodyMaterials.of(scene, body);
+        return scene.materials().entrySet().stream()
+                .filter(named -> named.getValue().equals(material))
+                .map(Map.Entry::getKey)
+                .findFirst()
+                .map(name -> new SharedMaterial(name, bodies(scene, material)));
+    }
+
+    private static List<Integer> bodies(Scene scene, Material material) {
+        List<Integer> bodies = new ArrayList<>();
+        if (scene.plane().material().equals(material)) {
+            bodies.add(BodyNumber.PLANE);
+        }
+        for (int i = 0; i < scene.spheres().size(); i++) {
+            if (scene.spheres().get(i).material().equals(material)) {
+                bodies.add(BodyNumber.ofSphere(i));
+            }
+        }
+        return bodies;
+    }
+
+    /** Whether the bodies are still made of it. */
+    public boolean isIn(Scene scene) {
+        return Optional.ofNullable(scene.materials().get(name))
+                .filter(material -> bodies.stream()
+                        .allMatch(body -> BodyMaterials.has(scene, body)
+                                && BodyMaterials.of(scene, body).equals(material)))
+                .isPresent();
+    }
+
+    /** The scene with the material changed for all of the bodies. */
+    public Scene edited(Scene scene, UnaryOperator<Material> edit) {
+        Material material = edit.apply(scene.materials().get(name));
+        SequencedMap<String, Material> materials = new LinkedHashMap<>(scene.materials());
+        materials.put(name, material);
+        List<Sphere> spheres = new ArrayList<>(scene.spheres());
+        for (int body : bodies) {
+            if (body != BodyNumber.PLANE) {
+                spheres.set(
+                        BodyNumber.sphere(body),
+                        spheres.get(BodyNumber.sphere(body)).withMaterial(material));
+            }
+        }
+        Scene edited = scene.withMaterials(materials).withSpheres(spheres);
+        return bodies.contains(BodyNumber.PLANE)
+                ? edited.withPlane(scene.plane().withMaterial(material))
+                : edited;
+    }
+}
