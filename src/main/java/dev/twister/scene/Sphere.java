@@ -12,7 +12,11 @@ public record Sphere(Vector3 position, double radius, Material material) {
 
     /** A smooth, opaque sphere; color and reflectivity are {@link Material}'s. */
     public static Sphere of(Vector3 position, double radius, Rgb color, double reflectivity) {
-        return new Sphere(position, radius, Material.DEFAULT.withColor(color).withReflectivity(reflectivity));
+        return of(position, radius, Material.DEFAULT.withColor(color).withReflectivity(reflectivity));
+    }
+
+    public static Sphere of(Vector3 position, double radius, Material material) {
+        return DEFAULT.withPosition(position).withRadius(radius).withMaterial(material);
     }
 
     public Rgb color() {
