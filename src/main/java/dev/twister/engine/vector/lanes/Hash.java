@@ -10,8 +10,9 @@ public final class Hash {
 
     /** {@link Noise#mixed}. */
     public static IntVector mixed(IntVector values) {
-        IntVector product =
-                values.lanewise(VectorOperators.XOR, Noise.FLIPPED).mul(Noise.FIRST_FACTOR).add(Noise.FIRST_SUMMAND);
+        IntVector product = values.lanewise(VectorOperators.XOR, Noise.FLIPPED)
+                .mul(Noise.FIRST_FACTOR)
+                .add(Noise.FIRST_SUMMAND);
         product = product.lanewise(VectorOperators.XOR, product.lanewise(VectorOperators.ASHR, Noise.FIRST_SHIFT))
                 .and(Noise.BITS)
                 .mul(Noise.SECOND_FACTOR)

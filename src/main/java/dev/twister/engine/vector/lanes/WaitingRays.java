@@ -14,11 +14,20 @@ public final class WaitingRays {
 
     /** Which of a tile's columns wait. */
     private static final int[] COLUMNS = {
-        Tile.DIRECTION_X, Tile.DIRECTION_Y, Tile.DIRECTION_Z,
-        Tile.ORIGIN_X, Tile.ORIGIN_Y, Tile.ORIGIN_Z,
-        Tile.LEAVING, Tile.INSIDE,
-        Tile.TINT_RED, Tile.TINT_GREEN, Tile.TINT_BLUE,
-        Tile.PIXEL, Tile.PLACE_X, Tile.PLACE_Y
+        Tile.DIRECTION_X,
+        Tile.DIRECTION_Y,
+        Tile.DIRECTION_Z,
+        Tile.ORIGIN_X,
+        Tile.ORIGIN_Y,
+        Tile.ORIGIN_Z,
+        Tile.LEAVING,
+        Tile.INSIDE,
+        Tile.TINT_RED,
+        Tile.TINT_GREEN,
+        Tile.TINT_BLUE,
+        Tile.PIXEL,
+        Tile.PLACE_X,
+        Tile.PLACE_Y
     };
 
     private float[][] rays = {};
@@ -52,8 +61,7 @@ public final class WaitingRays {
         int count = Math.min(counts[bounce], Tile.SIZE);
         counts[bounce] -= count;
         for (int column = 0; column < COLUMNS.length; column++) {
-            System.arraycopy(
-                    rays[bounce], column * STRIDE + counts[bounce], tile.values, COLUMNS[column], count);
+            System.arraycopy(rays[bounce], column * STRIDE + counts[bounce], tile.values, COLUMNS[column], count);
         }
         return count;
     }

@@ -20,11 +20,20 @@ public final class BranchLanes {
 
     private static int[] from(int direction) {
         return new int[] {
-            direction, direction + Tile.SIZE, direction + 2 * Tile.SIZE,
-            Tile.POINT_X, Tile.POINT_Y, Tile.POINT_Z,
-            Tile.HIT, Tile.NEXT_INSIDE,
-            Tile.NEXT_RED, Tile.NEXT_GREEN, Tile.NEXT_BLUE,
-            Tile.PIXEL, Tile.PLACE_X, Tile.PLACE_Y
+            direction,
+            direction + Tile.SIZE,
+            direction + 2 * Tile.SIZE,
+            Tile.POINT_X,
+            Tile.POINT_Y,
+            Tile.POINT_Z,
+            Tile.HIT,
+            Tile.NEXT_INSIDE,
+            Tile.NEXT_RED,
+            Tile.NEXT_GREEN,
+            Tile.NEXT_BLUE,
+            Tile.PIXEL,
+            Tile.PLACE_X,
+            Tile.PLACE_Y
         };
     }
 

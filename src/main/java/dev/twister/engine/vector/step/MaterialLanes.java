@@ -49,9 +49,7 @@ public final class MaterialLanes {
             for (int look = 0; look < Looks.COUNT; look++) {
                 FloatVector picked = body.selectFrom(
                         FloatVector.fromArray(Lanes.FLOATS, columns, Lanes.BORDER + look * Lanes.COUNT));
-                FloatVector.zero(Lanes.FLOATS)
-                        .blend(picked, here)
-                        .intoArray(t, at + Tile.ROUGHNESS + look * Tile.SIZE);
+                FloatVector.zero(Lanes.FLOATS).blend(picked, here).intoArray(t, at + Tile.ROUGHNESS + look * Tile.SIZE);
             }
         }
     }

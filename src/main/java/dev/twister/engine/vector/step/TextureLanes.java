@@ -66,8 +66,8 @@ public final class TextureLanes {
             FloatVector across = x.abs();
             FloatVector ahead = z.abs();
             VectorMask<Float> sideways = across.compare(VectorOperators.GT, ahead);
-            FloatVector octant = ArcTangent.of(ahead.blend(across, sideways.not())
-                    .div(Lanes.larger(ahead.blend(across, sideways), Lanes.all(TINY))));
+            FloatVector octant = ArcTangent.of(
+                    across.blend(ahead, sideways).div(Lanes.larger(ahead.blend(across, sideways), Lanes.all(TINY))));
             FloatVector quadrant = octant.blend(Lanes.all(KernelMath.HALF_PI).sub(octant), sideways);
             FloatVector half =
                     quadrant.blend(Lanes.all(KernelMath.PI).sub(quadrant), z.compare(VectorOperators.GT, 0f));
@@ -78,13 +78,10 @@ public final class TextureLanes {
             FloatVector level = Lanes.fma(x, x, z.mul(z)).sqrt();
             FloatVector up = y.abs();
             VectorMask<Float> steep = up.compare(VectorOperators.GT, level);
-            octant = ArcTangent.of(
-                    up.blend(level, steep).div(Lanes.larger(level.blend(up, steep), Lanes.all(TINY))));
+            octant = ArcTangent.of(up.blend(level, steep).div(Lanes.larger(level.blend(up, steep), Lanes.all(TINY))));
             quadrant = octant.blend(Lanes.all(KernelMath.HALF_PI).sub(octant), steep);
             FloatVector elevation = quadrant.blend(quadrant.neg(), y.compare(VectorOperators.LT, 0f));
-            Lanes.all(0.5f)
-                    .sub(elevation.mul(HALF_TURNS_PER_RADIAN))
-                    .intoArray(t, at + Tile.SKY_TO_BOTTOM);
+            Lanes.all(0.5f).sub(elevation.mul(HALF_TURNS_PER_RADIAN)).intoArray(t, at + Tile.SKY_TO_BOTTOM);
         }
     }
 
@@ -126,7 +123,8 @@ public final class TextureLanes {
             int at = tile.textures.places[k];
             FloatVector columns = Lanes.load(t, at + Tile.TEXTURE_WIDTH);
             FloatVector rows = Lanes.load(t, at + Tile.TEXTURE_HEIGHT);
-            FloatVector column = Lanes.load(t, at + Tile.SKY_TO_RIGHT).mul(columns).sub(0.5f);
+            FloatVector column =
+                    Lanes.load(t, at + Tile.SKY_TO_RIGHT).mul(columns).sub(0.5f);
             FloatVector row = Lanes.load(t, at + Tile.SKY_TO_BOTTOM).mul(rows).sub(0.5f);
             FloatVector left = Lanes.floor(column);
             FloatVector top = Lanes.floor(row);
@@ -189,8 +187,10 @@ public final class TextureLanes {
             FloatVector toRight = Lanes.load(t, at + Tile.SKY_TO_RIGHT);
             FloatVector upper = Lanes.load(corners, Tile.UPPER_LEFT + column + at);
             FloatVector lower = Lanes.load(corners, Tile.LOWER_LEFT + column + at);
-            upper = Lanes.fma(Lanes.load(corners, Tile.UPPER_RIGHT + column + at).sub(upper), toRight, upper);
-            lower = Lanes.fma(Lanes.load(corners, Tile.LOWER_RIGHT + column + at).sub(lower), toRight, lower);
+            upper = Lanes.fma(
+                    Lanes.load(corners, Tile.UPPER_RIGHT + column + at).sub(upper), toRight, upper);
+            lower = Lanes.fma(
+                    Lanes.load(corners, Tile.LOWER_RIGHT + column + at).sub(lower), toRight, lower);
             FloatVector color = Lanes.fma(lower.sub(upper), Lanes.load(t, at + Tile.SKY_TO_BOTTOM), upper);
             FloatVector before = Lanes.load(t, at + albedo);
             before.blend(before.mul(color), Lanes.load(t, at + Tile.TEXTURE).compare(VectorOperators.GT, 0f))
