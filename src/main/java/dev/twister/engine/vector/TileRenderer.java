@@ -204,7 +204,7 @@ final class TileRenderer {
             rays.live.clear();
             if (!rays.last) {
                 FacetLanes.find(drawing, rays, rays.surfaces, bounce);
-                RefractionLanes.find(rays);
+                RefractionLanes.find(drawing, rays);
                 FacetLanes.reflect(rays, rays.surfaces);
                 BranchLanes.split(rays, bench.waiting, bounce);
             }

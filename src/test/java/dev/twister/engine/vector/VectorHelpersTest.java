@@ -24,6 +24,9 @@ final class VectorHelpersTest {
     private static final String VECTORS = "jdk.incubator.vector";
     private static final String ALWAYS_INLINED = "dev.twister.engine.vector.lanes";
 
+    /** {@link StageInlining#ALWAYS}. */
+    private static final String ALWAYS_INLINED = Lanes.class.getPackageName();
+
     @Test
     void vectorsAreTakenByLanesAlone() {
         check(noMethods()

@@ -4,7 +4,7 @@ import dev.twister.kernel.KernelMath;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorOperators;
 
-/** The scalar kernel's sine and cosine. */
+/** The scalar kernel's sine. */
 public final class Sine {
     private Sine() {}
 
@@ -18,10 +18,5 @@ public final class Sine {
         polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.SINE_2));
         polynomial = Lanes.fma(polynomial, s, Lanes.all(KernelMath.SINE_1));
         return x.mul(Lanes.fma(polynomial, s, Lanes.all(KernelMath.SINE_0)));
-    }
-
-    /** The cosine of the same. */
-    public static FloatVector cosineOfTurns(FloatVector turns) {
-        return ofTurns(turns.add(0.25f).blend(turns.sub(0.75f), turns.compare(VectorOperators.GE, 0.75f)));
     }
 }

@@ -172,6 +172,18 @@ public final class Tile {
     public static final int NEXT_BLUE = FACET_Z;
     public static final int NEXT_INSIDE = VISIBLE;
 
+    /** Of a sphere's center, how far along the ray, the square of half the chord, and of its distance; until points are known. */
+    public static final int SPHERE_ALONG = POINT_X;
+
+    public static final int SPHERE_CHORD = POINT_Y;
+    public static final int SPHERE_AWAY = POINT_Z;
+
+    /** A rough surface's facet, in its tangents' frame; needed only until the facet is known. */
+    public static final int LOCAL_X = TO_LIGHT_X;
+
+    public static final int LOCAL_Y = TO_LIGHT_Y;
+    public static final int LOCAL_Z = TO_LIGHT_Z;
+
     private static final int COLUMNS = 60;
 
     /** Columns of {@link #corners}. */

@@ -100,16 +100,14 @@ final class TransmittedLight {
                 FloatVector beyondU = distance.mul(x).sub(u);
                 FloatVector beyondW = distance.mul(y).sub(w);
                 FloatVector along = Lanes.fma(x, u, Lanes.fma(y, w, a));
-                VectorMask<Float> endsInside = Lanes.fma(
-                                beyondA, beyondA, Lanes.fma(beyondU, beyondU, beyondW.mul(beyondW)))
-                        .compare(VectorOperators.LT, radiusSquared);
-                VectorMask<Float> outside =
-                        Lanes.fma(a, a, Lanes.fma(u, u, w.mul(w))).compare(VectorOperators.GT, radiusSquared);
+                FloatVector beyond = Lanes.fma(beyondA, beyondA, Lanes.fma(beyondU, beyondU, beyondW.mul(beyondW)));
+                FloatVector center = Lanes.fma(a, a, Lanes.fma(u, u, w.mul(w)));
                 VectorMask<Float> before = along.compare(VectorOperators.LT, distance.mul(lengthSquared))
-                        .or(endsInside)
+                        .or(beyond.compare(VectorOperators.LT, radiusSquared))
                         .and(along.compare(VectorOperators.GT, 0f));
-                VectorMask<Float> blocks = before.and(outside)
-                        .or(endsInside.or(outside).not())
+                VectorMask<Float> blocks = before.and(center.compare(VectorOperators.GT, radiusSquared))
+                        .or(beyond.compare(VectorOperators.GE, radiusSquared)
+                                .and(center.compare(VectorOperators.LE, radiusSquared)))
                         .and(Lanes.fma(moment, moment, Lanes.fma(p, p, q.mul(q)))
                                 .compare(VectorOperators.LE, radiusSquared.mul(lengthSquared)));
                 light = light.blend(light.mul(drawing.looks.transmission(scratch.candidates.bodies[c])), blocks);

@@ -16,6 +16,9 @@ import jdk.incubator.vector.VectorOperators;
 
 /** Facets of surfaces, and the rays that they reflect: {@link dev.twister.kernel.Facet}. */
 public final class FacetLanes {
+    /** Turns that make a cosine of a sine. */
+    private static final float COSINE = 0.25f;
+
     private FacetLanes() {}
 
     /** Writes the facets of some packets; a smooth surface is its own. */
@@ -25,6 +28,11 @@ public final class FacetLanes {
             int place = Noise.surface(bounce);
             findNumbers(tile, drawing, place, Tile.FIRST_NUMBER);
             findNumbers(tile, drawing, place + 1, Tile.SECOND_NUMBER);
+            findViews(tile);
+            findHeights(tile);
+            addAround(tile, COSINE, Tile.LOCAL_X);
+            addAround(tile, 0f, Tile.LOCAL_Y);
+            unstretch(tile);
             tilt(tile);
         }
     }
@@ -67,13 +75,11 @@ public final class FacetLanes {
         }
     }
 
-    /** Tilts the facets of rough surfaces, which are the surfaces' normals so far. */
-    static void tilt(Tile tile) {
+    /** Writes the ways that rays came, in the stretched frames of surfaces whose normals the facets are so far. */
+    static void findViews(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.rough.count; k++) {
             int at = tile.rough.places[k];
-            FloatVector roughness = Lanes.load(t, at + Tile.ROUGHNESS);
-            FloatVector alpha = roughness.mul(roughness);
             FloatVector normalX = Lanes.load(t, at + Tile.FACET_X);
             FloatVector normalY = Lanes.load(t, at + Tile.FACET_Y);
             FloatVector normalZ = Lanes.load(t, at + Tile.FACET_Z);
@@ -84,42 +90,145 @@ public final class FacetLanes {
             FloatVector tangentY = sign.mul(b);
             FloatVector tangentZ = sign.mul(normalX).neg();
             FloatVector crossY = normalY.mul(normalY).mul(a).add(sign);
-            FloatVector crossZ = normalY.neg();
             FloatVector viewX = Lanes.load(t, at + Tile.DIRECTION_X).neg();
             FloatVector viewY = Lanes.load(t, at + Tile.DIRECTION_Y).neg();
             FloatVector viewZ = Lanes.load(t, at + Tile.DIRECTION_Z).neg();
-            FloatVector x =
-                    alpha.mul(viewX.mul(tangentX).add(viewY.mul(tangentY)).add(viewZ.mul(tangentZ)));
-            FloatVector y = alpha.mul(viewX.mul(b).add(viewY.mul(crossY)).add(viewZ.mul(crossZ)));
-            FloatVector z =
-                    Lanes.larger(viewX.mul(normalX).add(viewY.mul(normalY)).add(viewZ.mul(normalZ)), Lanes.all(0f));
+            FloatVector roughness = Lanes.load(t, at + Tile.ROUGHNESS);
+            FloatVector alpha = roughness.mul(roughness);
+            viewX.mul(tangentX)
+                    .add(viewY.mul(tangentY))
+                    .add(viewZ.mul(tangentZ))
+                    .mul(alpha)
+                    .intoArray(t, at + Tile.LOCAL_X);
+            viewX.mul(b)
+                    .add(viewY.mul(crossY))
+                    .sub(viewZ.mul(normalY))
+                    .mul(alpha)
+                    .intoArray(t, at + Tile.LOCAL_Y);
+            viewX.mul(normalX).add(viewY.mul(normalY)).add(viewZ.mul(normalZ)).intoArray(t, at + Tile.LOCAL_Z);
+        }
+    }
+
+    /** Makes the views unit vectors, and replaces the second numbers by heights on the cap of directions that are visible. */
+    static void findHeights(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.rough.count; k++) {
+            int at = tile.rough.places[k];
+            FloatVector x = Lanes.load(t, at + Tile.LOCAL_X);
+            FloatVector y = Lanes.load(t, at + Tile.LOCAL_Y);
+            FloatVector z = Lanes.larger(Lanes.load(t, at + Tile.LOCAL_Z), Lanes.all(0f));
             FloatVector inverse = Lanes.inverseRoot(x.mul(x).add(y.mul(y)).add(z.mul(z)));
-            x = x.mul(inverse);
-            y = y.mul(inverse);
             z = z.mul(inverse);
-            FloatVector first = Lanes.load(t, at + Tile.FIRST_NUMBER);
-            FloatVector height = Lanes.all(1f)
+            x.mul(inverse).intoArray(t, at + Tile.LOCAL_X);
+            y.mul(inverse).intoArray(t, at + Tile.LOCAL_Y);
+            z.intoArray(t, at + Tile.LOCAL_Z);
+            Lanes.all(1f)
                     .sub(Lanes.load(t, at + Tile.SECOND_NUMBER))
                     .mul(z.add(1f))
-                    .sub(z);
+                    .sub(z)
+                    .intoArray(t, at + Tile.SECOND_NUMBER);
+        }
+    }
+
+    /** Adds what lies at those heights, one axis a call. */
+    static void addAround(Tile tile, float turn, int axis) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.rough.count; k++) {
+            int at = tile.rough.places[k];
+            FloatVector height = Lanes.load(t, at + Tile.SECOND_NUMBER);
             FloatVector radius = Lanes.larger(Lanes.all(1f).sub(height.mul(height)), Lanes.all(0f))
                     .sqrt();
-            x = alpha.mul(x.add(radius.mul(Sine.cosineOfTurns(first))));
-            y = alpha.mul(y.add(radius.mul(Sine.ofTurns(first))));
-            z = z.add(height);
-            inverse = Lanes.inverseRoot(x.mul(x).add(y.mul(y)).add(z.mul(z)));
-            VectorMask<Float> rough = roughness.compare(VectorOperators.GT, 0f);
-            normalX.blend(x.mul(tangentX).add(y.mul(b)).add(z.mul(normalX)).mul(inverse), rough)
+            FloatVector turns = Lanes.load(t, at + Tile.FIRST_NUMBER).add(turn);
+            FloatVector sine = Sine.ofTurns(turns.blend(turns.sub(1f), turns.compare(VectorOperators.GE, 1f)));
+            Lanes.load(t, at + axis).add(radius.mul(sine)).intoArray(t, at + axis);
+        }
+    }
+
+    /** Turns the sums into facets. */
+    static void unstretch(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.rough.count; k++) {
+            int at = tile.rough.places[k];
+            FloatVector roughness = Lanes.load(t, at + Tile.ROUGHNESS);
+            FloatVector alpha = roughness.mul(roughness);
+            FloatVector x = alpha.mul(Lanes.load(t, at + Tile.LOCAL_X));
+            FloatVector y = alpha.mul(Lanes.load(t, at + Tile.LOCAL_Y));
+            FloatVector z = Lanes.load(t, at + Tile.LOCAL_Z).add(Lanes.load(t, at + Tile.SECOND_NUMBER));
+            FloatVector inverse = Lanes.inverseRoot(x.mul(x).add(y.mul(y)).add(z.mul(z)));
+            x.mul(inverse).intoArray(t, at + Tile.LOCAL_X);
+            y.mul(inverse).intoArray(t, at + Tile.LOCAL_Y);
+            z.mul(inverse).intoArray(t, at + Tile.LOCAL_Z);
+        }
+    }
+
+    /** Turns those out of the surfaces' frames. */
+    static void tilt(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.rough.count; k++) {
+            int at = tile.rough.places[k];
+            FloatVector normalX = Lanes.load(t, at + Tile.FACET_X);
+            FloatVector normalY = Lanes.load(t, at + Tile.FACET_Y);
+            FloatVector normalZ = Lanes.load(t, at + Tile.FACET_Z);
+            FloatVector sign = Lanes.all(1f).blend(-1f, normalZ.compare(VectorOperators.LT, 0f));
+            FloatVector a = Lanes.all(-1f).div(sign.add(normalZ));
+            FloatVector b = normalX.mul(normalY).mul(a);
+            FloatVector tangentX = sign.mul(normalX).mul(normalX).mul(a).add(1f);
+            FloatVector tangentY = sign.mul(b);
+            FloatVector tangentZ = sign.mul(normalX).neg();
+            FloatVector crossY = normalY.mul(normalY).mul(a).add(sign);
+            FloatVector x = Lanes.load(t, at + Tile.LOCAL_X);
+            FloatVector y = Lanes.load(t, at + Tile.LOCAL_Y);
+            FloatVector z = Lanes.load(t, at + Tile.LOCAL_Z);
+            VectorMask<Float> rough = Lanes.load(t, at + Tile.ROUGHNESS).compare(VectorOperators.GT, 0f);
+            normalX.blend(x.mul(tangentX).add(y.mul(b)).add(z.mul(normalX)), rough)
                     .intoArray(t, at + Tile.FACET_X);
-            normalY.blend(x.mul(tangentY).add(y.mul(crossY)).add(z.mul(normalY)).mul(inverse), rough)
+            normalY.blend(x.mul(tangentY).add(y.mul(crossY)).add(z.mul(normalY)), rough)
                     .intoArray(t, at + Tile.FACET_Y);
-            normalZ.blend(x.mul(tangentZ).add(y.mul(crossZ)).add(z.mul(normalZ)).mul(inverse), rough)
+            normalZ.blend(x.mul(tangentZ).sub(y.mul(normalY)).add(z.mul(normalZ)), rough)
                     .intoArray(t, at + Tile.FACET_Z);
         }
     }
 
     /** Mirrors some packets' rays at the facets; a rough surface passes on a part of their throughput. */
     public static void reflect(Tile tile, PacketList packets) {
+        if (tile.rough.count > 0) {
+            weigh(tile);
+        }
+        turn(tile, packets);
+    }
+
+    /** Leaves what rough surfaces reflect of the throughput. */
+    static void weigh(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.rough.count; k++) {
+            int at = tile.rough.places[k];
+            FloatVector directionX = Lanes.load(t, at + Tile.DIRECTION_X);
+            FloatVector directionY = Lanes.load(t, at + Tile.DIRECTION_Y);
+            FloatVector directionZ = Lanes.load(t, at + Tile.DIRECTION_Z);
+            FloatVector facetX = Lanes.load(t, at + Tile.FACET_X);
+            FloatVector facetY = Lanes.load(t, at + Tile.FACET_Y);
+            FloatVector facetZ = Lanes.load(t, at + Tile.FACET_Z);
+            FloatVector normalX = Lanes.load(t, at + Tile.NORMAL_X);
+            FloatVector normalY = Lanes.load(t, at + Tile.NORMAL_Y);
+            FloatVector normalZ = Lanes.load(t, at + Tile.NORMAL_Z);
+            FloatVector cosine = directionX
+                    .mul(facetX)
+                    .add(directionY.mul(facetY))
+                    .add(directionZ.mul(facetZ))
+                    .neg();
+            cosine = Lanes.smaller(Lanes.larger(cosine, Lanes.all(0f)), Lanes.all(1f));
+            FloatVector in =
+                    directionX.mul(normalX).add(directionY.mul(normalY)).add(directionZ.mul(normalZ));
+            FloatVector tilted = facetX.mul(normalX).add(facetY.mul(normalY)).add(facetZ.mul(normalZ));
+            FloatVector out = in.add(cosine.add(cosine).mul(tilted));
+            out = out.blend(out.neg(), in.compare(VectorOperators.GT, 0f));
+            Lanes.load(t, at + Tile.THROUGHPUT)
+                    .mul(FacetWeight.of(Lanes.load(t, at + Tile.ROUGHNESS), in.abs(), out))
+                    .intoArray(t, at + Tile.THROUGHPUT);
+        }
+    }
+
+    static void turn(Tile tile, PacketList packets) {
         float[] t = tile.values;
         for (int k = 0; k < packets.count; k++) {
             int at = packets.places[k];
@@ -139,16 +248,6 @@ public final class FacetLanes {
             FloatVector x = directionX.add(twice.mul(facetX));
             FloatVector y = directionY.add(twice.mul(facetY));
             FloatVector z = directionZ.add(twice.mul(facetZ));
-            FloatVector normalX = Lanes.load(t, at + Tile.NORMAL_X);
-            FloatVector normalY = Lanes.load(t, at + Tile.NORMAL_Y);
-            FloatVector normalZ = Lanes.load(t, at + Tile.NORMAL_Z);
-            FloatVector in =
-                    directionX.mul(normalX).add(directionY.mul(normalY)).add(directionZ.mul(normalZ));
-            FloatVector out = x.mul(normalX).add(y.mul(normalY)).add(z.mul(normalZ));
-            out = out.blend(out.neg(), in.compare(VectorOperators.GT, 0f));
-            Lanes.load(t, at + Tile.THROUGHPUT)
-                    .mul(FacetWeight.of(Lanes.load(t, at + Tile.ROUGHNESS), in.abs(), out))
-                    .intoArray(t, at + Tile.THROUGHPUT);
             FloatVector inverse = Lanes.inverseRoot(x.mul(x).add(y.mul(y)).add(z.mul(z)));
             x.mul(inverse).intoArray(t, at + Tile.DIRECTION_X);
             y.mul(inverse).intoArray(t, at + Tile.DIRECTION_Y);

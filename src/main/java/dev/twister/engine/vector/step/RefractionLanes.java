@@ -1,5 +1,6 @@
 package dev.twister.engine.vector.step;
 
+import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.FacetWeight;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
@@ -16,7 +17,14 @@ public final class RefractionLanes {
      * Writes the refracted rays and their parts of the throughput, and adds what is reflected besides to the throughput, which is
      * what the mirror sends on. The facets are known, and the rays are still those that have met the surfaces.
      */
-    public static void find(Tile tile) {
+    public static void find(Drawing drawing, Tile tile) {
+        findAll(tile, drawing.looks.transmits(Layout.PLANE));
+        if (tile.rough.count > 0) {
+            weigh(tile);
+        }
+    }
+
+    private static void findAll(Tile tile, boolean sheet) {
         float[] t = tile.values;
         for (int k = 0; k < tile.surfaces.count; k++) {
             int at = tile.surfaces.places[k];
@@ -24,13 +32,17 @@ public final class RefractionLanes {
         }
         for (int k = 0; k < tile.transparent.count; k++) {
             int at = tile.transparent.places[k];
+            findReflectances(tile, at);
             findParts(tile, at);
             findDirections(tile, at);
+            if (sheet) {
+                passSheet(tile, at);
+            }
         }
     }
 
-    /** Fresnel's parts, and in the column of x the cosine of the refracted ray. */
-    static void findParts(Tile tile, int at) {
+    /** Writes what makes the refracted ray of the ray and the facet to the columns of x and y, and Fresnel's reflectance to z. */
+    static void findReflectances(Tile tile, int at) {
         float[] t = tile.values;
         FloatVector cosine = Lanes.load(t, at + Tile.DIRECTION_X)
                 .mul(Lanes.load(t, at + Tile.FACET_X))
@@ -52,60 +64,89 @@ public final class RefractionLanes {
         FloatVector along = cosine.sub(beyond).div(cosine.add(beyond));
         FloatVector reflectance =
                 Lanes.all(1f).blend(across.mul(across).add(along.mul(along)).mul(0.5f), passes);
-        FloatVector mirror = Lanes.load(t, at + Tile.REFLECTIVITY).mul(1f / Layout.MAX_REFLECTIVITY);
-        FloatVector transmission = Lanes.load(t, at + Tile.TRANSMISSION);
-        FloatVector passing = Lanes.all(0f)
-                .blend(
-                        Lanes.all(1f).sub(mirror).mul(transmission).mul(Lanes.load(t, at + Tile.WHOLE)),
-                        transmission.compare(VectorOperators.GT, 0f));
-        FloatVector through = passing.mul(Lanes.all(1f).sub(reflectance));
-        through.blend(0f, transmission.compare(VectorOperators.LE, 0f)).intoArray(t, at + Tile.REFRACTED_PART);
-        FloatVector back = passing.mul(reflectance).blend(0f, transmission.compare(VectorOperators.LE, 0f));
-        Lanes.load(t, at + Tile.THROUGHPUT).add(back).intoArray(t, at + Tile.THROUGHPUT);
+        reflectance.intoArray(t, at + Tile.REFRACTED_Z);
         ratio.intoArray(t, at + Tile.REFRACTED_Y);
         before.sub(passed).intoArray(t, at + Tile.REFRACTED_X);
     }
 
-    /** By Snell's law; what passes the plane, which is as thin as a sheet, is what it reflects, on its other side. */
+    /** Of the throughput, what is refracted; and adds what is reflected. */
+    static void findParts(Tile tile, int at) {
+        float[] t = tile.values;
+        FloatVector reflectance = Lanes.load(t, at + Tile.REFRACTED_Z);
+        FloatVector transmission = Lanes.load(t, at + Tile.TRANSMISSION);
+        VectorMask<Float> transmits = transmission.compare(VectorOperators.GT, 0f);
+        FloatVector kept =
+                Lanes.all(1f).sub(Lanes.load(t, at + Tile.REFLECTIVITY).mul(1f / Layout.MAX_REFLECTIVITY));
+        FloatVector passing = kept.mul(transmission).mul(Lanes.load(t, at + Tile.WHOLE));
+        FloatVector through = passing.mul(Lanes.all(1f).sub(reflectance));
+        Lanes.all(0f).blend(through, transmits).intoArray(t, at + Tile.REFRACTED_PART);
+        FloatVector throughput = Lanes.load(t, at + Tile.THROUGHPUT);
+        throughput.blend(throughput.add(passing.mul(reflectance)), transmits).intoArray(t, at + Tile.THROUGHPUT);
+    }
+
+    /** By Snell's law. */
     static void findDirections(Tile tile, int at) {
         float[] t = tile.values;
+        FloatVector ratio = Lanes.load(t, at + Tile.REFRACTED_Y);
+        FloatVector along = Lanes.load(t, at + Tile.REFRACTED_X);
+        FloatVector x =
+                Lanes.load(t, at + Tile.DIRECTION_X).mul(ratio).add(along.mul(Lanes.load(t, at + Tile.FACET_X)));
+        FloatVector y =
+                Lanes.load(t, at + Tile.DIRECTION_Y).mul(ratio).add(along.mul(Lanes.load(t, at + Tile.FACET_Y)));
+        FloatVector z =
+                Lanes.load(t, at + Tile.DIRECTION_Z).mul(ratio).add(along.mul(Lanes.load(t, at + Tile.FACET_Z)));
+        FloatVector inverse = Lanes.inverseRoot(x.mul(x).add(y.mul(y)).add(z.mul(z)));
+        x.mul(inverse).intoArray(t, at + Tile.REFRACTED_X);
+        y.mul(inverse).intoArray(t, at + Tile.REFRACTED_Y);
+        z.mul(inverse).intoArray(t, at + Tile.REFRACTED_Z);
+    }
+
+    /** What passes the plane, which is as thin as a sheet, is what it reflects, on its other side. */
+    static void passSheet(Tile tile, int at) {
+        float[] t = tile.values;
+        VectorMask<Float> sheet = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.PLANE);
         FloatVector directionX = Lanes.load(t, at + Tile.DIRECTION_X);
         FloatVector directionY = Lanes.load(t, at + Tile.DIRECTION_Y);
         FloatVector directionZ = Lanes.load(t, at + Tile.DIRECTION_Z);
         FloatVector facetX = Lanes.load(t, at + Tile.FACET_X);
         FloatVector facetY = Lanes.load(t, at + Tile.FACET_Y);
         FloatVector facetZ = Lanes.load(t, at + Tile.FACET_Z);
-        FloatVector normalX = Lanes.load(t, at + Tile.NORMAL_X);
-        FloatVector normalY = Lanes.load(t, at + Tile.NORMAL_Y);
-        FloatVector normalZ = Lanes.load(t, at + Tile.NORMAL_Z);
-        FloatVector in = directionX.mul(normalX).add(directionY.mul(normalY)).add(directionZ.mul(normalZ));
-        VectorMask<Float> behind = in.compare(VectorOperators.GT, 0f);
-        VectorMask<Float> sheet = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.PLANE);
-        FloatVector ratio = Lanes.load(t, at + Tile.REFRACTED_Y).blend(1f, sheet);
         FloatVector cosine = directionX
                 .mul(facetX)
                 .add(directionY.mul(facetY))
                 .add(directionZ.mul(facetZ))
                 .neg();
         cosine = Lanes.smaller(Lanes.larger(cosine, Lanes.all(0f)), Lanes.all(1f));
-        FloatVector along = Lanes.load(t, at + Tile.REFRACTED_X).blend(cosine.add(cosine), sheet);
-        FloatVector x = directionX.mul(ratio).add(along.mul(facetX));
-        FloatVector y = directionY.mul(ratio).add(along.mul(facetY));
-        FloatVector z = directionZ.mul(ratio).add(along.mul(facetZ));
-        FloatVector mirrored =
-                x.mul(normalX).add(y.mul(normalY)).add(z.mul(normalZ)).mul(-2f);
-        mirrored = Lanes.all(0f).blend(mirrored, sheet);
-        x = x.add(mirrored.mul(normalX));
-        y = y.add(mirrored.mul(normalY));
-        z = z.add(mirrored.mul(normalZ));
-        FloatVector out = x.mul(normalX).add(y.mul(normalY)).add(z.mul(normalZ));
-        out = out.neg().blend(out, behind);
-        Lanes.load(t, at + Tile.REFRACTED_PART)
-                .mul(FacetWeight.of(Lanes.load(t, at + Tile.ROUGHNESS), in.abs(), out))
-                .intoArray(t, at + Tile.REFRACTED_PART);
+        FloatVector twice = cosine.add(cosine);
+        FloatVector x = directionX.add(twice.mul(facetX));
+        FloatVector y = directionY.add(twice.mul(facetY)).neg();
+        FloatVector z = directionZ.add(twice.mul(facetZ));
         FloatVector inverse = Lanes.inverseRoot(x.mul(x).add(y.mul(y)).add(z.mul(z)));
-        x.mul(inverse).intoArray(t, at + Tile.REFRACTED_X);
-        y.mul(inverse).intoArray(t, at + Tile.REFRACTED_Y);
-        z.mul(inverse).intoArray(t, at + Tile.REFRACTED_Z);
+        Lanes.load(t, at + Tile.REFRACTED_X).blend(x.mul(inverse), sheet).intoArray(t, at + Tile.REFRACTED_X);
+        Lanes.load(t, at + Tile.REFRACTED_Y).blend(y.mul(inverse), sheet).intoArray(t, at + Tile.REFRACTED_Y);
+        Lanes.load(t, at + Tile.REFRACTED_Z).blend(z.mul(inverse), sheet).intoArray(t, at + Tile.REFRACTED_Z);
+    }
+
+    /** Leaves what rough surfaces let pass of the refracted rays' parts. */
+    static void weigh(Tile tile) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.rough.count; k++) {
+            int at = tile.rough.places[k];
+            FloatVector normalX = Lanes.load(t, at + Tile.NORMAL_X);
+            FloatVector normalY = Lanes.load(t, at + Tile.NORMAL_Y);
+            FloatVector normalZ = Lanes.load(t, at + Tile.NORMAL_Z);
+            FloatVector in = Lanes.load(t, at + Tile.DIRECTION_X)
+                    .mul(normalX)
+                    .add(Lanes.load(t, at + Tile.DIRECTION_Y).mul(normalY))
+                    .add(Lanes.load(t, at + Tile.DIRECTION_Z).mul(normalZ));
+            FloatVector out = Lanes.load(t, at + Tile.REFRACTED_X)
+                    .mul(normalX)
+                    .add(Lanes.load(t, at + Tile.REFRACTED_Y).mul(normalY))
+                    .add(Lanes.load(t, at + Tile.REFRACTED_Z).mul(normalZ));
+            out = out.neg().blend(out, in.compare(VectorOperators.GT, 0f));
+            FloatVector part = Lanes.load(t, at + Tile.REFRACTED_PART);
+            FloatVector weighed = part.mul(FacetWeight.of(Lanes.load(t, at + Tile.ROUGHNESS), in.abs(), out));
+            part.blend(weighed, part.compare(VectorOperators.GT, 0f)).intoArray(t, at + Tile.REFRACTED_PART);
+        }
     }
 }

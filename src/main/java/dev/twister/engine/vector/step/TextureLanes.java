@@ -66,8 +66,8 @@ public final class TextureLanes {
             FloatVector across = x.abs();
             FloatVector ahead = z.abs();
             VectorMask<Float> sideways = across.compare(VectorOperators.GT, ahead);
-            FloatVector octant = ArcTangent.of(ahead.blend(across, sideways.not())
-                    .div(Lanes.larger(ahead.blend(across, sideways), Lanes.all(TINY))));
+            FloatVector octant = ArcTangent.of(
+                    across.blend(ahead, sideways).div(Lanes.larger(ahead.blend(across, sideways), Lanes.all(TINY))));
             FloatVector quadrant = octant.blend(Lanes.all(KernelMath.HALF_PI).sub(octant), sideways);
             FloatVector half =
                     quadrant.blend(Lanes.all(KernelMath.PI).sub(quadrant), z.compare(VectorOperators.GT, 0f));

@@ -35,45 +35,62 @@ public final class TransmittingSphere {
     public static void find(Tile tile, BodyColumns bodies) {
         for (int c = 0; c < tile.transmitting.count; c++) {
             int body = tile.transmitting.bodies[c];
-            find(tile, body, bodies.x[body], bodies.y[body], bodies.z[body], bodies.radius[body]);
+            float radius = bodies.radius[body];
+            measure(tile, bodies.x[body], bodies.y[body], bodies.z[body], radius * radius);
+            choose(tile, body, radius * radius);
         }
     }
 
-    static void find(Tile tile, int body, float centerX, float centerY, float centerZ, float radius) {
+    /** Writes what decides where a sphere is met. No helper is called, for the reason that {@code ShadowConics} has. */
+    static void measure(Tile tile, float centerX, float centerY, float centerZ, float radiusSquared) {
         float[] t = tile.values;
-        float radiusSquared = radius * radius;
         for (int k = 0; k < tile.live.count; k++) {
             int at = tile.live.places[k];
-            FloatVector directionX = Lanes.load(t, at + Tile.DIRECTION_X);
-            FloatVector directionY = Lanes.load(t, at + Tile.DIRECTION_Y);
-            FloatVector directionZ = Lanes.load(t, at + Tile.DIRECTION_Z);
-            FloatVector x = Lanes.all(centerX).sub(Lanes.load(t, at + Tile.ORIGIN_X));
-            FloatVector y = Lanes.all(centerY).sub(Lanes.load(t, at + Tile.ORIGIN_Y));
-            FloatVector z = Lanes.all(centerZ).sub(Lanes.load(t, at + Tile.ORIGIN_Z));
+            FloatVector directionX = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_X);
+            FloatVector directionY = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_Y);
+            FloatVector directionZ = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_Z);
+            FloatVector x = FloatVector.broadcast(Lanes.FLOATS, centerX)
+                    .sub(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.ORIGIN_X));
+            FloatVector y = FloatVector.broadcast(Lanes.FLOATS, centerY)
+                    .sub(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.ORIGIN_Y));
+            FloatVector z = FloatVector.broadcast(Lanes.FLOATS, centerZ)
+                    .sub(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.ORIGIN_Z));
             FloatVector along = x.mul(directionX).add(y.mul(directionY)).add(z.mul(directionZ));
             FloatVector acrossX = x.sub(along.mul(directionX));
             FloatVector acrossY = y.sub(along.mul(directionY));
             FloatVector acrossZ = z.sub(along.mul(directionZ));
             FloatVector across = acrossX.mul(acrossX).add(acrossY.mul(acrossY)).add(acrossZ.mul(acrossZ));
-            FloatVector half = Lanes.all(radiusSquared).sub(across);
-            FloatVector chord = Lanes.larger(half, Lanes.all(0f)).sqrt();
-            VectorMask<Float> own = Lanes.load(t, at + Tile.LEAVING).compare(VectorOperators.EQ, body);
-            VectorMask<Float> passedBy = own.and(Lanes.load(t, at + Tile.INSIDE).compare(VectorOperators.LE, 0f));
+            along.intoArray(t, at + Tile.SPHERE_ALONG);
+            FloatVector.broadcast(Lanes.FLOATS, radiusSquared).sub(across).intoArray(t, at + Tile.SPHERE_CHORD);
+            x.mul(x).add(y.mul(y)).add(z.mul(z)).intoArray(t, at + Tile.SPHERE_AWAY);
+        }
+    }
+
+    static void choose(Tile tile, int body, float radiusSquared) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.live.count; k++) {
+            int at = tile.live.places[k];
+            FloatVector along = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.SPHERE_ALONG);
+            FloatVector chord = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.SPHERE_CHORD)
+                    .sqrt();
+            VectorMask<Float> other =
+                    FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.LEAVING).compare(VectorOperators.NE, body);
             VectorMask<Float> before = along.compare(VectorOperators.GT, 0f)
-                    .and(x.mul(x).add(y.mul(y)).add(z.mul(z)).compare(VectorOperators.GT, radiusSquared))
-                    .andNot(own);
-            FloatVector near = Lanes.larger(along.sub(chord), Lanes.all(0f));
-            FloatVector far = along.add(chord);
-            FloatVector distance = far.blend(near, before);
-            VectorMask<Float> met = half.compare(VectorOperators.GE, 0f)
-                    .and(before.or(far.compare(VectorOperators.GT, 0f)))
-                    .andNot(passedBy);
-            FloatVector closest = Lanes.load(t, at + Tile.DISTANCE);
-            FloatVector hit = Lanes.load(t, at + Tile.HIT);
+                    .and(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.SPHERE_AWAY)
+                            .compare(VectorOperators.GT, radiusSquared))
+                    .and(other);
+            VectorMask<Float> seen = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.INSIDE)
+                    .compare(VectorOperators.GT, 0f)
+                    .or(other);
+            // Where the line passes by, the root is no number, and fails every comparison.
+            FloatVector distance = along.add(chord).blend(along.sub(chord), before);
+            FloatVector closest = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISTANCE);
+            FloatVector hit = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.HIT);
             VectorMask<Float> closer = distance.compare(VectorOperators.EQ, closest)
                     .and(hit.compare(VectorOperators.GT, body))
                     .or(distance.compare(VectorOperators.LT, closest))
-                    .and(met);
+                    .and(distance.compare(VectorOperators.GT, 0f))
+                    .and(seen);
             closest.blend(distance, closer).intoArray(t, at + Tile.DISTANCE);
             hit.blend(body, closer).intoArray(t, at + Tile.HIT);
         }
