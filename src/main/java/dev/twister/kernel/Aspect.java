@@ -50,6 +50,22 @@ public final class Aspect {
         return aspect >= BOUNCES ? 1 : 0;
     }
 
+    /** Begins to count a pixel's samples, where that is what is drawn. */
+    static void start(float[] path, int aspect) {
+        if (isCount(aspect) != 0) {
+            path[Layout.COUNT] = 0f;
+        }
+    }
+
+    /** Takes the count for the radiance, where that is what is drawn. */
+    static void finish(float[] path, int aspect) {
+        if (isCount(aspect) != 0) {
+            path[Layout.RADIANCE] = path[Layout.COUNT];
+            path[Layout.RADIANCE + 1] = path[Layout.COUNT];
+            path[Layout.RADIANCE + 2] = path[Layout.COUNT];
+        }
+    }
+
     /** Counts, where that is what is drawn. */
     static void count(float[] path, int aspect, int counted, int number) {
         if (aspect == counted) {

@@ -50,9 +50,7 @@ public final class PixelKernel {
         path[Layout.RADIANCE] = 0f;
         path[Layout.RADIANCE + 1] = 0f;
         path[Layout.RADIANCE + 2] = 0f;
-        if (Aspect.isCount(aspect) != 0) {
-            path[Layout.COUNT] = 0f;
-        }
+        Aspect.start(path, aspect);
         for (int sample = 0; sample < samples; sample++) {
             int at = Layout.SAMPLE_STRIDE * sample;
             float x = column + pixelSamples[at];
@@ -64,45 +62,23 @@ public final class PixelKernel {
             if (camera[Layout.CAMERA_APERTURE] > 0f) {
                 Lens.bend(path, camera, pixelSamples);
             }
-            if (Aspect.endsAtFirstHit(aspect) != 0) {
-                FirstHit.add(
-                        path,
-                        properties,
-                        places,
-                        looks,
-                        hierarchy,
-                        dimensions[Layout.BODIES],
-                        sky,
-                        skyDimensions,
-                        shadowDisc,
-                        scratch,
-                        search,
-                        materials,
-                        aspect);
-            } else {
-                Path.follow(
-                        path,
-                        0,
-                        properties,
-                        places,
-                        looks,
-                        hierarchy,
-                        dimensions[Layout.BODIES],
-                        sky,
-                        skyDimensions,
-                        shadowDisc,
-                        pixelSamples,
-                        scratch,
-                        search,
-                        materials,
-                        aspect);
-            }
+            add(
+                    path,
+                    properties,
+                    places,
+                    looks,
+                    hierarchy,
+                    dimensions[Layout.BODIES],
+                    sky,
+                    skyDimensions,
+                    shadowDisc,
+                    pixelSamples,
+                    scratch,
+                    search,
+                    materials,
+                    aspect);
         }
-        if (Aspect.isCount(aspect) != 0) {
-            path[Layout.RADIANCE] = path[Layout.COUNT];
-            path[Layout.RADIANCE + 1] = path[Layout.COUNT];
-            path[Layout.RADIANCE + 2] = path[Layout.COUNT];
-        }
+        Aspect.finish(path, aspect);
         int pixel = row * dimensions[Layout.WIDTH] + column;
         float average = 1f / samples;
         if (output == LINEAR) {
@@ -111,6 +87,57 @@ public final class PixelKernel {
             radiance[3 * pixel + 2] = path[Layout.RADIANCE + 2] * average;
         } else {
             pixels[pixel] = Tone.argb(path, average, properties);
+        }
+    }
+
+    /** Adds what the path's view ray sees, to the last bounce or at the first hit. */
+    private static void add(
+            float[] path,
+            float[] properties,
+            float[] places,
+            float[] looks,
+            float[] hierarchy,
+            int bodies,
+            float[] sky,
+            int[] skyDimensions,
+            float[] shadowDisc,
+            float[] pixelSamples,
+            float[] scratch,
+            int search,
+            int materials,
+            int aspect) {
+        if (Aspect.endsAtFirstHit(aspect) != 0) {
+            FirstHit.add(
+                    path,
+                    properties,
+                    places,
+                    looks,
+                    hierarchy,
+                    bodies,
+                    sky,
+                    skyDimensions,
+                    shadowDisc,
+                    scratch,
+                    search,
+                    materials,
+                    aspect);
+        } else {
+            Path.follow(
+                    path,
+                    0,
+                    properties,
+                    places,
+                    looks,
+                    hierarchy,
+                    bodies,
+                    sky,
+                    skyDimensions,
+                    shadowDisc,
+                    pixelSamples,
+                    scratch,
+                    search,
+                    materials,
+                    aspect);
         }
     }
 }
