@@ -16,6 +16,7 @@ import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
+import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import java.util.Arrays;
@@ -134,7 +135,7 @@ class RoomsTest {
     void worldKnowsTheKernelsNumbersOnly() {
         DescribedPredicate<JavaClass> allowed = resideOutsideOfPackage("dev.twister..")
                 .or(resideInAnyPackage("dev.twister.world", "dev.twister.scene", "dev.twister.sky"))
-                .or(belongToAnyOf(Layout.class, Tone.class));
+                .or(belongToAnyOf(Aspect.class, Layout.class, Tone.class));
         classes()
                 .that()
                 .resideInAPackage("dev.twister.world")

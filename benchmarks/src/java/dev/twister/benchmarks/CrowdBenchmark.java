@@ -1,5 +1,6 @@
 package dev.twister.benchmarks;
 
+import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Material;
@@ -91,7 +92,8 @@ public class CrowdBenchmark {
                     input.bodyCount(),
                     scratch,
                     Hit.WALK,
-                    Material.PLAIN);
+                    Material.PLAIN,
+                    Aspect.FULL);
         }
         return sum;
     }
@@ -123,7 +125,8 @@ public class CrowdBenchmark {
                     input.bodies().hierarchy(),
                     Layout.root(input.bodyCount()),
                     scratch,
-                    Material.PLAIN);
+                    Material.PLAIN,
+                    Aspect.FULL);
         }
         return sum;
     }

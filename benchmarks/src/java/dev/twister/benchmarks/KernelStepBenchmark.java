@@ -1,5 +1,6 @@
 package dev.twister.benchmarks;
 
+import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Camera;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
@@ -91,7 +92,8 @@ public class KernelStepBenchmark {
                     input.bodyCount(),
                     scratch,
                     Hit.ALL,
-                    Material.PLAIN);
+                    Material.PLAIN,
+                    Aspect.FULL);
         }
         return sum;
     }
@@ -131,7 +133,8 @@ public class KernelStepBenchmark {
                     input.bodies().hierarchy(),
                     Layout.root(input.bodyCount()),
                     scratch,
-                    Material.PLAIN);
+                    Material.PLAIN,
+                    Aspect.FULL);
         }
         return sum;
     }

@@ -5,6 +5,7 @@ import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.scene.ToneMap;
 import dev.twister.sky.ShippedSky;
+import dev.twister.world.Picture;
 import java.io.IOException;
 import java.util.Collections;
 import java.util.Iterator;
@@ -40,6 +41,20 @@ final class Completions {
         @Override
         public Iterator<String> iterator() {
             return ChoiceConverter.names(ToneMap.class).iterator();
+        }
+    }
+
+    static final class OfStage implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return Picture.stages().stream().map(Picture::id).iterator();
+        }
+    }
+
+    static final class OfView implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return Picture.views().stream().map(Picture::id).iterator();
         }
     }
 

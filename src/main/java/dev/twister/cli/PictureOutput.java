@@ -1,9 +1,11 @@
 package dev.twister.cli;
 
 import dev.twister.files.PrintableText;
-import dev.twister.image.Frame;
+import dev.twister.image.ExrChannel;
+import dev.twister.image.ExrWriter;
 import dev.twister.image.HdrWriter;
 import dev.twister.image.PngWriter;
+import dev.twister.world.Picture;
 import java.io.BufferedOutputStream;
 import java.io.Console;
 import java.io.FileDescriptor;
@@ -12,7 +14,9 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** Where pictures go: one to a file, numbered ones to files, or all of them to the standard output, one after the other. */
 final class PictureOutput {
@@ -20,6 +24,7 @@ final class PictureOutput {
     private static final Path STANDARD_OUTPUT = Path.of("-");
     private static final String PNG = ".png";
     private static final String HDR = ".hdr";
+    private static final String EXR = ".exr";
 
     private final Path output;
     private final Optional<NumberedFiles> numbered;
@@ -38,19 +43,24 @@ final class PictureOutput {
      *
      * @param frames how many, where they are numbered
      * @param overwrite whether those may replace frames of an earlier run
+     * @param views how many pictures go into each file
      * @throws BadInputException where they cannot go there
      */
-    static PictureOutput of(Path output, Optional<Integer> frames, boolean overwrite) {
+    static PictureOutput of(Path output, Optional<Integer> frames, boolean overwrite, int views) {
         if (overwrite && frames.isEmpty()) {
             throw new BadInputException("--overwrite requires --frames; a single picture always replaces its file");
+        }
+        if (views > 1 && !OutputFile.endsIn(output, EXR)) {
+            throw new BadInputException(OPTION + " is " + output + ", but --view has " + views
+                    + " names, which only an " + EXR + " file can hold; give one name, or another file");
         }
         if (output.equals(STANDARD_OUTPUT)) {
             checkNoTerminal();
             return new PictureOutput(output, Optional.empty(), frames.orElse(1), overwrite);
         }
-        if (!OutputFile.endsIn(output, HDR) && !OutputFile.endsIn(output, PNG)) {
-            throw new BadInputException(
-                    OPTION + " is " + output + ", but must end in " + PNG + " or " + HDR + ", or be - for a PNG");
+        if (Stream.of(PNG, HDR, EXR).noneMatch(ending -> OutputFile.endsIn(output, ending))) {
+            throw new BadInputException(OPTION + " is " + output + ", but must end in " + PNG + ", " + HDR + " or "
+                    + EXR + ", or be - for a PNG");
         }
         PictureOutput pictures = new PictureOutput(
                 output, frames.map(count -> NumberedFiles.of(output, count)), frames.orElse(1), overwrite);
@@ -91,7 +101,19 @@ final class PictureOutput {
 
     /** Whether linear radiance is wanted, not pixels. */
     boolean isLinear() {
-        return OutputFile.endsIn(output, HDR);
+        return OutputFile.endsIn(output, HDR) || isExr();
+    }
+
+    private boolean isExr() {
+        return OutputFile.endsIn(output, EXR);
+    }
+
+    /** Bytes for each pixel that drawing and writing so many pictures take. */
+    long bytesPerPixel(List<Picture> pictures) {
+        long drawn = pictures.stream()
+                .mapToLong(picture -> BandedDrawing.bytesPerPixel(isLinear() || !picture.isColor()))
+                .sum();
+        return isExr() ? 2 * drawn : drawn;
     }
 
     /** Where the pictures are, for people. */
@@ -106,19 +128,30 @@ final class PictureOutput {
     }
 
     /**
-     * Writes the picture of a number, from 0.
+     * Writes the pictures of a number, from 0.
      *
-     * @param srgb whether its pixels are sRGB-encoded
+     * @param drawn one, or more into an .exr file
+     * @param srgb whether pixels of colors are sRGB-encoded
      */
-    void write(int number, Frame picture, boolean srgb) throws IOException {
+    void write(int number, List<DrawnPicture> drawn, boolean srgb) throws IOException {
+        DrawnPicture first = drawn.getFirst();
+        int width = first.frame().width();
+        int height = first.frame().height();
+        // Numbers are shown as they are, without a mark that has viewers turn linear light into sRGB.
+        boolean encoded = srgb || !first.picture().isColor();
         if (isStandardOutput()) {
             // Not System.out, which keeps errors to itself; it is not closed, as others may be written to it.
             OutputStream out = new FileOutputStream(FileDescriptor.out);
-            PngWriter.write(new BufferedOutputStream(out), picture.width(), picture.height(), picture.argb(), srgb);
+            PngWriter.write(new BufferedOutputStream(out), width, height, first.pixels(), encoded);
+        } else if (isExr()) {
+            List<ExrChannel> channels = drawn.stream()
+                    .flatMap(picture -> picture.channels(drawn.size() == 1).stream())
+                    .toList();
+            ExrWriter.write(file(number), width, height, channels);
         } else if (isLinear()) {
-            HdrWriter.write(file(number), picture.width(), picture.height(), picture.radiance());
+            HdrWriter.write(file(number), width, height, first.frame().radiance());
         } else {
-            PngWriter.write(file(number), picture.width(), picture.height(), picture.argb(), srgb);
+            PngWriter.write(file(number), width, height, first.pixels(), encoded);
         }
     }
 

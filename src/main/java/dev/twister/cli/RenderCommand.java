@@ -3,17 +3,20 @@ package dev.twister.cli;
 import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
 import dev.twister.engine.auto.FastestEngine;
-import dev.twister.image.Frame;
 import dev.twister.image.PictureSize;
 import dev.twister.physics.Simulation;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
+import dev.twister.world.FrameInput;
+import dev.twister.world.Picture;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -37,6 +40,8 @@ import picocli.CommandLine.Spec;
             "  twister render mirrors -o mirrors.hdr --engine tornado",
             "  twister render metals -o metals.png --noise 0.01",
             "  twister render benchmark -o left.png --camera -12,-6,-10 --yaw 40 --fov 60",
+            "  twister render benchmark -o diffuse.png --stage diffuse",
+            "  twister render benchmark -o shot.exr --view beauty,normal,depth,albedo",
             "  twister render pour-1000 -o pour-####.png --physics --frames 600 --fps 30",
             "  twister render pour-1000 -o heap.png --physics --start 12"
         })
@@ -56,7 +61,7 @@ final class RenderCommand implements Callable<Integer> {
             names = {"-o", "--output"},
             required = true,
             paramLabel = "FILE",
-            description = "The picture: .png, or .hdr for linear radiance; - writes a PNG to standard output.")
+            description = "The picture: .png, or .hdr or .exr for linear radiance; - writes a PNG to standard output.")
     private Path output;
 
     @Option(
@@ -84,6 +89,9 @@ final class RenderCommand implements Callable<Integer> {
     private ToneOptions tone;
 
     @Mixin
+    private PictureOptions picture;
+
+    @Mixin
     private CameraOptions camera;
 
     @Mixin
@@ -105,13 +113,15 @@ final class RenderCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         motion.check(frames);
-        PictureOutput pictures = PictureOutput.of(output, frames, overwrite);
+        samples.check(picture.pictures());
+        PictureOutput pictures =
+                PictureOutput.of(output, frames, overwrite, picture.pictures().size());
         Path file = SceneFiles.find(sceneName);
         Scene scene = sky.over(SceneReader.read(file));
         pictures.checkKeeps(SkyFiles.inputs(file, scene));
         RenderSettings settings = settings(scene.settings());
         PictureMemory.check(
-                new PictureSize(settings.width(), settings.height()), BandedDrawing.bytesPerPixel(pictures.isLinear()));
+                new PictureSize(settings.width(), settings.height()), pictures.bytesPerPixel(picture.pictures()));
         World world = World.of(scene, SkyFiles.readAll(scene, spec.commandLine().getErr()));
         world.setCamera(camera.over(scene.camera()));
         world.setSettings(settings);
@@ -144,14 +154,8 @@ final class RenderCommand implements Callable<Integer> {
             for (int number = 0; number < count; number++) {
                 simulation.place(world);
                 // Its own line of progress would write over that of the frames.
-                Frame picture = BandedDrawing.draw(
-                                engine,
-                                world.snapshot(),
-                                samples.over(world.settings().samplesPerPixel()),
-                                pictures.isLinear(),
-                                new PrintWriter(Writer.nullWriter()))
-                        .frame();
-                pictures.write(number, picture, world.settings().srgb());
+                List<DrawnPicture> drawn = draw(engine, world, pictures, new PrintWriter(Writer.nullWriter()));
+                pictures.write(number, drawn, world.settings().srgb());
                 simulation.advance(motion.secondsPerFrame());
                 progress.step();
             }
@@ -169,26 +173,24 @@ final class RenderCommand implements Callable<Integer> {
 
     private void draw(World world, PictureOutput pictures) throws IOException {
         try (Engine engine = Engines.open(engineId)) {
-            Sampling sampling = samples.over(world.settings().samplesPerPixel());
-            BandedDrawing.Drawn drawn = BandedDrawing.draw(
-                    engine,
-                    world.snapshot(),
-                    sampling,
-                    pictures.isLinear(),
-                    spec.commandLine().getErr());
-            Frame picture = drawn.frame();
-            pictures.write(0, picture, world.settings().srgb());
+            List<DrawnPicture> drawn =
+                    draw(engine, world, pictures, spec.commandLine().getErr());
+            pictures.write(0, drawn, world.settings().srgb());
             summaryWriter(pictures)
                     .printf(
                             Locale.ROOT,
                             "%s: %d x %d, %s (%s), %.1f ms%s%n",
                             pictures.name(),
-                            picture.width(),
-                            picture.height(),
+                            world.settings().width(),
+                            world.settings().height(),
                             (engineId.equals(FastestEngine.AUTO) ? "auto took " : "") + engine.id(),
                             engine.device(),
-                            picture.times().totalNanos() / NANOS_PER_MILLI,
-                            sampling.noise().map(_ -> samplesOf(drawn)).orElse(""));
+                            drawn.stream()
+                                            .mapToLong(
+                                                    view -> view.frame().times().totalNanos())
+                                            .sum()
+                                    / NANOS_PER_MILLI,
+                            samples.isNoiseGiven() ? samplesOf(drawn.getFirst().drawn()) : "");
         }
     }
 
@@ -196,6 +198,19 @@ final class RenderCommand implements Callable<Integer> {
         return drawn.fewestSamples() == drawn.mostSamples()
                 ? ", %d samples per pixel".formatted(drawn.mostSamples())
                 : ", %d to %d samples per pixel".formatted(drawn.fewestSamples(), drawn.mostSamples());
+    }
+
+    /** Draws all that was asked for, one after the other. */
+    private List<DrawnPicture> draw(Engine engine, World world, PictureOutput pictures, PrintWriter err) {
+        FrameInput input = world.snapshot();
+        Sampling sampling = samples.over(world.settings().samplesPerPixel());
+        List<DrawnPicture> drawn = new ArrayList<>();
+        for (Picture wanted : picture.pictures()) {
+            boolean linear = pictures.isLinear() || !wanted.isColor();
+            drawn.add(
+                    new DrawnPicture(wanted, BandedDrawing.draw(engine, input.showing(wanted), sampling, linear, err)));
+        }
+        return drawn;
     }
 
     // What is said must not end up in a picture.

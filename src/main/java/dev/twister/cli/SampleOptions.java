@@ -1,6 +1,8 @@
 package dev.twister.cli;
 
 import dev.twister.scene.RenderSettings;
+import dev.twister.world.Picture;
+import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
@@ -21,6 +23,22 @@ final class SampleOptions {
             description = "Add samples until the estimated error of a pixel, as a share of white, is below T (such as"
                     + " 0.01) in every part of the picture.")
     private Optional<Double> noise = Optional.empty();
+
+    boolean isNoiseGiven() {
+        return noise.isPresent();
+    }
+
+    /**
+     * Checks that there is noise to speak of.
+     *
+     * @throws BadInputException where a picture has numbers, which are not shown as they are
+     */
+    void check(List<Picture> pictures) {
+        if (noise.isPresent() && !pictures.stream().allMatch(Picture::isColor)) {
+            throw new BadInputException(
+                    "--noise goes with pictures of colors only; give --samples with views of numbers");
+        }
+    }
 
     /** What the options say over a scene's own samples. */
     Sampling over(int usual) {

@@ -1,6 +1,7 @@
 package dev.twister.engine;
 
 import dev.twister.image.Frame;
+import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Path;
 import dev.twister.kernel.PixelKernel;
@@ -23,6 +24,7 @@ public final class JvmKernel {
     public void drawRow(FrameInput input, Frame frame, int row, int firstColumn, int endColumn) {
         int search = HitSearch.of(input);
         int materials = input.bodies().materials();
+        int aspect = input.aspect();
         int output = frame.isLinear() ? PixelKernel.LINEAR : PixelKernel.ARGB;
         View view = input.view();
         Bodies bodies = input.bodies();
@@ -47,6 +49,7 @@ public final class JvmKernel {
                     scratch,
                     search,
                     materials,
+                    aspect,
                     output);
         }
     }
@@ -67,6 +70,7 @@ public final class JvmKernel {
                 input.view().pixelSamples(),
                 scratch,
                 HitSearch.of(input),
-                input.bodies().materials());
+                input.bodies().materials(),
+                Aspect.FULL);
     }
 }

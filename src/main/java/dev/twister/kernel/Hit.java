@@ -21,6 +21,7 @@ public final class Hit {
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
      * @param search {@link #ALL} or {@link #WALK}
      * @param materials {@link Material#PLAIN} or {@link Material#ANY}
+     * @param aspect one of {@link Aspect}'s
      */
     public static int find(
             float[] path,
@@ -30,10 +31,11 @@ public final class Hit {
             int bodies,
             float[] scratch,
             int search,
-            int materials) {
-        int body = amongFirst(path, places, looks, search == WALK ? Layout.FIRST_SPHERE : bodies, materials);
+            int materials,
+            int aspect) {
+        int body = amongFirst(path, places, looks, search == WALK ? Layout.FIRST_SPHERE : bodies, materials, aspect);
         if (search == WALK) {
-            body = onWalk(path, body, looks, hierarchy, Layout.root(bodies), scratch, materials);
+            body = onWalk(path, body, looks, hierarchy, Layout.root(bodies), scratch, materials, aspect);
         }
         return body;
     }
@@ -47,12 +49,13 @@ public final class Hit {
         return leaving;
     }
 
-    private static int amongFirst(float[] path, float[] places, float[] looks, int count, int materials) {
+    private static int amongFirst(float[] path, float[] places, float[] looks, int count, int materials, int aspect) {
         int ignored = ignored(path, materials);
         float closest = Intersection.MISS;
         int hit = Layout.NOTHING;
         for (int body = 0; body < count; body++) {
             if (body != ignored) {
+                Aspect.count(path, aspect, Aspect.TESTS, 1);
                 float distance = distance(path, body, places, looks, materials);
                 hit = distance < closest ? body : hit;
                 closest = distance < closest ? distance : closest;
@@ -108,7 +111,14 @@ public final class Hit {
      * @param root where in the hierarchy its root is
      */
     private static int onWalk(
-            float[] path, int first, float[] looks, float[] hierarchy, int root, float[] scratch, int materials) {
+            float[] path,
+            int first,
+            float[] looks,
+            float[] hierarchy,
+            int root,
+            float[] scratch,
+            int materials,
+            int aspect) {
         float originX = path[Layout.ORIGIN];
         float originY = path[Layout.ORIGIN + 1];
         float originZ = path[Layout.ORIGIN + 2];
@@ -122,6 +132,7 @@ public final class Hit {
             int link = (int) hierarchy[node + Layout.NODE_LINK];
             int spheres = (int) hierarchy[node + Layout.NODE_SPHERES];
             int next = Layout.NO_NODE;
+            Aspect.count(path, aspect, Aspect.TESTS, spheres < 0 ? 2 : spheres);
             if (spheres < 0) {
                 float left = NodeBox.entry(hierarchy, link, originX, originY, originZ, inverseX, inverseY, inverseZ);
                 float right = NodeBox.entry(

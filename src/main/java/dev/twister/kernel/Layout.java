@@ -216,7 +216,7 @@ public final class Layout {
     public static final int DISC_TANGENT = 38;
     public static final int DISC_SECANT = 39;
 
-    /** How long the path is where all materials are {@link Material#PLAIN}. */
+    /** How long the path is where all materials are {@link Material#PLAIN}, and nothing is counted. */
     public static final int PLAIN_PATH_LENGTH = 40;
 
     /** Whether the ray comes from inside the body (1, else 0), and the rest of what it is made of. */
@@ -229,7 +229,10 @@ public final class Layout {
     /** The normal of the surface's facet that reflects and refracts, turned against the ray. */
     public static final int FACET = 44;
 
-    public static final int PATH_LENGTH = 47;
+    /** What {@link Aspect} counts, of all samples together. */
+    public static final int COUNT = 47;
+
+    public static final int PATH_LENGTH = 48;
 
     /** The largest reflectivity, at which a body is a perfect mirror. */
     public static final float MAX_REFLECTIVITY = 128f;

@@ -14,6 +14,7 @@ public final class Path {
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
      * @param search {@link Hit#ALL} or {@link Hit#WALK}
      * @param materials {@link Material#PLAIN} or {@link Material#ANY}
+     * @param aspect {@link Aspect#FULL}, or what is counted in {@link Layout#COUNT} beside
      */
     public static void follow(
             float[] path,
@@ -29,13 +30,14 @@ public final class Path {
             float[] pixelSamples,
             float[] scratch,
             int search,
-            int materials) {
+            int materials,
+            int aspect) {
         int bounces = (int) properties[Layout.BOUNCES];
         int bounce = firstBounce;
         int waiting = 0;
         int goesOn = 1;
         while (goesOn != 0) {
-            int body = Hit.find(path, places, looks, hierarchy, bodies, scratch, search, materials);
+            int body = Hit.find(path, places, looks, hierarchy, bodies, scratch, search, materials, aspect);
             if (body == Layout.NOTHING) {
                 Sky.add(path, sky, skyDimensions, properties);
             }
@@ -68,7 +70,8 @@ public final class Path {
                             hierarchy,
                             Layout.root(bodies),
                             scratch,
-                            materials);
+                            materials,
+                            aspect);
                 }
                 float lit = Light.lit(properties[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible);
                 Scatter.shade(path, visible, mirror, transmission, lit, looks);
@@ -89,6 +92,7 @@ public final class Path {
                 waiting = waiting - 1;
                 goesOn = 1;
             }
+            Aspect.count(path, aspect, Aspect.BOUNCES, goesOn);
         }
     }
 }

@@ -17,10 +17,12 @@ public final class PixelKernel {
      * @param pixels {@code int[width * rows]} where the output is ARGB, else any
      * @param radiance {@code float[3 * width * rows]} where the output is LINEAR, else any
      * @param path {@link Layout#PATH_LENGTH} floats of this thread's own; {@link Layout#PLAIN_PATH_LENGTH} do for plain materials
+     *     where nothing is counted
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats of this thread's own; {@link Layout#PLAIN_SCRATCH_LENGTH} do for plain
      *     materials
      * @param search {@link Hit#ALL} or {@link Hit#WALK}
      * @param materials {@link Material#PLAIN} or {@link Material#ANY}
+     * @param aspect one of {@link Aspect}'s
      * @param output {@link #ARGB} or {@link #LINEAR}
      */
     public static void draw(
@@ -42,11 +44,13 @@ public final class PixelKernel {
             float[] scratch,
             int search,
             int materials,
+            int aspect,
             int output) {
         int samples = (int) properties[Layout.PIXEL_SAMPLES];
         path[Layout.RADIANCE] = 0f;
         path[Layout.RADIANCE + 1] = 0f;
         path[Layout.RADIANCE + 2] = 0f;
+        Aspect.start(path, aspect);
         for (int sample = 0; sample < samples; sample++) {
             int at = Layout.SAMPLE_STRIDE * sample;
             float x = column + pixelSamples[at];
@@ -58,9 +62,8 @@ public final class PixelKernel {
             if (camera[Layout.CAMERA_APERTURE] > 0f) {
                 Lens.bend(path, camera, pixelSamples);
             }
-            Path.follow(
+            add(
                     path,
-                    0,
                     properties,
                     places,
                     looks,
@@ -72,8 +75,10 @@ public final class PixelKernel {
                     pixelSamples,
                     scratch,
                     search,
-                    materials);
+                    materials,
+                    aspect);
         }
+        Aspect.finish(path, aspect);
         int pixel = row * dimensions[Layout.WIDTH] + column;
         float average = 1f / samples;
         if (output == LINEAR) {
@@ -82,6 +87,57 @@ public final class PixelKernel {
             radiance[3 * pixel + 2] = path[Layout.RADIANCE + 2] * average;
         } else {
             pixels[pixel] = Tone.argb(path, average, properties);
+        }
+    }
+
+    /** Adds what the path's view ray sees, to the last bounce or at the first hit. */
+    private static void add(
+            float[] path,
+            float[] properties,
+            float[] places,
+            float[] looks,
+            float[] hierarchy,
+            int bodies,
+            float[] sky,
+            int[] skyDimensions,
+            float[] shadowDisc,
+            float[] pixelSamples,
+            float[] scratch,
+            int search,
+            int materials,
+            int aspect) {
+        if (Aspect.endsAtFirstHit(aspect) != 0) {
+            FirstHit.add(
+                    path,
+                    properties,
+                    places,
+                    looks,
+                    hierarchy,
+                    bodies,
+                    sky,
+                    skyDimensions,
+                    shadowDisc,
+                    scratch,
+                    search,
+                    materials,
+                    aspect);
+        } else {
+            Path.follow(
+                    path,
+                    0,
+                    properties,
+                    places,
+                    looks,
+                    hierarchy,
+                    bodies,
+                    sky,
+                    skyDimensions,
+                    shadowDisc,
+                    pixelSamples,
+                    scratch,
+                    search,
+                    materials,
+                    aspect);
         }
     }
 }

@@ -47,6 +47,7 @@ public final class Shadow {
      * @param root where in the hierarchy its root is, see {@link Layout#root}
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
      * @param materials {@link Material#PLAIN} or {@link Material#ANY}
+     * @param aspect one of {@link Aspect}'s; where it is the shadow, S is found where it would change nothing too
      */
     public static float visible(
             float[] path,
@@ -58,9 +59,11 @@ public final class Shadow {
             float[] hierarchy,
             int root,
             float[] scratch,
-            int materials) {
+            int materials,
+            int aspect) {
         float cosine = path[Layout.NORMAL_DOT_LIGHT];
-        int matters = (cosine > properties[Layout.AMBIENT] ? 1 : 0)
+        int matters = (aspect == Aspect.SHADOW ? 1 : 0)
+                | (cosine > properties[Layout.AMBIENT] ? 1 : 0)
                 | ((cosine > 0f ? 1 : 0) & (path[Layout.REFLECTIVITY] > 0f ? 1 : 0));
         float visible = 1f;
         if (matters != 0) {
@@ -68,7 +71,7 @@ public final class Shadow {
             float discRadius = 2f * places[Layout.PLACE_STRIDE * Layout.LIGHT + Layout.PLACE_SIZE];
             float sampleScale = face(path, discRadius, samples, shadowDisc);
             int plane = PlaneShadow.mayBlock(path, own, discRadius, places);
-            int count = candidates(path, own, looks, hierarchy, root, scratch, materials);
+            int count = candidates(path, own, looks, hierarchy, root, scratch, materials, aspect);
             visible = count == ALL_HIDDEN ? 0f : 1f;
             int inDoubt = (count > 0 ? 1 : 0) | ((count == 0 ? 1 : 0) & plane);
             if (inDoubt != 0) {
@@ -85,7 +88,8 @@ public final class Shadow {
                         hierarchy,
                         root,
                         scratch,
-                        materials);
+                        materials,
+                        aspect);
                 visible = 1f - blocked / samples;
             }
         }
@@ -139,7 +143,8 @@ public final class Shadow {
             float[] hierarchy,
             int root,
             float[] scratch,
-            int materials) {
+            int materials,
+            int aspect) {
         float distance = path[Layout.LIGHT_DISTANCE];
         int remembered = Math.min(count, Layout.MOST_CANDIDATES);
         int alone = ((count == 1 ? 1 : 0) & (1 - plane)) != 0 ? liesBetween(scratch, distance) : 0;
@@ -147,18 +152,21 @@ public final class Shadow {
                 ? blockedByOne(scratch, shadowDisc, sampleScale, samples)
                         * (1f - rememberedTransmission(scratch, 0, materials))
                 : 0f;
+        Aspect.count(path, aspect, Aspect.TESTS, alone != 0 ? samples : 0);
         int firstSample = alone != 0 ? samples : 0;
         for (int sample = firstSample; sample < samples; sample++) {
             float x = shadowDisc[2 * sample] * sampleScale;
             float y = shadowDisc[2 * sample + 1] * sampleScale;
             float pastPlane = 1f;
             if (plane != 0) {
+                Aspect.count(path, aspect, Aspect.TESTS, 1);
                 pastPlane =
                         PlaneShadow.blocks(path, x, y, places) != 0 ? transmission(looks, Layout.PLANE, materials) : 1f;
             }
             float light = pastPlane;
             int lit = light > 0f ? 1 : 0;
             for (int candidate = 0; candidate < remembered && lit != 0; candidate++) {
+                Aspect.count(path, aspect, Aspect.TESTS, 1);
                 float transmission = rememberedTransmission(scratch, candidate, materials);
                 int hit = blocks(
                         scratch[Layout.CANDIDATE_STRIDE * candidate],
@@ -174,7 +182,8 @@ public final class Shadow {
             }
             int forgotten = (count > Layout.MOST_CANDIDATES ? 1 : 0) & lit;
             if (forgotten != 0) {
-                light = pastPlane * ShadowRay.light(path, own, x, y, looks, hierarchy, root, scratch, materials);
+                light = pastPlane
+                        * ShadowRay.light(path, own, x, y, looks, hierarchy, root, scratch, materials, aspect);
             }
             blocked = blocked + (1f - light);
         }
@@ -206,7 +215,14 @@ public final class Shadow {
      * @return how many there are, at least if there are more, or {@link #ALL_HIDDEN}
      */
     private static int candidates(
-            float[] path, int own, float[] looks, float[] hierarchy, int root, float[] scratch, int materials) {
+            float[] path,
+            int own,
+            float[] looks,
+            float[] hierarchy,
+            int root,
+            float[] scratch,
+            int materials,
+            int aspect) {
         float inverseX = NodeBox.inverse(path[Layout.TO_LIGHT]);
         float inverseY = NodeBox.inverse(path[Layout.TO_LIGHT + 1]);
         float inverseZ = NodeBox.inverse(path[Layout.TO_LIGHT + 2]);
@@ -218,6 +234,7 @@ public final class Shadow {
             int spheres = (int) hierarchy[node + Layout.NODE_SPHERES];
             int next = Layout.NO_NODE;
             if (spheres < 0) {
+                Aspect.count(path, aspect, Aspect.TESTS, 2);
                 float first = NodeBox.coneEntry(path, hierarchy, link, inverseX, inverseY, inverseZ);
                 float second =
                         NodeBox.coneEntry(path, hierarchy, link + Layout.NODE_STRIDE, inverseX, inverseY, inverseZ);
@@ -230,7 +247,7 @@ public final class Shadow {
                 }
                 next = near < NodeBox.PASSED ? link + swapped : Layout.NO_NODE;
             }
-            count = addLeaf(path, own, count, looks, hierarchy, link, spheres, scratch, materials);
+            count = addLeaf(path, own, count, looks, hierarchy, link, spheres, scratch, materials, aspect);
             if (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
                 waiting = waiting - 1;
                 next = (int) scratch[Layout.SCRATCH_STACK + waiting];
@@ -255,12 +272,14 @@ public final class Shadow {
             int link,
             int spheres,
             float[] scratch,
-            int materials) {
+            int materials,
+            int aspect) {
         int count = found;
         for (int sphere = 0; sphere < spheres && count != ALL_HIDDEN; sphere++) {
             int at = link + Layout.SPHERE_STRIDE * sphere;
             int body = (int) hierarchy[at + Layout.SPHERE_BODY];
             if (body != own) {
+                Aspect.count(path, aspect, Aspect.TESTS, 1);
                 float x = hierarchy[at] - path[Layout.POINT];
                 float y = hierarchy[at + 1] - path[Layout.POINT + 1];
                 float z = hierarchy[at + 2] - path[Layout.POINT + 2];

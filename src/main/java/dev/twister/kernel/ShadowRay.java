@@ -19,7 +19,8 @@ final class ShadowRay {
             float[] hierarchy,
             int start,
             float[] scratch,
-            int materials) {
+            int materials,
+            int aspect) {
         float pointX = path[Layout.POINT];
         float pointY = path[Layout.POINT + 1];
         float pointZ = path[Layout.POINT + 2];
@@ -44,6 +45,7 @@ final class ShadowRay {
             int spheres = (int) hierarchy[node + Layout.NODE_SPHERES];
             int next = Layout.NO_NODE;
             if (spheres < 0) {
+                Aspect.count(path, aspect, Aspect.TESTS, 2);
                 float first = NodeBox.entry(hierarchy, link, pointX, pointY, pointZ, inverseX, inverseY, inverseZ);
                 float second = NodeBox.entry(
                         hierarchy, link + Layout.NODE_STRIDE, pointX, pointY, pointZ, inverseX, inverseY, inverseZ);
@@ -60,6 +62,7 @@ final class ShadowRay {
                 int at = link + Layout.SPHERE_STRIDE * sphere;
                 int body = (int) hierarchy[at + Layout.SPHERE_BODY];
                 if (body != own) {
+                    Aspect.count(path, aspect, Aspect.TESTS, 1);
                     float toX = hierarchy[at] - pointX;
                     float toY = hierarchy[at + 1] - pointY;
                     float toZ = hierarchy[at + 2] - pointZ;

@@ -1,5 +1,6 @@
 package dev.twister.world;
 
+import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 
 /**
@@ -41,6 +42,11 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
 
     public int samplesPerPixel() {
         return (int) view.properties()[Layout.PIXEL_SAMPLES];
+    }
+
+    /** What of the picture is drawn: one of {@link Aspect}'s numbers. */
+    public int aspect() {
+        return view.aspect();
     }
 
     /** Whether 8-bit pixels are sRGB-encoded. */
@@ -96,6 +102,14 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
             throw new IllegalArgumentException(samples + " samples from " + first);
         }
         return with(view.withSamples(first, samples));
+    }
+
+    /**
+     * A stage or a view of the picture that this one draws. Pixels of 8 bits show colors as ever, and numbers as if they were colors;
+     * linear frames have the numbers themselves.
+     */
+    public FrameInput showing(Picture picture) {
+        return with(view.showing(picture));
     }
 
     private FrameInput with(View newView) {

@@ -1,5 +1,6 @@
 package dev.twister.world;
 
+import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
@@ -144,7 +145,9 @@ public final class World {
         Bodies moved = new Bodies(places, looks, hierarchy, materials, origin);
         Camera seen = camera.withPosition(moved.seen(camera.position()));
         return new FrameInput(
-                new View(dimensions(), CameraBasis.of(seen), properties(), shadowDisc, pixelSamples), moved, panorama);
+                new View(dimensions(), CameraBasis.of(seen), properties(), shadowDisc, pixelSamples, Aspect.FULL),
+                moved,
+                panorama);
     }
 
     private int[] dimensions() {

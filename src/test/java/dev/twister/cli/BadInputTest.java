@@ -31,7 +31,7 @@ class BadInputTest {
                 "rendr | Did you mean: twister render",
                 "render | SCENE",
                 "render benchmark | --output",
-                "render benchmark -o FOLDER/a.jpg | must end in .png or .hdr",
+                "render benchmark -o FOLDER/a.jpg | must end in .png, .hdr or .exr",
                 "render benchmark -o FOLDER/missing/a.png | there is no folder",
                 "render benchmark -o FOLDER | must end in",
                 "render benchmark -o FOLDER/a.png --overwrite | --overwrite requires --frames",

@@ -1,6 +1,7 @@
 package dev.twister.engine;
 
 import dev.twister.image.Frame;
+import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Camera;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
@@ -68,7 +69,8 @@ public final class PlainPicture {
                     input.bodyCount(),
                     new float[0],
                     Hit.ALL,
-                    Material.PLAIN);
+                    Material.PLAIN,
+                    Aspect.FULL);
             goesOn = body >= Layout.PLANE;
             if (body == Layout.NOTHING) {
                 Sky.add(path, input.panorama().texels(), input.panorama().dimensions(), properties);

@@ -47,7 +47,7 @@ class GlassSphereTest {
     private static void passOn(float[] path, float[] looks, int bounce) {
         float[] scratch = new float[Layout.SCRATCH_LENGTH];
         float inside = path[Layout.INSIDE];
-        int body = Hit.find(path, PLACES, looks, new float[0], BODIES, scratch, Hit.ALL, Material.ANY);
+        int body = Hit.find(path, PLACES, looks, new float[0], BODIES, scratch, Hit.ALL, Material.ANY, Aspect.FULL);
         assertThat(body).isEqualTo(Layout.FIRST_SPHERE);
         Surface.find(path, body, PLACES);
         Material.find(path, body, looks, new float[Layout.PROPERTIES_LENGTH], new float[0], new int[0], Material.ANY);

@@ -58,6 +58,7 @@ class HitTest {
                 BODIES,
                 new float[Layout.SCRATCH_LENGTH],
                 search,
-                Material.PLAIN);
+                Material.PLAIN,
+                Aspect.FULL);
     }
 }

@@ -176,7 +176,8 @@ class ShadowTest {
                 SphereHierarchy.of(places, bodies(places), mostInLeaf),
                 Layout.root(bodies(places)),
                 new float[Layout.SCRATCH_LENGTH],
-                Material.PLAIN);
+                Material.PLAIN,
+                Aspect.FULL);
     }
 
     private static float plain(float[] places, float x, float y, float z, int own, int samples) {

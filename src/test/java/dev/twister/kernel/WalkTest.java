@@ -39,9 +39,11 @@ class WalkTest {
             float[] path = Paths.ray(origin, direction, leaving);
             boolean transmits = leaving > 0 && looks[Layout.LOOK_STRIDE * leaving + Layout.LOOK_TRANSMISSION] > 0;
             path[Layout.INSIDE] = transmits && random.nextBoolean() ? 1 : 0;
-            int expected = Hit.find(path, crowd.places(), looks, hierarchy, bodies, scratch, Hit.ALL, materials);
+            int expected =
+                    Hit.find(path, crowd.places(), looks, hierarchy, bodies, scratch, Hit.ALL, materials, Aspect.FULL);
             float distance = path[Layout.DISTANCE];
-            int actual = Hit.find(path, crowd.places(), looks, hierarchy, bodies, scratch, Hit.WALK, materials);
+            int actual =
+                    Hit.find(path, crowd.places(), looks, hierarchy, bodies, scratch, Hit.WALK, materials, Aspect.FULL);
             assertThat(path[Layout.DISTANCE]).isEqualTo(distance);
             assertThat(actual).as("ray %d of seed %d", count, seed).isEqualTo(expected);
         }
@@ -73,9 +75,10 @@ class WalkTest {
             float[] path = Paths.lit(point, axis, distance);
             float[] properties = Paths.properties(SAMPLES);
             int root = Layout.root(bodies);
-            float walked =
-                    Shadow.visible(path, own, properties, places, looks, disc, hierarchy, root, scratch, materials);
-            float plain = Shadow.visible(path, own, properties, places, looks, disc, oneLeaf, root, scratch, materials);
+            float walked = Shadow.visible(
+                    path, own, properties, places, looks, disc, hierarchy, root, scratch, materials, Aspect.FULL);
+            float plain = Shadow.visible(
+                    path, own, properties, places, looks, disc, oneLeaf, root, scratch, materials, Aspect.FULL);
             // Products of the same factors in another order.
             assertThat(walked)
                     .as("point %d of seed %d", count, seed)

@@ -3,6 +3,7 @@ package dev.twister.oracle;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.sky.Skybox;
+import dev.twister.world.Picture;
 import dev.twister.world.SceneImages;
 import java.util.ArrayList;
 import java.util.List;
@@ -59,6 +60,15 @@ public final class Oracle {
     public Rgb radiance(int column, int row) {
         Color average = average(column, row);
         return new Rgb(average.red(), average.green(), average.blue());
+    }
+
+    /** The value of a stage without reflections, or of a view, in the scene's own shadows. */
+    Color value(int column, int row, Picture picture) {
+        Color sum = Color.BLACK;
+        for (ViewRay ray : viewRays(column, row, 0)) {
+            sum = sum.plus(tracer.value(ray, picture));
+        }
+        return sum.times(1.0 / samplesPerPixel);
     }
 
     /** What a pixel shows, as 0xAARRGGBB. */

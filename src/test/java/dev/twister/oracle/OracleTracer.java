@@ -6,9 +6,11 @@ import dev.twister.scene.Plane;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.world.Picture;
 import dev.twister.world.SceneImages;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.LongAdder;
 
 /** The color that a ray sees, by recursion. */
 final class OracleTracer {
@@ -26,6 +28,7 @@ final class OracleTracer {
     private final double ambient;
     private final int bounceLimit;
     private final Rounding rounding;
+    private final LongAdder followed = new LongAdder();
 
     /** What a ray sees, and what its branches share. */
     private record Place(Ray ray, Body body, Vector point, Vector normal, boolean fromInside) {
@@ -63,6 +66,42 @@ final class OracleTracer {
     /** What a view ray sees. */
     Color color(ViewRay viewRay) {
         return color(viewRay.ray(), null, false, 0, ALL, viewRay.numbers());
+    }
+
+    /** The value of a view, or of a stage at the first hit. Bounces are counted for one caller at a time. */
+    @SuppressWarnings("ReferenceEquality") // which body it is, not what it is like
+    Color value(ViewRay viewRay, Picture picture) {
+        Ray ray = viewRay.ray();
+        Body body = closest(ray, null, false);
+        if (picture == Picture.BOUNCES) {
+            long before = followed.sum();
+            color(viewRay);
+            return ALL.times(followed.sum() - before);
+        }
+        if (body == null) {
+            return switch (picture) {
+                case COLORS, DIFFUSE, HIGHLIGHTS -> sky.color(ray.direction());
+                case SHADOW -> ALL;
+                case BODY -> ALL.times(-1);
+                default -> Color.BLACK;
+            };
+        }
+        Place place = place(ray, body, ray.at(body.distance(ray)));
+        Vector normal = place.normal();
+        Color albedo = body.albedo(place.point());
+        Vector toLight = light.center().minus(place.point()).normalized();
+        Color diffuse = body == light ? albedo : albedo.times(Math.max(ambient, normal.dot(toLight)));
+        return switch (picture) {
+            case COLORS, ALBEDO -> albedo;
+            case DIFFUSE -> diffuse;
+            case HIGHLIGHTS ->
+                body == light ? albedo : diffuse.plus(light.material().color().times(highlight(place, toLight, 1)));
+            case NORMAL -> new Color(0.5 + 0.5 * normal.x(), 0.5 + 0.5 * normal.y(), 0.5 + 0.5 * normal.z());
+            case DEPTH -> ALL.times(body.distance(ray));
+            case BODY -> ALL.times(bodies.indexOf(body));
+            case SHADOW -> ALL.times(body == light ? 1 : shadow.visible(place.point(), body));
+            default -> throw new IllegalArgumentException(picture.id());
+        };
     }
 
     /**
@@ -128,6 +167,7 @@ final class OracleTracer {
         if (rest.strongest() == 0 || rest.strongest() < least) {
             return Color.BLACK;
         }
+        followed.increment();
         return color(new Ray(place.point(), direction), place.body(), inside, bounce + 1, rest, numbers)
                 .times(part);
     }

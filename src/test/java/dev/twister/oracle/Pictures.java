@@ -42,7 +42,11 @@ public final class Pictures {
 
     /** The same of a scene with textures. */
     public static float[] radiance(String engine, LitScene scene) {
-        FrameInput input = World.of(scene.scene(), scene.images()).snapshot();
+        return radiance(engine, World.of(scene.scene(), scene.images()).snapshot());
+    }
+
+    /** The band's linear radiance. */
+    public static float[] radiance(String engine, FrameInput input) {
         Frame frame = Frame.ofRadiance(input.width(), input.rows());
         Arrays.fill(frame.radiance(), Float.NaN);
         try (Engine opened = Engines.open(engine)) {

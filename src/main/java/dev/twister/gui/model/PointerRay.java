@@ -1,6 +1,7 @@
 package dev.twister.gui.model;
 
 import dev.twister.engine.HitSearch;
+import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Camera;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
@@ -34,7 +35,8 @@ record PointerRay(float[] path, int body, Bodies bodies) {
                 input.bodyCount(),
                 new float[Layout.SCRATCH_LENGTH],
                 HitSearch.of(input),
-                input.bodies().materials());
+                input.bodies().materials(),
+                Aspect.FULL);
         return new PointerRay(path, body, input.bodies());
     }
 

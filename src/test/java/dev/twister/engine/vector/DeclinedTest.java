@@ -126,7 +126,13 @@ final class DeclinedTest {
         properties[Layout.TONE_MAP] = 99;
         View view = known.view();
         FrameInput unknown = new FrameInput(
-                new View(view.dimensions(), view.camera(), properties, view.shadowDisc(), view.pixelSamples()),
+                new View(
+                        view.dimensions(),
+                        view.camera(),
+                        properties,
+                        view.shadowDisc(),
+                        view.pixelSamples(),
+                        view.aspect()),
                 known.bodies(),
                 known.panorama());
         Drawing drawing = new Drawing();

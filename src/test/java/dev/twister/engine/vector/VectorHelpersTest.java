@@ -22,7 +22,6 @@ import org.junit.jupiter.api.Test;
 /** A helper that the JVM does not inline makes objects of its vectors, and it is inlined in most JVMs: a rare slow one. */
 final class VectorHelpersTest {
     private static final String VECTORS = "jdk.incubator.vector";
-    private static final String ALWAYS_INLINED = "dev.twister.engine.vector.lanes";
 
     /** {@link StageInlining#ALWAYS}. */
     private static final String ALWAYS_INLINED = Lanes.class.getPackageName();

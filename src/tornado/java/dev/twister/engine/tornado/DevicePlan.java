@@ -107,6 +107,7 @@ final class DevicePlan implements AutoCloseable {
                         input.rows(),
                         HitSearch.of(input),
                         input.bodies().materials(),
+                        input.aspect(),
                         linear ? PixelKernel.LINEAR : PixelKernel.ARGB)
                 .transferToHost(DataTransferMode.EVERY_EXECUTION, linear ? radiance : pixels);
         plan = new TornadoExecutionPlan(graph.snapshot());
@@ -127,6 +128,7 @@ final class DevicePlan implements AutoCloseable {
                 && input.bodies().room() == fixed.bodies().room()
                 && HitSearch.of(input) == HitSearch.of(fixed)
                 && input.bodies().materials() == fixed.bodies().materials()
+                && input.aspect() == fixed.aspect()
                 && input.panorama().texels() == fixed.panorama().texels()
                 && input.panorama().dimensions() == fixed.panorama().dimensions()
                 && (sendsLooks() || input.bodies().looks() == fixed.bodies().looks());

@@ -1,10 +1,10 @@
 package dev.twister.engine.tornado;
 
-import uk.ac.manchester.tornado.api.common.TornadoFunctions.Task17;
+import uk.ac.manchester.tornado.api.common.TornadoFunctions.Task18;
 
 /** A kernel with {@link TornadoKernel#draw}'s arguments, as TornadoVM's task graphs take it. */
 public interface DrawTask
-        extends Task17<
+        extends Task18<
                 int[],
                 float[],
                 int[],
@@ -17,6 +17,7 @@ public interface DrawTask
                 int[],
                 float[],
                 float[],
+                Integer,
                 Integer,
                 Integer,
                 Integer,

@@ -1,5 +1,6 @@
 package dev.twister.engine.tornado;
 
+import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Material;
@@ -25,6 +26,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
      * @param radiance {@code float[3 * width * rows]} where the output is LINEAR, else one float
      * @param search one of {@link dev.twister.kernel.Hit}'s
      * @param materials one of {@link Material}'s
+     * @param aspect one of {@link Aspect}'s
      * @param output one of {@link PixelKernel}'s
      */
     static void draw(
@@ -44,10 +46,12 @@ public final class TornadoKernel implements Supplier<DrawTask> {
             int rows,
             int search,
             int materials,
+            int aspect,
             int output) {
         for (@Parallel int row = 0; row < rows; row++) {
             for (@Parallel int column = 0; column < width; column++) {
-                float[] path = new float[materials == Material.PLAIN ? Layout.PLAIN_PATH_LENGTH : Layout.PATH_LENGTH];
+                int plainPath = Aspect.isCount(aspect) == 0 ? Layout.PLAIN_PATH_LENGTH : Layout.PATH_LENGTH;
+                float[] path = new float[materials == Material.PLAIN ? plainPath : Layout.PATH_LENGTH];
                 int plainScratch = search == Hit.ALL ? FEW_SCRATCH : Layout.PLAIN_SCRATCH_LENGTH;
                 float[] scratch = new float[materials == Material.PLAIN ? plainScratch : Layout.SCRATCH_LENGTH];
                 PixelKernel.draw(
@@ -69,6 +73,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
                         scratch,
                         search,
                         materials,
+                        aspect,
                         output);
             }
         }

@@ -25,6 +25,7 @@ final class BrokenKernels {
             int rows,
             int search,
             int materials,
+            int aspect,
             int output) {
         for (@Parallel int i = 0; i < rows; i++) {
             Point kept = new Point(0, 0);
@@ -55,6 +56,7 @@ final class BrokenKernels {
             int rows,
             int search,
             int materials,
+            int aspect,
             int output) {
         for (@Parallel int i = 0; i < rows; i++) {
             if (i < rows / 2) {

@@ -1,5 +1,6 @@
 package dev.twister.engine.tornado;
 
+import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Camera;
 import dev.twister.kernel.Facet;
 import dev.twister.kernel.Hit;
@@ -125,7 +126,8 @@ public final class HelperKernels implements Supplier<HelperTasks> {
                 float transmission = looks[Layout.LOOK_STRIDE * leaving + Layout.LOOK_TRANSMISSION];
                 path[Layout.INSIDE] = transmission > 0f ? 1f : 0f;
             }
-            out[2 * i] = Hit.find(path, places, looks, hierarchy, (int) in[8 * i + 7], scratch, Hit.ALL, Material.ANY);
+            out[2 * i] = Hit.find(
+                    path, places, looks, hierarchy, (int) in[8 * i + 7], scratch, Hit.ALL, Material.ANY, Aspect.FULL);
             out[2 * i + 1] = path[Layout.DISTANCE];
         }
     }
@@ -147,7 +149,8 @@ public final class HelperKernels implements Supplier<HelperTasks> {
                 float transmission = looks[Layout.LOOK_STRIDE * leaving + Layout.LOOK_TRANSMISSION];
                 path[Layout.INSIDE] = transmission > 0f ? 1f : 0f;
             }
-            out[2 * i] = Hit.find(path, places, looks, hierarchy, (int) in[8 * i + 7], scratch, Hit.WALK, Material.ANY);
+            out[2 * i] = Hit.find(
+                    path, places, looks, hierarchy, (int) in[8 * i + 7], scratch, Hit.WALK, Material.ANY, Aspect.FULL);
             out[2 * i + 1] = path[Layout.DISTANCE];
         }
     }
@@ -247,7 +250,8 @@ public final class HelperKernels implements Supplier<HelperTasks> {
                     hierarchy,
                     (int) in[11 * i + 10],
                     scratch,
-                    Material.ANY);
+                    Material.ANY,
+                    Aspect.FULL);
         }
     }
 }

@@ -1,6 +1,7 @@
 package dev.twister.engine.vector.frame;
 
 import dev.twister.engine.vector.lanes.BodyList;
+import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import dev.twister.world.FrameInput;
@@ -47,7 +48,8 @@ public final class Declined {
             takeBodies();
         }
         int toneMap = (int) input.view().properties()[Layout.TONE_MAP];
-        frame = toneMap < Tone.CLAMP
+        frame = input.aspect() != Aspect.FULL
+                || toneMap < Tone.CLAMP
                 || toneMap > Tone.ACES
                 || occluders.count > MOST_OCCLUDERS
                 || input.view().camera()[Layout.CAMERA_APERTURE] > 0

@@ -1,0 +1,43 @@
+package dev.twister.cli;
+
+import dev.twister.world.Picture;
+import java.util.List;
+import java.util.Optional;
+import picocli.CommandLine.Option;
+
+/** What is rendered: the picture, a stage of it, or views. */
+final class PictureOptions {
+    @Option(
+            names = "--stage",
+            paramLabel = "NAME",
+            converter = PictureConverter.OfStage.class,
+            completionCandidates = Completions.OfStage.class,
+            description = "Stop at a stage of the picture: ${COMPLETION-CANDIDATES} (the full picture).")
+    private Optional<Picture> stage = Optional.empty();
+
+    @Option(
+            names = "--view",
+            paramLabel = "NAME",
+            split = ",",
+            converter = PictureConverter.OfView.class,
+            completionCandidates = Completions.OfView.class,
+            description =
+                    "Render values per pixel: ${COMPLETION-CANDIDATES}. Several names, separated by commas, become layers of an"
+                            + " .exr file.")
+    private List<Picture> views = List.of();
+
+    /**
+     * In the order in which they were named; one of them at least.
+     *
+     * @throws BadInputException where a view is named twice, or beside a stage
+     */
+    List<Picture> pictures() {
+        if (stage.isPresent() && !views.isEmpty()) {
+            throw new BadInputException("--stage and --view exclude each other; give one of them");
+        }
+        if (views.stream().distinct().count() < views.size()) {
+            throw new BadInputException("--view has the same name twice; give each once");
+        }
+        return views.isEmpty() ? List.of(stage.orElse(Picture.BEAUTY)) : views;
+    }
+}

@@ -1,0 +1,82 @@
+package dev.twister.image;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+
+/** An OpenEXR file's magic number, version and attributes. */
+final class ExrHeader {
+    private static final int MAGIC = 20_000_630;
+    private static final int VERSION = 2;
+    private static final int FLOAT = 2;
+    private static final byte ZIP = 3;
+    private static final byte INCREASING_Y = 0;
+
+    private ExrHeader() {}
+
+    static byte[] bytes(int width, int height, List<ExrChannel> channels) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        out.writeBytes(buffer(2 * Integer.BYTES).putInt(MAGIC).putInt(VERSION).array());
+        attribute(out, "channels", "chlist", channelList(channels));
+        attribute(out, "compression", "compression", new byte[] {ZIP});
+        attribute(out, "dataWindow", "box2i", window(width, height));
+        attribute(out, "displayWindow", "box2i", window(width, height));
+        attribute(out, "lineOrder", "lineOrder", new byte[] {INCREASING_Y});
+        attribute(out, "pixelAspectRatio", "float", floats(1));
+        attribute(out, "screenWindowCenter", "v2f", floats(0, 0));
+        attribute(out, "screenWindowWidth", "float", floats(1));
+        out.write(0);
+        return out.toByteArray();
+    }
+
+    private static byte[] channelList(List<ExrChannel> channels) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        for (ExrChannel channel : channels) {
+            text(out, channel.name());
+            // Type, whether it is perceptually linear and three bytes that are not used, then no subsampling.
+            out.writeBytes(buffer(4 * Integer.BYTES)
+                    .putInt(FLOAT)
+                    .putInt(0)
+                    .putInt(1)
+                    .putInt(1)
+                    .array());
+        }
+        out.write(0);
+        return out.toByteArray();
+    }
+
+    private static void attribute(ByteArrayOutputStream out, String name, String type, byte[] value) {
+        text(out, name);
+        text(out, type);
+        out.writeBytes(buffer(Integer.BYTES).putInt(value.length).array());
+        out.writeBytes(value);
+    }
+
+    private static void text(ByteArrayOutputStream out, String text) {
+        out.writeBytes(text.getBytes(StandardCharsets.US_ASCII));
+        out.write(0);
+    }
+
+    /** Both corners are inside. */
+    private static byte[] window(int width, int height) {
+        return buffer(4 * Integer.BYTES)
+                .putInt(0)
+                .putInt(0)
+                .putInt(width - 1)
+                .putInt(height - 1)
+                .array();
+    }
+
+    private static byte[] floats(float... values) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        for (float value : values) {
+            out.writeBytes(buffer(Float.BYTES).putFloat(value).array());
+        }
+        return out.toByteArray();
+    }
+
+    private static ByteBuffer buffer(int bytes) {
+        return ExrWriter.buffer(bytes);
+    }
+}

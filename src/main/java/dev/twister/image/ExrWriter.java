@@ -1,0 +1,70 @@
+package dev.twister.image;
+
+import dev.twister.files.WholeFile;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.IntStream;
+
+/** Writes floats as an OpenEXR file ({@code .exr}) of one part: scanlines from the top, ZIP compression. */
+public final class ExrWriter {
+    private static final int CHUNK_HEADER = 2 * Integer.BYTES;
+
+    private ExrWriter() {}
+
+    /**
+     * Writes the channels with all their bits, whole or not at all. What is compressed is held in memory until then.
+     *
+     * @param width pixels in a row, 1 or more
+     * @param height rows, 1 or more
+     * @param channels 1 or more, of different names, in any order
+     * @throws IllegalArgumentException where a channel does not have that many values
+     * @throws IOException as {@link WholeFile#write}
+     */
+    public static void write(Path file, int width, int height, List<ExrChannel> channels) throws IOException {
+        for (ExrChannel channel : channels) {
+            long last = channel.first() + (long) channel.stride() * ((long) width * height - 1);
+            if (last >= channel.values().length) {
+                throw new IllegalArgumentException("channel " + channel.name() + " of " + width + " x " + height
+                        + " pixels has " + channel.values().length + " floats");
+            }
+        }
+        List<ExrChannel> sorted =
+                channels.stream().sorted(Comparator.comparing(ExrChannel::name)).toList();
+        byte[] header = ExrHeader.bytes(width, height, sorted);
+        int count = Math.ceilDiv(height, ExrChunk.ROWS);
+        List<byte[]> chunks = IntStream.range(0, count)
+                .parallel()
+                .mapToObj(chunk -> ExrChunk.bytes(width, height, chunk * ExrChunk.ROWS, sorted))
+                .toList();
+        WholeFile.write(file, out -> {
+            out.write(header);
+            writeOffsets(out, header.length, chunks);
+            for (int chunk = 0; chunk < count; chunk++) {
+                byte[] data = chunks.get(chunk);
+                out.write(buffer(CHUNK_HEADER)
+                        .putInt(chunk * ExrChunk.ROWS)
+                        .putInt(data.length)
+                        .array());
+                out.write(data);
+            }
+        });
+    }
+
+    /** Where in the file each chunk begins. */
+    private static void writeOffsets(OutputStream out, int headerLength, List<byte[]> chunks) throws IOException {
+        long offset = headerLength + (long) Long.BYTES * chunks.size();
+        for (byte[] data : chunks) {
+            out.write(buffer(Long.BYTES).putLong(offset).array());
+            offset += CHUNK_HEADER + data.length;
+        }
+    }
+
+    static ByteBuffer buffer(int bytes) {
+        return ByteBuffer.allocate(bytes).order(ByteOrder.LITTLE_ENDIAN);
+    }
+}

@@ -1,0 +1,84 @@
+package dev.twister.oracle;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.engine.JvmEngines;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Scene;
+import dev.twister.world.FrameInput;
+import dev.twister.world.Picture;
+import dev.twister.world.World;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Linear frames of every stage and view that has an equation, against the oracle. */
+class StagesAndViewsTest {
+    private static final double BOUND = 1 / 255.0;
+
+    /** Edges are a larger part of small pictures; the numbers of bodies jump there by more than colors do. */
+    private static final int PIXELS_AN_ODD_ONE = 1000;
+
+    /** Where mirrors show mirrors, each edge in them is one of the counts too. */
+    private static final int PIXELS_AN_ODD_COUNT = 250;
+
+    /** Plain bodies, a crowd, a lens, and materials of all kinds. */
+    private static final List<String> SCENES = List.of("benchmark", "mirrors", "spheres-100", "bokeh", "glass");
+
+    private static final List<Picture> WITHOUT_EQUATION = List.of(Picture.TESTS);
+
+    static Stream<Object[]> picturesOfScenes() {
+        return SCENES.stream()
+                .filter(ShippedScenes.names()::contains)
+                .flatMap(scene -> Stream.of(Picture.values())
+                        .filter(picture -> !WITHOUT_EQUATION.contains(picture))
+                        .map(picture -> new Object[] {scene, picture}));
+    }
+
+    @ParameterizedTest(name = "{1} of {0}")
+    @MethodSource("picturesOfScenes")
+    void isTheOracles(String name, Picture picture) {
+        LitScene shipped = ShippedScenes.small(name);
+        RenderSettings settings = shipped.scene().settings();
+        Scene scene = shipped.scene()
+                .withSettings(settings.withSize(160, 90)
+                        .withShadows(Math.min(settings.shadowSamples(), 16))
+                        .withSamplesPerPixel(2));
+        FrameInput input = World.of(scene, shipped.images()).snapshot().showing(picture);
+        float[] actual = Pictures.radiance(JvmEngines.SEQUENTIAL, input);
+        Oracle oracle = new Oracle(new LitScene(sceneOf(picture, scene), shipped.images()));
+        int odd = 0;
+        for (int pixel = 0; pixel < 160 * 90; pixel++) {
+            Color expected = value(oracle, picture, pixel % 160, pixel / 160);
+            odd += isClose(actual[3 * pixel], expected.red())
+                            && isClose(actual[3 * pixel + 1], expected.green())
+                            && isClose(actual[3 * pixel + 2], expected.blue())
+                    ? 0
+                    : 1;
+        }
+        int pixelsAnOddOne = picture == Picture.BOUNCES ? PIXELS_AN_ODD_COUNT : PIXELS_AN_ODD_ONE;
+        assertThat(odd * pixelsAnOddOne).isLessThanOrEqualTo(160 * 90);
+    }
+
+    /** A stage is the picture of a scene with less in it. */
+    private static Scene sceneOf(Picture picture, Scene scene) {
+        RenderSettings settings = scene.settings();
+        return switch (picture) {
+            case HARD_SHADOWS -> scene.withSettings(settings.withBounces(0).withShadows(1));
+            case SOFT_SHADOWS -> scene.withSettings(settings.withBounces(0));
+            default -> scene;
+        };
+    }
+
+    private static Color value(Oracle oracle, Picture picture, int column, int row) {
+        return switch (picture) {
+            case HARD_SHADOWS, SOFT_SHADOWS, REFLECTIONS, BEAUTY -> Color.of(oracle.radiance(column, row));
+            default -> oracle.value(column, row, picture);
+        };
+    }
+
+    private static boolean isClose(float actual, double expected) {
+        return Math.abs(actual - expected) <= BOUND * Math.max(1, Math.abs(expected));
+    }
+}

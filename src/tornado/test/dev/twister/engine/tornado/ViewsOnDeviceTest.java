@@ -1,0 +1,37 @@
+package dev.twister.engine.tornado;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineOffer;
+import dev.twister.scene.RenderSettings;
+import dev.twister.world.Picture;
+import dev.twister.world.World;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Every stage and view on every device against {@code sequential}'s, of a few spheres and by way of the hierarchy. */
+class ViewsOnDeviceTest {
+    private static final int FEW = 5;
+    private static final int MANY = 60;
+
+    static Stream<Object[]> picturesOnDevices() {
+        return Devices.namedOffers().stream()
+                .flatMap(offer -> Stream.of(Picture.values()).map(picture -> new Object[] {picture, offer}));
+    }
+
+    @ParameterizedTest(name = "{0} on {1}")
+    @MethodSource("picturesOnDevices")
+    void isSequentials(Picture picture, EngineOffer offer) {
+        for (int spheres : new int[] {FEW, MANY}) {
+            World world = SceneSamples.world(11, spheres);
+            world.setSettings(RenderSettings.DEFAULT
+                    .withSize(80, 45)
+                    .withShadows(9)
+                    .withBounces(2)
+                    .withSamplesPerPixel(2));
+            try (Engine engine = offer.opener().get()) {
+                Pictures.requireSequentialsRadiance(engine, world.snapshot().showing(picture));
+            }
+        }
+    }
+}
