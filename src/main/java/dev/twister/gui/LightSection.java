@@ -23,7 +23,7 @@ final class LightSection {
                 new NumberRow(SceneNumbers.LIGHT_RADIUS, "Alt+L", studio),
                 new NumberRow(SceneNumbers.LIGHT_STRENGTH, "Alt+I", studio));
         color = new ColorRow(
-                "Light colour",
+                "Light color",
                 "The light's hue; how bright it is, the strength says.",
                 "Alt+C",
                 studio,

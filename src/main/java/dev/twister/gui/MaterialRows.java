@@ -15,7 +15,6 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javafx.scene.control.Button;
-import javafx.scene.control.Label;
 
 /** The rows of one body's material. A reset leads back to how it was at first. */
 final class MaterialRows {
@@ -25,8 +24,8 @@ final class MaterialRows {
     private final Scene before;
     private final ChoiceRow<Optional<MaterialPreset>> preset;
     private final List<ColorRow> colors;
+    private final NumberRow reflectivity;
     private final List<NumberRow> numbers;
-    private final Label exponent = new Label();
     private final ChoiceRow<Optional<Path>> texture;
     private final SwitchRow all;
     private boolean changesAll;
@@ -59,10 +58,7 @@ final class MaterialRows {
                 studio::notice);
         colors = colors();
         MaterialNumbers material = new MaterialNumbers(this::material, this::edited);
-        NumberRow reflectivity = new NumberRow(material.reflectivity(), "Alt+8", studio);
-        exponent.getStyleClass().add("unit");
-        exponent.setId("exponent");
-        reflectivity.addControl(exponent);
+        reflectivity = new NumberRow(material.reflectivity(), "Alt+8", studio);
         numbers = List.of(
                 reflectivity,
                 new NumberRow(material.roughness(), "Alt+Shift+R", studio),
@@ -124,7 +120,7 @@ final class MaterialRows {
         preset.show(presets(present), present, MaterialPreset.of(firstMaterial()));
         colors.forEach(row -> row.show(scene, before));
         numbers.forEach(row -> row.show(scene, before));
-        exponent.setText(MaterialNumbers.exponent(now));
+        reflectivity.showUnit(MaterialNumbers.percentUnit(now));
         texture.show(textures, now.texture(), firstMaterial().texture());
         all.show(changesAll && shared.isPresent(), false);
         all.setDisable(shared.isEmpty());

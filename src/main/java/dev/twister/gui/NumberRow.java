@@ -40,6 +40,7 @@ final class NumberRow extends PanelRow {
     private final Studio studio;
     private final Slider slider = new Slider(0, 1, 0);
     private final TextField field = new TextField();
+    private final Label unit = new Label();
     private NumberSetting sliding;
     private double shown = Double.NaN;
 
@@ -106,7 +107,7 @@ final class NumberRow extends PanelRow {
         field.textProperty()
                 .subscribe(text -> field.setPrefColumnCount(
                         Math.clamp(Math.round(text.length() * DIGITS_WIDTH), FIELD_COLUMNS, MOST_FIELD_COLUMNS)));
-        Label unit = new Label(setting.unit());
+        unit.setText(setting.unit());
         unit.getStyleClass().add("unit");
         addControls(slider, field, unit);
     }
@@ -122,6 +123,13 @@ final class NumberRow extends PanelRow {
         if (number != shown) {
             showNumber(number);
         }
+    }
+
+    /** Shows a text behind the field where the unit is. */
+    void showUnit(String text) {
+        unit.setMinWidth(USE_PREF_SIZE);
+        unit.setPrefWidth(USE_COMPUTED_SIZE);
+        unit.setText(text);
     }
 
     /** Whether a person is at it: what they read in order to type, or hold, is not to be changed under their hands. */

@@ -27,14 +27,14 @@ final class PictureSection {
                 new NumberRow(SceneNumbers.EXPOSURE, "Alt+X", studio));
         toneMap = new ChoiceRow<>(
                 "Tone map",
-                "How bright colours are brought down to what a screen can show.",
+                "How bright colors are brought down to what a screen can show.",
                 "Alt+T",
                 map -> new Look(map.name().toLowerCase(Locale.ROOT)),
                 this::setToneMap,
                 studio::notice);
         srgb = new SwitchRow(
                 "sRGB curve",
-                "Whether colours are encoded as screens expect, after the tone map.",
+                "Whether colors are encoded as screens expect, after the tone map.",
                 "Alt+U",
                 this::setSrgb);
         refining = new SwitchRow(

@@ -26,7 +26,7 @@ final class StatusText {
                         (chosen.equals(picture.engine()) ? "" : chosen + ": ") + picture.engine() + " ("
                                 + picture.device() + ")",
                         picture.frame().width() + " × " + picture.frame().height(),
-                        picture.samples() + (picture.samples() == 1 ? " sample a pixel" : " samples a pixel"),
+                        picture.samples() + (picture.samples() == 1 ? " sample per pixel" : " samples per pixel"),
                         picture.input().bodyCount() + " bodies",
                         camera.aperture() > 0 ? "focus at " + meters(camera) : "")
                 .filter(part -> !part.isEmpty())

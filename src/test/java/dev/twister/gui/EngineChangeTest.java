@@ -110,7 +110,7 @@ class EngineChangeTest {
                             scene.name(),
                             JvmEngines.PARALLEL,
                             picture.frame().width() + " × " + picture.frame().height(),
-                            RefinementGoal.SHARP + " samples a pixel",
+                            RefinementGoal.SHARP + " samples per pixel",
                             (scene.spheres().size() + 2) + " bodies");
         }
     }

@@ -492,7 +492,7 @@ class PanelTest {
 
     @Test
     void coloursAreChosenFromThePalette() {
-        for (String label : List.of("Light colour", "Color")) {
+        for (String label : List.of("Light color", "Color")) {
             PanelRow row = row(label);
             Scene before = scene();
             ColorPicker picker = openPalette(row);
@@ -520,7 +520,7 @@ class PanelTest {
 
     @Test
     void aDragInTheDialogOfCustomColoursIsOneEdit() {
-        PanelRow row = row("Light colour");
+        PanelRow row = row("Light color");
         Scene before = scene();
         ColorPicker picker = openPalette(row);
         driver.run(() -> inOpenWindows(".hyperlink", Hyperlink.class).fire());
@@ -562,7 +562,7 @@ class PanelTest {
 
     @Test
     void spaceOpensListsAndPalettesAndEscapeClosesThemAndNoMore() {
-        for (String label : List.of("Resolution", "Light colour", "Color")) {
+        for (String label : List.of("Resolution", "Light color", "Color")) {
             PanelRow row = row(label);
             ComboBoxBase<?> control = (ComboBoxBase<?>) row.firstControl();
             driver.type(row.keys());

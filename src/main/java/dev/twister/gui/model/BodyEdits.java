@@ -124,7 +124,7 @@ public final class BodyEdits {
             BiFunction<Vector3, Double, Vector3> writer) {
         return SceneNumbers.place(
                 "Sphere " + axis,
-                "The place of the sphere's centre " + direction + ".",
+                "The place of the sphere's center " + direction + ".",
                 scene -> reader.applyAsDouble(position(scene, body)),
                 (scene, number) -> moved(scene, body, writer.apply(position(scene, body), number)));
     }

@@ -63,12 +63,10 @@ public record MaterialNumbers(
         return BigDecimal.valueOf(reflectivity).setScale(decimals, RoundingMode.HALF_UP);
     }
 
-    /** The reflectivity as scene files have it, such as {@code p 24}. */
-    public static String exponent(Material material) {
-        return "p "
-                + rounded(material.reflectivity(), SHOWN_DECIMALS)
-                        .stripTrailingZeros()
-                        .toPlainString();
+    /** The unit of the reflectivity, with the number that scene files have: {@code % (p 24)}. */
+    public static String percentUnit(Material material) {
+        BigDecimal shown = rounded(material.reflectivity(), SHOWN_DECIMALS).stripTrailingZeros();
+        return "% (p " + shown.toPlainString() + ")";
     }
 
     public NumberSetting roughness() {

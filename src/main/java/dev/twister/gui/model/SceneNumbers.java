@@ -124,7 +124,7 @@ public final class SceneNumbers {
 
     public static final NumberSetting LIGHT_STRENGTH = new NumberSetting(
             "Light strength",
-            "The brightest channel of the light's colour; 1 is white paper lit from straight above.",
+            "The brightest channel of the light's color; 1 is white paper lit from straight above.",
             SceneLimits.RADIANCE,
             new Range(0.05, 20),
             Scale.LOGARITHMIC,

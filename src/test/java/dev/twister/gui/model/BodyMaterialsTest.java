@@ -93,15 +93,15 @@ class BodyMaterialsTest {
     }
 
     @Test
-    void reflectivityIsPerCentWithTheExponentBesideIt() {
+    void reflectivityIsPerCentWithTheFilesNumberBesideIt() {
         NumberSetting setting = MaterialNumbers.of(FIRST + 1).reflectivity();
 
         assertThat(setting.text(setting.read(scene))).isEqualTo("81.3");
-        assertThat(MaterialNumbers.exponent(STEEL)).isEqualTo("p 104");
+        assertThat(MaterialNumbers.percentUnit(STEEL)).isEqualTo("% (p 104)");
         Scene edited = setting.write(scene, 33.3);
         assertThat(BodyMaterials.of(edited, FIRST + 1).reflectivity()).isEqualTo(42.624);
-        assertThat(MaterialNumbers.exponent(BodyMaterials.of(edited, FIRST + 1)))
-                .isEqualTo("p 42.62");
+        assertThat(MaterialNumbers.percentUnit(BodyMaterials.of(edited, FIRST + 1)))
+                .isEqualTo("% (p 42.62)");
     }
 
     @Test
