@@ -31,7 +31,7 @@ class ExrWriterTest {
             noise[i] = Float.intBitsToFloat(random.nextInt(0x7F800000)) * (random.nextBoolean() ? 1 : -1);
         }
         for (int i = 0; i < smooth.length; i++) {
-            smooth[i] = i / 8;
+            smooth[i] = (float) Math.floor(i / 8.0);
         }
         Path file = folder.resolve("picture.exr");
 
