@@ -127,8 +127,9 @@ final class NumberRow extends PanelRow {
 
     /** Shows a text behind the field where the unit is. */
     void showUnit(String text) {
+        // Style sheets give units one width, which is too small for a text.
+        unit.getStyleClass().setAll("label", "text-unit");
         unit.setMinWidth(USE_PREF_SIZE);
-        unit.setPrefWidth(USE_COMPUTED_SIZE);
         unit.setText(text);
     }
 

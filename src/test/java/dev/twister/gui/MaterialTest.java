@@ -100,7 +100,12 @@ class MaterialTest {
     }
 
     private static String unit() {
-        return WindowDriver.call(() -> ((Label) row("Reflectivity").lookup(".unit")).getText());
+        driver.pulse();
+        Label unit = WindowDriver.call(() -> (Label) row("Reflectivity").lookup(".text-unit"));
+        // It is seen whole.
+        assertThat(WindowDriver.call(unit::getWidth))
+                .isGreaterThanOrEqualTo(WindowDriver.call(() -> unit.prefWidth(-1)));
+        return WindowDriver.call(unit::getText);
     }
 
     private static void type(String label, String text) {
