@@ -76,7 +76,7 @@ final class OracleTracer {
         if (picture == Picture.BOUNCES) {
             long before = followed.sum();
             color(viewRay);
-            return ALL.times(followed.sum() - before);
+            return ALL.times((double) (followed.sum() - before));
         }
         if (body == null) {
             return switch (picture) {
