@@ -178,7 +178,9 @@ class TornadoEngineTest {
             engine.render(vast.snapshot(), frame);
             DevicePlan.Copied copied = engine.plan().orElseThrow().lastCopied();
             // The sample tables and a few small arrays, which TornadoVM counts twice; not the sky, nor the pixels.
-            long sampleTables = 4L * 2 * (RenderSettings.MAX_SHADOW_SAMPLES + RenderSettings.MAX_SAMPLES_PER_PIXEL);
+            long sampleTables = 4L
+                    * (2 * RenderSettings.MAX_SHADOW_SAMPLES
+                            + Layout.SAMPLE_STRIDE * RenderSettings.MAX_SAMPLES_PER_PIXEL);
             assertThat(copied.bytesIn()).isBetween(1L, 2 * sampleTables + 4096);
             assertThat(copied.bytesOut()).isBetween(4L * 320 * 180, 2 * 4L * 320 * 180 + 4096);
             assertThat(frame.times().kernelNanos()).isPositive();
