@@ -252,7 +252,7 @@ class SceneReaderTest {
         message(file);
         long before = threads.getCurrentThreadAllocatedBytes();
         message(file);
-        assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(40L * 1_500_000);
+        assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(60L * 1_500_000);
     }
 
     @ParameterizedTest
