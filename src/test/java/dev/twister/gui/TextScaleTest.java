@@ -70,7 +70,7 @@ class TextScaleTest {
 
     /** Sections for what is not selected are not laid out. */
     private static boolean isSeen(Node node) {
-        return node == null || node.isVisible() && isSeen(node.getParent());
+        return node == null || (node.isVisible() && isSeen(node.getParent()));
     }
 
     private static double width(WindowDriver driver) {
