@@ -14,8 +14,8 @@ import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVPrinter;
 
 /**
- * A report for spreadsheets: a line for each figure, setting and engine, with all there is to know on it. Text that would be a formula there begins
- * with an apostrophe.
+ * A report for spreadsheets: a line for each figure, setting and engine, with all there is to know on it. Text that
+ * would be a formula there begins with an apostrophe.
  */
 public final class CsvReport {
     /** Whatever is known of a measurement. */

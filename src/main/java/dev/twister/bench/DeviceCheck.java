@@ -19,7 +19,10 @@ public final class DeviceCheck {
     private final CheckedScene timed;
     private final List<Reference> references = new ArrayList<>();
 
-    /** A scene's picture as it must be; the input stays the same while the world's settings are others for what is measured. */
+    /**
+     * A scene's picture as it must be; the input stays the same while the world's settings are others for what is
+     * measured.
+     */
     private record Reference(String scene, FrameInput input, Frame picture) {}
 
     /**

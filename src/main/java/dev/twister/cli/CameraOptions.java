@@ -6,7 +6,10 @@ import dev.twister.scene.Vector3;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
-/** Where the picture is seen from and through which lens, instead of the scene's own camera; within what a scene file may have. */
+/**
+ * Where the picture is seen from and through which lens, instead of the scene's own camera; within what a scene file
+ * may have.
+ */
 final class CameraOptions {
     @Option(
             names = "--camera",

@@ -5,7 +5,10 @@ import dev.twister.world.Picture;
 import java.awt.Color;
 import java.util.Arrays;
 
-/** How views that are no colors look in 8 bits. Neither exposure nor tone map applies, and every picture has the same scale. */
+/**
+ * How views that are no colors look in 8 bits. Neither exposure nor tone map applies, and every picture has the same
+ * scale.
+ */
 final class NumberColors {
     private static final int CHANNELS = 3;
     private static final int OPAQUE = 0xFF000000;

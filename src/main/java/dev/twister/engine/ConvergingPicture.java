@@ -7,8 +7,9 @@ import dev.twister.kernel.Tone;
 import dev.twister.world.FrameInput;
 
 /**
- * A picture that gathers samples until little noise is left. Its samples are in two halves, drawn from other samples each: half
- * of their difference is what the picture, their mean, is off by (as a standard deviation). It counts as a screen shows it.
+ * A picture that gathers samples until little noise is left. Its samples are in two halves, drawn from other samples
+ * each: half of their difference is what the picture, their mean, is off by (as a standard deviation). It counts as a
+ * screen shows it.
  */
 public final class ConvergingPicture {
     private static final int CHANNELS = 3;

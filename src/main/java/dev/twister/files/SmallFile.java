@@ -12,8 +12,8 @@ public final class SmallFile {
     /**
      * Reads a file whole.
      *
-     * @throws IOException where it cannot be read, is larger than that, or is a pipe or a device, which could block or never
-     *     end
+     * @throws IOException where it cannot be read, is larger than that, or is a pipe or a device, which could block or
+     *     never end
      */
     public static byte[] read(Path file, int mostBytes) throws IOException {
         if (!Files.isRegularFile(file)) {

@@ -15,8 +15,8 @@ import java.util.concurrent.TimeUnit;
 import javafx.application.Platform;
 
 /**
- * Keeps unsaved edits until they are saved or given up, so that a process that is killed does not lose them, and offers those
- * that one has left. Used by JavaFX's thread; files are written on a thread of its own.
+ * Keeps unsaved edits until they are saved or given up, so that a process that is killed does not lose them, and offers
+ * those that one has left. Used by JavaFX's thread; files are written on a thread of its own.
  */
 final class AutosaveKeeper implements AutoCloseable {
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(500);

@@ -15,8 +15,8 @@ import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 
 /**
- * Selects the body that is clicked, or focuses on it, and moves the selected one with the pointer. A drag that begins anywhere else is left
- * to {@link CameraMouse}.
+ * Selects the body that is clicked, or focuses on it, and moves the selected one with the pointer. A drag that begins
+ * anywhere else is left to {@link CameraMouse}.
  */
 final class BodyMouse {
     private final PictureView view;

@@ -10,8 +10,8 @@ import java.util.function.Consumer;
 import javafx.application.Platform;
 
 /**
- * Works beside JavaFX's thread, and tells it how it went: scenes are written on one thread, pictures on another, and what need
- * not be kept is done on a third, each one after the other. Used by JavaFX's thread, but for its end.
+ * Works beside JavaFX's thread, and tells it how it went: scenes are written on one thread, pictures on another, and
+ * what need not be kept is done on a third, each one after the other. Used by JavaFX's thread, but for its end.
  */
 final class Errands implements AutoCloseable {
     private final ExecutorService passing = thread("errands");

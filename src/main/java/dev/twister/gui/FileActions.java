@@ -330,8 +330,8 @@ final class FileActions {
     }
 
     /**
-     * @param known how the scene's own file was when it was read or written last: it is not overwritten unasked where it has
-     *     changed since
+     * @param known how the scene's own file was when it was read or written last: it is not overwritten unasked where
+     *     it has changed since
      */
     private void saveTo(Path file, EditedFile known, Runnable then) {
         SceneHistory.Version version = studio.toSave();

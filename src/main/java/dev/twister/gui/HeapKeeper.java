@@ -5,8 +5,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 
 /**
- * Has garbage collected before the heap has grown to many times what lives in it: the JVM lets it grow up to most of the
- * computer's memory, which is there for large scenes. Used by JavaFX's thread.
+ * Has garbage collected before the heap has grown to many times what lives in it: the JVM lets it grow up to most of
+ * the computer's memory, which is there for large scenes. Used by JavaFX's thread.
  */
 final class HeapKeeper {
     /** Below that the JVM has its way. */

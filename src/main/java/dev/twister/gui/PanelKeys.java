@@ -10,8 +10,8 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 
 /**
- * Leads by keys into the panel and out of it. Enter leads back to the picture once a number is entered. In the picture, Tab shows and hides the panel; in the panel it goes from one
- * control to the next, as everywhere.
+ * Leads by keys into the panel and out of it. Enter leads back to the picture once a number is entered. In the picture,
+ * Tab shows and hides the panel; in the panel it goes from one control to the next, as everywhere.
  */
 final class PanelKeys {
     private PanelKeys() {}

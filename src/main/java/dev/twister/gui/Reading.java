@@ -8,8 +8,8 @@ import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 
 /**
- * Reads one file at a time beside JavaFX's thread, as long as a person wants it: whatever is read next takes its place. Used
- * by JavaFX's thread.
+ * Reads one file at a time beside JavaFX's thread, as long as a person wants it: whatever is read next takes its place.
+ * Used by JavaFX's thread.
  */
 final class Reading {
     private final ReadOnlyObjectWrapper<Optional<Task>> present = new ReadOnlyObjectWrapper<>(Optional.empty());

@@ -13,7 +13,10 @@ final class ExrChunk {
 
     private ExrChunk() {}
 
-    /** The rows from that one on: in each, the channels one after the other. Where compression gains nothing, they stay as they are. */
+    /**
+     * The rows from that one on: in each, the channels one after the other. Where compression gains nothing, they stay
+     * as they are.
+     */
     static byte[] bytes(int width, int height, int firstRow, List<ExrChannel> channels) {
         int rows = Math.min(ROWS, height - firstRow);
         byte[] plain = new byte[Math.multiplyExact(Math.multiplyExact(rows, width), Float.BYTES * channels.size())];

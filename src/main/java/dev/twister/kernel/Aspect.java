@@ -1,8 +1,8 @@
 package dev.twister.kernel;
 
 /**
- * What of the picture is drawn: all of it, a stage on the way there, or a view, one value of each sample; a pixel is the mean
- * of its samples. Numbers are the same in all three channels.
+ * What of the picture is drawn: all of it, a stage on the way there, or a view, one value of each sample; a pixel is
+ * the mean of its samples. Numbers are the same in all three channels.
  */
 public final class Aspect {
     /** Values of the argument {@code aspect}: the picture itself. */
@@ -35,7 +35,9 @@ public final class Aspect {
     /** Views of the whole path, which count. The rays that were followed after the view ray, reflected or refracted. */
     public static final int BOUNCES = 9;
 
-    /** The rays' and shadows' tests against spheres, the plane and boxes of the hierarchy, as many as the kernel makes. */
+    /**
+     * The rays' and shadows' tests against spheres, the plane and boxes of the hierarchy, as many as the kernel makes.
+     */
     public static final int TESTS = 10;
 
     private Aspect() {}

@@ -1,6 +1,8 @@
 package dev.twister.kernel;
 
-/** The rays that go on from a surface of any material: Whitted's tree, of which the path is one branch and others wait. */
+/**
+ * The rays that go on from a surface of any material: Whitted's tree, of which the path is one branch and others wait.
+ */
 public final class Branch {
     /** A branch that begins at a body that transmits ends where its throughput is smaller. */
     public static final float LEAST_THROUGHPUT = 1f / 1024f;
@@ -8,8 +10,8 @@ public final class Branch {
     private Branch() {}
 
     /**
-     * Turns the path's ray into the reflected or the refracted one; where both go on, the fainter, while the other waits.
-     * The throughput is 0 where none goes on.
+     * Turns the path's ray into the reflected or the refracted one; where both go on, the fainter, while the other
+     * waits. The throughput is 0 where none goes on.
      *
      * @param path {@link Layout#PATH_LENGTH} floats, with {@link Layout#FACET}
      * @param body that the ray has met

@@ -5,8 +5,8 @@ public final class Camera {
     private Camera() {}
 
     /**
-     * Starts the path of a pinhole's view ray: its origin and direction, no body to leave, a throughput of 1. Its radiance
-     * stays as it is.
+     * Starts the path of a pinhole's view ray: its origin and direction, no body to leave, a throughput of 1. Its
+     * radiance stays as it is.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param x in pixels from the picture's left border

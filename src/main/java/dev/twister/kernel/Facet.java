@@ -11,7 +11,8 @@ public final class Facet {
     private Facet() {}
 
     /**
-     * Writes the normal of the facet that the path's ray meets, turned against the ray. A smooth surface is its own facet.
+     * Writes the normal of the facet that the path's ray meets, turned against the ray. A smooth surface is its own
+     * facet.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param bounce how many surfaces the path has left before

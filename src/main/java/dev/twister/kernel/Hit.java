@@ -84,7 +84,10 @@ public final class Hit {
         return distance;
     }
 
-    /** Distance to a sphere whose center and radius are at that place of an array. Who is inside sees one that transmits. */
+    /**
+     * Distance to a sphere whose center and radius are at that place of an array. Who is inside sees one that
+     * transmits.
+     */
     private static float sphere(float[] path, float[] spheres, int at, int body, float[] looks, int materials) {
         float x = spheres[at] - path[Layout.ORIGIN];
         float y = spheres[at + 1] - path[Layout.ORIGIN + 1];

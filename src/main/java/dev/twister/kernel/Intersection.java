@@ -16,8 +16,8 @@ public final class Intersection {
     /**
      * Distance to the near side of a sphere; {@link #MISS} where the ray passes it, or where the near side is not in
      * front. The discriminant comes from the ray's perpendicular distance to the center, which keeps its digits where
-     * the sphere is small and far. Whether the origin is outside is asked of the origin alone: for one on the surface, it
-     * is the same in all directions.
+     * the sphere is small and far. Whether the origin is outside is asked of the origin alone: for one on the surface,
+     * it is the same in all directions.
      *
      * @param x the center, seen from the ray's origin
      */
@@ -38,8 +38,8 @@ public final class Intersection {
     }
 
     /**
-     * Distance to the far side of a sphere, which is what a ray from inside meets; {@link #MISS} where the ray passes it, or
-     * where the far side is not in front. The center is seen from the ray's origin.
+     * Distance to the far side of a sphere, which is what a ray from inside meets; {@link #MISS} where the ray passes
+     * it, or where the far side is not in front. The center is seen from the ray's origin.
      */
     public static float sphereFromInside(
             float x, float y, float z, float radius, float directionX, float directionY, float directionZ) {

@@ -33,9 +33,9 @@ public final class Layout {
     public static final int CAMERA_LENGTH = 15;
 
     /**
-     * {@code float[] pixelSamples}, {@value #SAMPLE_STRIDE} floats a sample: its place in the pixel, x and y in (0, 1); then pairs
-     * of numbers in [0, 1), one pair for the lens and one for the surface of each of the first {@value #SAMPLE_SURFACES}
-     * bounces, which the next ones take again.
+     * {@code float[] pixelSamples}, {@value #SAMPLE_STRIDE} floats a sample: its place in the pixel, x and y in (0, 1);
+     * then pairs of numbers in [0, 1), one pair for the lens and one for the surface of each of the first {@value
+     * #SAMPLE_SURFACES} bounces, which the next ones take again.
      */
     public static final int SAMPLE_LENS = 2;
 
@@ -103,8 +103,8 @@ public final class Layout {
     public static final int LOOK_STRIDE = 8;
 
     /**
-     * {@code int[] skyDimensions}: the panorama's width and height in texels; then, for each texture, where its first float is
-     * in {@code sky}, its width and its height.
+     * {@code int[] skyDimensions}: the panorama's width and height in texels; then, for each texture, where its first
+     * float is in {@code sky}, its width and its height.
      */
     public static final int SKY_WIDTH = 0;
 
@@ -158,7 +158,9 @@ public final class Layout {
      */
     public static final int SCRATCH_STACK = CANDIDATE_STRIDE * MOST_CANDIDATES;
 
-    /** With materials of any kind the scratch goes on: what each remembered candidate transmits, then the waiting rays. */
+    /**
+     * With materials of any kind the scratch goes on: what each remembered candidate transmits, then the waiting rays.
+     */
     public static final int SCRATCH_TRANSMISSIONS = SCRATCH_STACK + 2 * MOST_ANCESTORS;
 
     public static final int SCRATCH_RAYS = SCRATCH_TRANSMISSIONS + MOST_CANDIDATES;
@@ -177,8 +179,9 @@ public final class Layout {
     public static final int SCRATCH_LENGTH = SCRATCH_RAYS + RAY_STRIDE * MOST_WAITING_RAYS;
 
     /**
-     * {@code float[] path}, a thread's own: the ray, the body that it leaves and whether it goes on inside that body (1, else 0),
-     * what part of the radiance found from here on reaches the pixel, for each channel, and the radiance so far.
+     * {@code float[] path}, a thread's own: the ray, the body that it leaves and whether it goes on inside that body
+     * (1, else 0), what part of the radiance found from here on reaches the pixel, for each channel, and the radiance
+     * so far.
      */
     public static final int ORIGIN = 0;
 

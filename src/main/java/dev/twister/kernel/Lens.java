@@ -5,8 +5,8 @@ public final class Lens {
     private Lens() {}
 
     /**
-     * Moves the start of a pinhole's view ray to the sample's point of the lens, and turns the ray to where the pinhole's meets
-     * the plane that is sharp.
+     * Moves the start of a pinhole's view ray to the sample's point of the lens, and turns the ray to where the
+     * pinhole's meets the plane that is sharp.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param camera {@link Layout#CAMERA_LENGTH} floats, its aperture above 0

@@ -5,7 +5,10 @@ public final class Material {
     /** What checks are moved by, in meters, so that no edge is at a round number, where rounding alone decides. */
     public static final float CHECKER_SHIFT = 0x1p-10f;
 
-    /** Values of the argument {@code materials}: all bodies have but color and reflectivity, or any of them may have more. */
+    /**
+     * Values of the argument {@code materials}: all bodies have but color and reflectivity, or any of them may have
+     * more.
+     */
     public static final int PLAIN = 0;
 
     public static final int ANY = 1;
@@ -13,7 +16,8 @@ public final class Material {
     private Material() {}
 
     /**
-     * Writes what the body is made of at {@link Layout#POINT}; where all are plain, the albedo and the reflectivity alone.
+     * Writes what the body is made of at {@link Layout#POINT}; where all are plain, the albedo and the reflectivity
+     * alone.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param body the plane or a sphere

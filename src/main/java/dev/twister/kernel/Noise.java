@@ -2,7 +2,9 @@ package dev.twister.kernel;
 
 /** Numbers in [0, 1) that look random, and are the same on every engine and in every run. */
 public final class Noise {
-    /** Of what is mixed: the first bits, whose products stay below 2^31, as an overflow is not defined on every device. */
+    /**
+     * Of what is mixed: the first bits, whose products stay below 2^31, as an overflow is not defined on every device.
+     */
     public static final int BITS = 0xffff;
 
     /** 0x88b5 and 0xdb2d modulo 2^16. */
@@ -19,8 +21,8 @@ public final class Noise {
     private Noise() {}
 
     /**
-     * A number of the path's sample, shifted by a hash of the pixel and the number's place, so that neighbors do not share
-     * their noise.
+     * A number of the path's sample, shifted by a hash of the pixel and the number's place, so that neighbors do not
+     * share their noise.
      *
      * @param path with {@link Layout#PIXEL_COLUMN}, {@link Layout#PIXEL_ROW} and {@link Layout#PIXEL_SAMPLE}
      * @param pixelSamples {@link Layout#SAMPLE_STRIDE} floats a sample

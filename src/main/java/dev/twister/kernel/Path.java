@@ -7,8 +7,8 @@ public final class Path {
     /**
      * Follows the path's ray, and adds what it finds to {@link Layout#RADIANCE}. The arrays are {@link Layout}'s.
      *
-     * @param path {@link Layout#PATH_LENGTH} floats: the ray, the body that it leaves, the throughput and the radiance so far,
-     *     the pixel and its sample
+     * @param path {@link Layout#PATH_LENGTH} floats: the ray, the body that it leaves, the throughput and the radiance
+     *     so far, the pixel and its sample
      * @param firstBounce how many surfaces the path has left already, in [0, bounces]
      * @param bodies how many there are
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats

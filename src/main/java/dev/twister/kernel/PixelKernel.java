@@ -16,10 +16,10 @@ public final class PixelKernel {
      * @param row in [0, rows) of the band
      * @param pixels {@code int[width * rows]} where the output is ARGB, else any
      * @param radiance {@code float[3 * width * rows]} where the output is LINEAR, else any
-     * @param path {@link Layout#PATH_LENGTH} floats of this thread's own; {@link Layout#PLAIN_PATH_LENGTH} do for plain materials
-     *     where nothing is counted
-     * @param scratch {@link Layout#SCRATCH_LENGTH} floats of this thread's own; {@link Layout#PLAIN_SCRATCH_LENGTH} do for plain
-     *     materials
+     * @param path {@link Layout#PATH_LENGTH} floats of this thread's own; {@link Layout#PLAIN_PATH_LENGTH} do for plain
+     *     materials where nothing is counted
+     * @param scratch {@link Layout#SCRATCH_LENGTH} floats of this thread's own; {@link Layout#PLAIN_SCRATCH_LENGTH} do
+     *     for plain materials
      * @param search {@link Hit#ALL} or {@link Hit#WALK}
      * @param materials {@link Material#PLAIN} or {@link Material#ANY}
      * @param aspect one of {@link Aspect}'s

@@ -34,8 +34,8 @@ public final class Shadow {
     private Shadow() {}
 
     /**
-     * S in [0, 1] at {@link Layout#POINT}: 1 - blocked / samples, where a body that transmits blocks but a part; 1 where S would
-     * change nothing, as the light is behind the surface or adds less than the ambient light.
+     * S in [0, 1] at {@link Layout#POINT}: 1 - blocked / samples, where a body that transmits blocks but a part; 1
+     * where S would change nothing, as the light is behind the surface or adds less than the ambient light.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param own the body that the point lies on
@@ -378,7 +378,8 @@ public final class Shadow {
 
     /**
      * 1 where a sphere meets the shadow ray through (1, x, y) * distance: its line is met, and the near side lies
-     * between the point and the sample. A point inside the sphere does not see it, unless it transmits: then the far side counts.
+     * between the point and the sample. A point inside the sphere does not see it, unless it transmits: then the far
+     * side counts.
      */
     static int blocks(
             float a, float u, float w, float radiusSquared, float x, float y, float distance, float transmission) {

@@ -5,8 +5,8 @@ public final class Texture {
     private Texture() {}
 
     /**
-     * Multiplies the albedo at {@link Layout#POINT}. A sphere's picture goes around it once, so that writing reads from outside;
-     * the plane's repeats every meter, its upper edge away from a camera that looks along z.
+     * Multiplies the albedo at {@link Layout#POINT}. A sphere's picture goes around it once, so that writing reads from
+     * outside; the plane's repeats every meter, its upper edge away from a camera that looks along z.
      *
      * @param path {@link Layout#PATH_LENGTH} floats, its normal outward
      * @param body the plane or a sphere

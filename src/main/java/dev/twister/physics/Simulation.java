@@ -238,7 +238,8 @@ public final class Simulation implements AutoCloseable {
      * Where the bodies are, a new array each time: between the last two steps, by the time that is ahead of a step; so
      * the picture is less than a step behind.
      *
-     * @return {@code float[3 * room]}, as {@link World#setBodyPositions} takes it for a world that begins where the scene does
+     * @return {@code float[3 * room]}, as {@link World#setBodyPositions} takes it for a world that begins where the
+     *     scene does
      */
     public float[] positions() {
         return positions(new Vector3(0, 0, 0));

@@ -30,8 +30,8 @@ final class SceneDocument {
     }
 
     /**
-     * Fields in a fixed order, one line per part, per material and per sphere; of the oldest version that has all that the
-     * scene needs.
+     * Fields in a fixed order, one line per part, per material and per sphere; of the oldest version that has all that
+     * the scene needs.
      *
      * @param schema stands first, where there is one
      */

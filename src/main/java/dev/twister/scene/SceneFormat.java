@@ -20,7 +20,8 @@ import java.util.Optional;
 import java.util.SequencedMap;
 
 /**
- * The fields of a scene file of some version: the one list that reader and writer go by, and that the schema is held to.
+ * The fields of a scene file of some version: the one list that reader and writer go by, and that the schema is held
+ * to.
  */
 final class SceneFormat {
     static final String VERSION_FIELD = "version";

@@ -20,7 +20,8 @@ public final class SceneReader {
     }
 
     /**
-     * Reads a scene file as {@link #read} does, but for its skybox: another one takes its place, whether it is there or not.
+     * Reads a scene file as {@link #read} does, but for its skybox: another one takes its place, whether it is there or
+     * not.
      *
      * @throws SceneException if the file cannot be read or is not a valid scene; the message is one line
      */

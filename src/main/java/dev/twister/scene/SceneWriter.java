@@ -13,10 +13,10 @@ public final class SceneWriter {
     private SceneWriter() {}
 
     /**
-     * Writes a scene, whole or not at all: an existing file is replaced only once the new one is safely on the disk. The
-     * same scene gives the same bytes, but for a {@code $schema} that an existing file has, which is kept. The skybox and
-     * textures are written relative to the file's folder, where they can be; they need not be there. The file is of the
-     * oldest version of the format that has all that the scene needs.
+     * Writes a scene, whole or not at all: an existing file is replaced only once the new one is safely on the disk.
+     * The same scene gives the same bytes, but for a {@code $schema} that an existing file has, which is kept. The
+     * skybox and textures are written relative to the file's folder, where they can be; they need not be there. The
+     * file is of the oldest version of the format that has all that the scene needs.
      *
      * @param file a file in an existing folder
      * @throws SceneException if a value of the scene is out of range, or the file cannot be written; the message is one

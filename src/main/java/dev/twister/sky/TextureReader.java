@@ -9,8 +9,8 @@ public final class TextureReader {
     private TextureReader() {}
 
     /**
-     * Reads a texture as {@link SkyboxReader#read(Path, Consumer)} reads panoramas, with the same limits. Radiance pictures
-     * are refused: what a color is multiplied by is at most 1.
+     * Reads a texture as {@link SkyboxReader#read(Path, Consumer)} reads panoramas, with the same limits. Radiance
+     * pictures are refused: what a color is multiplied by is at most 1.
      *
      * @param file a file of the default file system
      * @param warnings told of what the file says and is not used; one line each that names the file

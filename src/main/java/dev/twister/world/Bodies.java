@@ -9,14 +9,15 @@ import java.util.Arrays;
  * The bodies as the kernel reads them; {@link Layout} has the places in the arrays, none of which changes. They have room for
  * all bodies that a scene may come to have; {@link FrameInput#bodyCount} tells how many of them are there.
  *
- * @param places {@code float[4 * room]}: each body's center, seen from the origin, and radius; the plane's is its square's center
- *     and side
+ * @param places {@code float[4 * room]}: each body's center, seen from the origin, and radius; the plane's is its
+ *     square's center and side
  * @param looks {@code float[8 * room]}: each body's color (albedo; the light's radiance; the plane's first color),
  *     reflectivity in [0, 128], roughness, transmission, index of refraction and texture
  * @param hierarchy over the spheres that are there: see {@link SphereHierarchy}; its length depends on the room alone
  * @param materials {@link Material#PLAIN} where no body, there or not, has more looks than color and reflectivity, else
  *     {@link Material#ANY}
- * @param origin where all coordinates of the input begin, in the scene's own: near the camera, as floats lose digits far away
+ * @param origin where all coordinates of the input begin, in the scene's own: near the camera, as floats lose digits
+ *     far away
  */
 @SuppressWarnings("ArrayRecordComponent") // identity is what counts, see FrameInput
 public record Bodies(float[] places, float[] looks, float[] hierarchy, int materials, Vector3 origin) {

@@ -105,8 +105,8 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
     }
 
     /**
-     * A stage or a view of the picture that this one draws. Pixels of 8 bits show colors as ever, and numbers as if they were colors;
-     * linear frames have the numbers themselves.
+     * A stage or a view of the picture that this one draws. Pixels of 8 bits show colors as ever, and numbers as if
+     * they were colors; linear frames have the numbers themselves.
      */
     public FrameInput showing(Picture picture) {
         return with(view.showing(picture));

@@ -9,7 +9,10 @@ final class Origin {
 
     private Origin() {}
 
-    /** The scene's own where the place is near it, else the even point next to the place: even, so that checks keep their colors. */
+    /**
+     * The scene's own where the place is near it, else the even point next to the place: even, so that checks keep
+     * their colors.
+     */
     static Vector3 near(Vector3 place) {
         Vector3 own = new Vector3(0, 0, 0);
         return isNear(own, place) ? own : new Vector3(even(place.x()), even(place.y()), even(place.z()));

@@ -5,7 +5,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 
-/** What a frame shows: the picture, one of the stages that lead to it, or a view. {@link Aspect} has what each value is. */
+/**
+ * What a frame shows: the picture, one of the stages that lead to it, or a view. {@link Aspect} has what each value is.
+ */
 public enum Picture {
     /** Stages: the base color of the closest hit. */
     COLORS(Aspect.COLORS),

@@ -3,9 +3,9 @@ package dev.twister.world;
 import dev.twister.kernel.Layout;
 
 /**
- * The samples of a pixel. Their places: item 0 is the center; items 2k - 1 and 2k are point k of Roberts's R2 sequence (2018) and
- * its mirror image through the center. Their numbers for lens and surfaces are the Kronecker sequences of square roots of
- * primes, a prime each: no two depend on one another.
+ * The samples of a pixel. Their places: item 0 is the center; items 2k - 1 and 2k are point k of Roberts's R2 sequence
+ * (2018) and its mirror image through the center. Their numbers for lens and surfaces are the Kronecker sequences of
+ * square roots of primes, a prime each: no two depend on one another.
  */
 final class PixelSamples {
     /** The plastic number, the real root of x^3 = x + 1. */
@@ -19,8 +19,8 @@ final class PixelSamples {
     private PixelSamples() {}
 
     /**
-     * {@code SAMPLE_STRIDE * count} floats, see {@link Layout}. The places' mean is the pixel's center: an even number are whole
-     * pairs, an odd number the center besides.
+     * {@code SAMPLE_STRIDE * count} floats, see {@link Layout}. The places' mean is the pixel's center: an even number
+     * are whole pairs, an odd number the center besides.
      */
     static float[] of(int count) {
         return of(count % 2 == 0 ? 1 : 0, count);

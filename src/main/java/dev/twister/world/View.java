@@ -11,7 +11,8 @@ import dev.twister.kernel.Layout;
  * @param camera {@code float[15]}: position, right, up, forward, eye distance, aperture, focus distance
  * @param properties {@code float[12]}
  * @param shadowDisc {@code float[2 * shadowSamples]}: the unit sunflower's points, {@code sqrt(i / n)} from the center
- * @param pixelSamples {@code float[16 * samplesPerPixel]}: the samples' places in a pixel, and numbers for lens and surfaces
+ * @param pixelSamples {@code float[16 * samplesPerPixel]}: the samples' places in a pixel, and numbers for lens and
+ *     surfaces
  * @param aspect one of {@link Aspect}'s: what of the picture is drawn
  */
 @SuppressWarnings("ArrayRecordComponent") // identity is what counts, see FrameInput

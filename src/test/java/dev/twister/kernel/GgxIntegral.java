@@ -1,9 +1,9 @@
 package dev.twister.kernel;
 
 /**
- * GGX's distribution of visible normals by numerical integration, in a frame whose z is the surface's normal and whose view
- * direction has no y. Normals are counted by azimuth and by q = tan^2 / (alpha^2 + tan^2) of their angle, in which the
- * distribution of all normals is even.
+ * GGX's distribution of visible normals by numerical integration, in a frame whose z is the surface's normal and whose
+ * view direction has no y. Normals are counted by azimuth and by q = tan^2 / (alpha^2 + tan^2) of their angle, in which
+ * the distribution of all normals is even.
  */
 final class GgxIntegral {
     private static final int HEIGHTS = 2000;

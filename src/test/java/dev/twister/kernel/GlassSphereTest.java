@@ -15,8 +15,8 @@ class GlassSphereTest {
     private static final double RADIUS = 2;
 
     /**
-     * A ray along z that would pass the center at a distance b is turned twice by the difference of the angles whose sines are b / R
-     * and b / nR, and leaves as far from the center as it came.
+     * A ray along z that would pass the center at a distance b is turned twice by the difference of the angles whose
+     * sines are b / R and b / nR, and leaves as far from the center as it came.
      */
     @ParameterizedTest
     @CsvSource({"0.2, 1.5", "1, 1.5", "1.9, 1.5", "1.99, 1.5", "1, 1.333", "1.5, 2.42", "1.5, 4", "1.5, 1"})

@@ -36,7 +36,10 @@ class IntersectionTest {
         assertThat(Intersection.sphere(0, 0, 2, 2, 0, 0, 1)).isEqualTo(Intersection.MISS);
     }
 
-    /** From the surface it is seen in all directions in which it lies, or in none, whichever rounding says of the origin. */
+    /**
+     * From the surface it is seen in all directions in which it lies, or in none, whichever rounding says of the
+     * origin.
+     */
     @Test
     void sphereFromItsSurfaceIsNotSpeckled() {
         Random random = new Random(20261125);

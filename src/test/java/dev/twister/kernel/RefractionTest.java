@@ -23,7 +23,10 @@ class RefractionTest {
         assertThat(Refraction.reflectance(0f, 1f / ior)).isEqualTo(1f);
     }
 
-    /** At Brewster's angle, tan = n, no light whose field lies in the plane of incidence is reflected: half of the rest is left. */
+    /**
+     * At Brewster's angle, tan = n, no light whose field lies in the plane of incidence is reflected: half of the rest
+     * is left.
+     */
     @ParameterizedTest
     @ValueSource(floats = {1.1f, 1.333f, 1.5f, 2.42f, 4f})
     void atBrewstersAngleHalfOfOnePolarizationIsReflected(float ior) {

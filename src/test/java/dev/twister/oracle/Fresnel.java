@@ -22,7 +22,8 @@ final class Fresnel {
     }
 
     /**
-     * The refracted direction, by Snell's law: the part along the surface times the ratio, and what is left against the normal.
+     * The refracted direction, by Snell's law: the part along the surface times the ratio, and what is left against the
+     * normal.
      *
      * @param normal against the direction; both are unit vectors
      */

@@ -23,7 +23,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Where light is the same from everywhere, what loses none cannot be seen; and what is as the air cannot be seen anywhere. */
+/**
+ * Where light is the same from everywhere, what loses none cannot be seen; and what is as the air cannot be seen
+ * anywhere.
+ */
 class FurnaceTest {
     private static final Rgb BLACK = new Rgb(0, 0, 0);
     private static final Rgb WHITE = new Rgb(1, 1, 1);
@@ -31,8 +34,8 @@ class FurnaceTest {
     private static final Material GLASS = Material.DEFAULT.withTransmission(1);
 
     /**
-     * Branches of less than 1/1024 end, so a little is lost; by bodies within bodies, whose rays split again and again, more than
-     * this.
+     * Branches of less than 1/1024 end, so a little is lost; by bodies within bodies, whose rays split again and again,
+     * more than this.
      */
     @ParameterizedTest
     @CsvSource({"1.5, 1", "1.5, 4", "1.5, 8", "1.5, 64", "1, 8", "1.1, 8", "2.42, 8", "4, 8", "4, 64"})

@@ -35,8 +35,8 @@ final class OracleCamera {
     }
 
     /**
-     * The ray through (x, y) in pixels, (0, 0) the picture's top left corner: from the numbers' point of the lens to where the
-     * pinhole's ray meets the plane at the focus distance.
+     * The ray through (x, y) in pixels, (0, 0) the picture's top left corner: from the numbers' point of the lens to
+     * where the pinhole's ray meets the plane at the focus distance.
      */
     ViewRay ray(double x, double y, SampleNumbers numbers) {
         double u = width > height ? (x - width / 2.0 + height / 2.0) / height * 2 - 1 : x / width * 2 - 1;

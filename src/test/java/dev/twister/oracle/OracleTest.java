@@ -90,7 +90,9 @@ class OracleTest {
         assertThat(middle(AHEAD, 0, MATTE, sphere(0.5, 5, -5, 2, MATTE))).isEqualTo(new Rgb(0.25, 0.5, 0.75));
     }
 
-    /** From the center of a ball of clear glass: straight through it, and F of the far wall, seen at the last bounce. */
+    /**
+     * From the center of a ball of clear glass: straight through it, and F of the far wall, seen at the last bounce.
+     */
     @Test
     void glassIsSeenFromInside() {
         double lit = 7 / Math.sqrt(0.5 * 0.5 + 5 * 5 + 7 * 7);

@@ -19,8 +19,9 @@ import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 
 /**
- * {@link RandomScenes} of glass, rough surfaces and textures, through a lens: glass in glass, apart, touching and overlapping,
- * around the camera and halfway in the ground, indices of 1 and 4, crowds of it, every extreme of roughness and transmission.
+ * {@link RandomScenes} of glass, rough surfaces and textures, through a lens: glass in glass, apart, touching and
+ * overlapping, around the camera and halfway in the ground, indices of 1 and 4, crowds of it, every extreme of
+ * roughness and transmission.
  */
 public final class RandomMaterials {
     /** What the oracle may need for one picture: rays times bodies times shadow rays, each ray with its branches. */

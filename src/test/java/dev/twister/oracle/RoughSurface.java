@@ -7,8 +7,8 @@ record RoughSurface(double alpha) {
     }
 
     /**
-     * A facet that is visible, by Dupuy and Benyoub (2023): a point of the spherical cap of the stretched view, in the frame of
-     * Duff et al. (2017).
+     * A facet that is visible, by Dupuy and Benyoub (2023): a point of the spherical cap of the stretched view, in the
+     * frame of Duff et al. (2017).
      *
      * @param normal the surface's, on the viewer's side
      * @param toViewer unit vector

@@ -3,8 +3,8 @@ package dev.twister.oracle;
 import dev.twister.kernel.Noise;
 
 /**
- * The numbers that a sample of a pixel takes for lens and surfaces: Kronecker sequences of primes' roots, shifted by the kernel's
- * hash, whose integers are exact everywhere.
+ * The numbers that a sample of a pixel takes for lens and surfaces: Kronecker sequences of primes' roots, shifted by
+ * the kernel's hash, whose integers are exact everywhere.
  *
  * @param column of the pixel in the whole picture
  * @param row as well

@@ -3,8 +3,8 @@ package dev.twister.oracle;
 /** A sphere; the light is one too, its color a radiance. */
 record SphereBody(Vector center, double radius, OracleMaterial material) implements Body {
     /**
-     * The near root of {@code |origin + t direction - center|^2 = radius^2}, where that is above 0; else the far one, where that is
-     * and the sphere transmits.
+     * The near root of {@code |origin + t direction - center|^2 = radius^2}, where that is above 0; else the far one,
+     * where that is and the sphere transmits.
      */
     @Override
     public double distance(Ray ray) {

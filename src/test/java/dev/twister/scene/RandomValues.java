@@ -6,8 +6,9 @@ import java.util.List;
 import java.util.Random;
 
 /**
- * Values over the whole ranges that a scene file may have, by their types, from one random source: both ends, round numbers,
- * numbers of every magnitude, and numbers that were there before, so that places coincide. Lengths of lists are left to others.
+ * Values over the whole ranges that a scene file may have, by their types, from one random source: both ends, round
+ * numbers, numbers of every magnitude, and numbers that were there before, so that places coincide. Lengths of lists
+ * are left to others.
  */
 final class RandomValues {
     private static final double SMALL = 1e-6;

@@ -4,8 +4,8 @@ import dev.twister.kernel.Layout;
 import java.util.Random;
 
 /**
- * Spheres that look for trouble: tiny and huge, near and a million meters away, apart, in one another, in one place, on a
- * line and on a grid whose centres tie.
+ * Spheres that look for trouble: tiny and huge, near and a million meters away, apart, in one another, in one place, on
+ * a line and on a grid whose centres tie.
  *
  * @param places of a light, a plane and the spheres, as {@link Bodies} has them
  */

@@ -4,10 +4,10 @@ import dev.twister.world.FrameInput;
 import java.util.Optional;
 
 /**
- * By which of two ways a frame is drawn: by brute force, or through the hierarchy. They round differently, so the frame alone
- * decides. What the JVM has not compiled takes seconds for a frame. So where a crowd is to come, the hierarchy is rehearsed
- * beside the frames by brute force; and while nothing is drawn, the way that has not been taken yet is rehearsed, as another
- * scene may be next.
+ * By which of two ways a frame is drawn: by brute force, or through the hierarchy. They round differently, so the frame
+ * alone decides. What the JVM has not compiled takes seconds for a frame. So where a crowd is to come, the hierarchy is
+ * rehearsed beside the frames by brute force; and while nothing is drawn, the way that has not been taken yet is
+ * rehearsed, as another scene may be next.
  */
 final class Ways implements AutoCloseable {
     /** An engine that is still warming itself is left alone. */

@@ -133,8 +133,8 @@ public final class SkyShelf {
     /**
      * Reads a scene's sky and textures anew.
      *
-     * @throws SkyException as {@link SkyboxReader#read} and {@link SceneImages#textures} do; the textures that were at hand
-     *     stay then
+     * @throws SkyException as {@link SkyboxReader#read} and {@link SceneImages#textures} do; the textures that were at
+     *     hand stay then
      */
     public void refresh(Scene scene) {
         refresh(scene.skybox());
@@ -174,8 +174,8 @@ public final class SkyShelf {
      * The texture of that file: as it was read last with the scene or for it, else read now.
      *
      * @param wanted asked again and again meanwhile, whether it still is
-     * @throws SkyException as {@link TextureReader#read} does, and where it is not wanted any more or was {@link #cancel
-     *     canceled}
+     * @throws SkyException as {@link TextureReader#read} does, and where it is not wanted any more or was {@link
+     *     #cancel canceled}
      */
     Skybox texture(Path file, BooleanSupplier wanted) {
         return keptTexture(file).orElseGet(() -> await(file, textureReader, wanted));

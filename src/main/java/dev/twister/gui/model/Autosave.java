@@ -9,8 +9,8 @@ import java.nio.file.Path;
 import java.time.Instant;
 
 /**
- * A scene's unsaved edits in a file of their own. As long as this is open, other processes leave it alone. Used by one thread
- * at a time.
+ * A scene's unsaved edits in a file of their own. As long as this is open, other processes leave it alone. Used by one
+ * thread at a time.
  */
 public final class Autosave implements AutoCloseable {
     private final Path lockFile;

@@ -23,8 +23,8 @@ import java.util.Optional;
 import java.util.UUID;
 
 /**
- * Where unsaved edits outlive a process that is killed: a scene's file for each, and beside it one that says what was edited
- * and is locked as long as the process lives that edits it. Several processes share the folder.
+ * Where unsaved edits outlive a process that is killed: a scene's file for each, and beside it one that says what was
+ * edited and is locked as long as the process lives that edits it. Several processes share the folder.
  *
  * @param folder made when it is first needed; empty where this user has no such place, and then nothing is kept
  */
@@ -67,8 +67,8 @@ public record AutosaveFolder(Optional<Path> folder) {
     }
 
     /**
-     * What processes have left that live no more, the newest first; to be closed or deleted each. Called before this process
-     * begins any: on some systems to look at a lock of one's own is to lose it.
+     * What processes have left that live no more, the newest first; to be closed or deleted each. Called before this
+     * process begins any: on some systems to look at a lock of one's own is to lose it.
      */
     public List<Autosave> leftBehind() {
         if (folder.isEmpty() || !Files.isDirectory(folder.get())) {

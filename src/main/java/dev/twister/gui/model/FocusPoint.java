@@ -9,8 +9,8 @@ public final class FocusPoint {
     private FocusPoint() {}
 
     /**
-     * The focus distance at which a place on the picture is sharp: along the camera's forward axis, in meters, within what a
-     * scene may have; for the sky the largest.
+     * The focus distance at which a place on the picture is sharp: along the camera's forward axis, in meters, within
+     * what a scene may have; for the sky the largest.
      *
      * @param x in pixels of the picture from its left border
      * @param y in pixels from its upper border

@@ -14,7 +14,8 @@ import java.util.function.ToDoubleFunction;
  * @param label what it is, such as "Shadow samples"
  * @param hint one sentence on what it does
  * @param allowed the values a scene may have
- * @param slid the values that a slider offers, within the allowed ones; with {@link Scale#AROUND} counted from the value
+ * @param slid the values that a slider offers, within the allowed ones; with {@link Scale#AROUND} counted from the
+ *     value
  * @param scale how the slider spreads them
  * @param decimals places after the point that are shown, 0 for whole numbers; also the finest step
  * @param unit such as "m"; may be empty

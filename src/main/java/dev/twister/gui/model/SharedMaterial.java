@@ -12,8 +12,8 @@ import java.util.SequencedMap;
 import java.util.function.UnaryOperator;
 
 /**
- * A material that a scene has under a name, and the bodies that are made of it. They stay the same while it is edited, though
- * it may come to equal another one on the way.
+ * A material that a scene has under a name, and the bodies that are made of it. They stay the same while it is edited,
+ * though it may come to equal another one on the way.
  *
  * @param bodies by their {@link BodyNumber}
  */

@@ -24,7 +24,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Numbers from the ends of what scenes may have: lanes draw what the kernel draws, and nothing that is not a number. */
+/**
+ * Numbers from the ends of what scenes may have: lanes draw what the kernel draws, and nothing that is not a number.
+ */
 final class ExtremesTest {
     private static final Rgb BLACK = new Rgb(0, 0, 0);
     private static final Rgb WHITE = new Rgb(1, 1, 1);

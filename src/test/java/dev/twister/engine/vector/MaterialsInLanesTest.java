@@ -28,7 +28,10 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Glass, rough surfaces and textures in lanes are the scalar kernel's: random scenes of them, with cameras inside glass too. */
+/**
+ * Glass, rough surfaces and textures in lanes are the scalar kernel's: random scenes of them, with cameras inside glass
+ * too.
+ */
 final class MaterialsInLanesTest {
     private static final List<Integer> WIDTHS = List.of(128, 256, 512);
     private static final int NEVER_WALK = Integer.MAX_VALUE;

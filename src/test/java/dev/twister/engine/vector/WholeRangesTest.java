@@ -29,8 +29,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Random scenes over the whole ranges of the scene file: {@code -Dtwister.ranges=6000} for as many. They are others each week;
- * {@code -Dtwister.ranges.seed} repeats those of a seed that was printed.
+ * Random scenes over the whole ranges of the scene file: {@code -Dtwister.ranges=6000} for as many. They are others
+ * each week; {@code -Dtwister.ranges.seed} repeats those of a seed that was printed.
  */
 @EnabledIfSystemProperty(named = "twister.ranges", matches = "\\d+")
 final class WholeRangesTest {
@@ -41,8 +41,8 @@ final class WholeRangesTest {
     private static final int FEWER = 400;
 
     /**
-     * Of a device, which draws few of them: in one scene in a thousand or so, rounding decides what hundreds of pixels show, as
-     * where the camera is next to the surface of a planet.
+     * Of a device, which draws few of them: in one scene in a thousand or so, rounding decides what hundreds of pixels
+     * show, as where the camera is next to the surface of a planet.
      */
     private static final int DEVICE_PIXELS_AN_ODD_ONE = 200;
 

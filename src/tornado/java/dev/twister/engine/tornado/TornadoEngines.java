@@ -87,7 +87,10 @@ public final class TornadoEngines implements EngineProvider {
                 + ", " + device.getPlatformName().strip() + ")";
     }
 
-    /** The driver's version in what TornadoVM tells of a device, which has no method for it; empty where it is not there. */
+    /**
+     * The driver's version in what TornadoVM tells of a device, which has no method for it; empty where it is not
+     * there.
+     */
     static Optional<String> driverVersion(String deviceInfo) {
         Matcher line = DRIVER_VERSION.matcher(deviceInfo);
         return line.find() ? Optional.of(line.group(1).strip()) : Optional.empty();

@@ -9,15 +9,18 @@ import java.util.function.IntPredicate;
 
 /** What of a frame lanes do not know, and so decline: the scalar kernel draws it. */
 public final class Declined {
-    /** Each point that is shaded is tested against every declined occluder: with more of them, the whole frame is declined. */
+    /**
+     * Each point that is shaded is tested against every declined occluder: with more of them, the whole frame is
+     * declined.
+     */
     private static final int MOST_OCCLUDERS = 256;
 
     /** A camera this near to a surface, in radii, may be inside. */
     private static final float INSIDE = 1.0001f;
 
     /**
-     * Of a squared radius: where the square of the camera's distance from the center is as near to it, lanes' distances to the
-     * sphere are above or below 0 by rounding alone.
+     * Of a squared radius: where the square of the camera's distance from the center is as near to it, lanes' distances
+     * to the sphere are above or below 0 by rounding alone.
      */
     private static final float ROUNDING = 2e-6f;
 

@@ -14,7 +14,10 @@ public final class Looks {
     /** {@link Layout#LOOK_STRIDE} floats a body. */
     public float[] values = {};
 
-    /** The looks from {@link #FIRST} on in columns of {@link Lanes#COUNT}, from {@link Lanes#BORDER} on, where so many hold all bodies. */
+    /**
+     * The looks from {@link #FIRST} on in columns of {@link Lanes#COUNT}, from {@link Lanes#BORDER} on, where so many
+     * hold all bodies.
+     */
     public final float[] columns = new float[Lanes.BORDER + COUNT * Lanes.COUNT];
 
     /** Whether any body has a texture. */

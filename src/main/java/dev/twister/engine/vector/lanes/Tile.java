@@ -112,7 +112,10 @@ public final class Tile {
 
     public static final int PLACE_Y = DIRECTION_X + 40 * SIZE;
 
-    /** What the surface is made of beyond color and reflectivity, in frames with any such body: in the order of a body's looks. */
+    /**
+     * What the surface is made of beyond color and reflectivity, in frames with any such body: in the order of a body's
+     * looks.
+     */
     public static final int ROUGHNESS = DIRECTION_X + 41 * SIZE;
 
     public static final int TRANSMISSION = DIRECTION_X + 42 * SIZE;
@@ -135,7 +138,10 @@ public final class Tile {
 
     public static final int SECOND_NUMBER = SKY_TO_BOTTOM;
 
-    /** 1 where the ray goes on inside the body that it leaves, and where it comes from inside the one that it meets; else 0. */
+    /**
+     * 1 where the ray goes on inside the body that it leaves, and where it comes from inside the one that it meets;
+     * else 0.
+     */
     public static final int INSIDE = DIRECTION_X + 50 * SIZE;
 
     public static final int FROM_INSIDE = DIRECTION_X + 51 * SIZE;
@@ -172,7 +178,10 @@ public final class Tile {
     public static final int NEXT_BLUE = FACET_Z;
     public static final int NEXT_INSIDE = VISIBLE;
 
-    /** Of a sphere's center, how far along the ray, the square of half the chord, and of its distance; until points are known. */
+    /**
+     * Of a sphere's center, how far along the ray, the square of half the chord, and of its distance; until points are
+     * known.
+     */
     public static final int SPHERE_ALONG = POINT_X;
 
     public static final int SPHERE_CHORD = POINT_Y;

@@ -3,8 +3,8 @@ package dev.twister.engine.vector.lanes;
 import java.util.Arrays;
 
 /**
- * Rays that wait to be followed, by how many surfaces they have left. Those that have left the most go first where they fill a
- * tile, so that no more than {@value #ROOM} of a kind wait.
+ * Rays that wait to be followed, by how many surfaces they have left. Those that have left the most go first where they
+ * fill a tile, so that no more than {@value #ROOM} of a kind wait.
  */
 public final class WaitingRays {
     private static final int ROOM = 3 * Tile.SIZE;

@@ -19,7 +19,9 @@ import jdk.incubator.vector.VectorOperators;
  * division serves it and the light's cosine. All lanes are drawn, those beyond the frame's edge as well.
  */
 public final class OpenGround {
-    /** How far in x and in z, in meters: beyond, this rounding and the kernel's meet other checks in too many pixels. */
+    /**
+     * How far in x and in z, in meters: beyond, this rounding and the kernel's meet other checks in too many pixels.
+     */
     static final float REACH = 256f;
 
     private OpenGround() {}

@@ -11,7 +11,9 @@ import jdk.incubator.vector.VectorOperators;
 
 /** The rays that go on from surfaces of any material: {@link Branch}. Here all of them wait, and fill packets anew. */
 public final class BranchLanes {
-    /** Where what waits of a reflected ray is in the tile, in the order of {@link WaitingRays}; and of a refracted one. */
+    /**
+     * Where what waits of a reflected ray is in the tile, in the order of {@link WaitingRays}; and of a refracted one.
+     */
     private static final int[] REFLECTED = from(Tile.DIRECTION_X);
 
     private static final int[] REFRACTED = from(Tile.REFRACTED_X);

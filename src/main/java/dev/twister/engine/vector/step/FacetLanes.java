@@ -109,7 +109,10 @@ public final class FacetLanes {
         }
     }
 
-    /** Makes the views unit vectors, and replaces the second numbers by heights on the cap of directions that are visible. */
+    /**
+     * Makes the views unit vectors, and replaces the second numbers by heights on the cap of directions that are
+     * visible.
+     */
     static void findHeights(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.rough.count; k++) {

@@ -14,8 +14,9 @@ public final class RefractionLanes {
     private RefractionLanes() {}
 
     /**
-     * Writes the refracted rays and their parts of the throughput, and adds what is reflected besides to the throughput, which is
-     * what the mirror sends on. The facets are known, and the rays are still those that have met the surfaces.
+     * Writes the refracted rays and their parts of the throughput, and adds what is reflected besides to the
+     * throughput, which is what the mirror sends on. The facets are known, and the rays are still those that have met
+     * the surfaces.
      */
     public static void find(Drawing drawing, Tile tile) {
         findAll(tile, drawing.looks.transmits(Layout.PLANE));
@@ -41,7 +42,10 @@ public final class RefractionLanes {
         }
     }
 
-    /** Writes what makes the refracted ray of the ray and the facet to the columns of x and y, and Fresnel's reflectance to z. */
+    /**
+     * Writes what makes the refracted ray of the ray and the facet to the columns of x and y, and Fresnel's reflectance
+     * to z.
+     */
     static void findReflectances(Tile tile, int at) {
         float[] t = tile.values;
         FloatVector cosine = Lanes.load(t, at + Tile.DIRECTION_X)

@@ -55,7 +55,9 @@ public final class TextureLanes {
         tile.lonely.count = count;
     }
 
-    /** Writes where the normals point in a picture that goes around once, in pictures from the left and from the top. */
+    /**
+     * Writes where the normals point in a picture that goes around once, in pictures from the left and from the top.
+     */
     static void findPlaces(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.textures.count; k++) {

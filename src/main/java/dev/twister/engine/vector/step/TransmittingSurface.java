@@ -12,8 +12,8 @@ public final class TransmittingSurface {
     private TransmittingSurface() {}
 
     /**
-     * Turns the normals of spheres that are met from inside, takes what is transmitted from the albedo, and lists the packets that
-     * transmit. At the last bounce nothing does.
+     * Turns the normals of spheres that are met from inside, takes what is transmitted from the albedo, and lists the
+     * packets that transmit. At the last bounce nothing does.
      */
     public static void face(Tile tile) {
         tile.transparent.clear();
