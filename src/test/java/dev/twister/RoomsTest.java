@@ -37,6 +37,7 @@ class RoomsTest {
                 room("files"),
                 room("scene", "files"),
                 room("sky"),
+                room("mesh", "files", "scene"),
                 room("image", "files"),
                 room("threads"),
                 room("engine", "kernel", "world", "image"),

@@ -41,6 +41,11 @@ record Field<R, T>(
         return new Field<>(name, presence, version, type, get, with);
     }
 
+    /** The same field, left out where its value is the default. */
+    Field<R, T> orDefault() {
+        return new Field<>(name, Presence.SPARSE, since, type, get, with);
+    }
+
     /** The same field of an object that stands for a record which holds this one's. */
     <S> Field<S, T> within(Function<S, R> part, BiFunction<S, R, S> withPart) {
         return new Field<>(

@@ -47,6 +47,12 @@ record MaterialFormat(List<Field<Material, ?>> fields) {
                 Stream.concat(NUMBERS.stream(), Stream.of(texture(file))).toList());
     }
 
+    /** The same fields, any of which may be left out. */
+    MaterialFormat optional() {
+        return new MaterialFormat(
+                fields.stream().<Field<Material, ?>>map(Field::orDefault).toList());
+    }
+
     /** The same fields in an object that stands for something made of the material. */
     <R> List<Field<R, ?>> within(Function<R, Material> material, BiFunction<R, Material, R> withMaterial) {
         return fields.stream()

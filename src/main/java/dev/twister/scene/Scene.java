@@ -15,6 +15,7 @@ import java.util.stream.Stream;
  * @param description a sentence for a person, may be empty
  * @param materials those that bodies share by name, in the file's order; what a body has of one is in the body
  * @param spheres those that are there from the start
+ * @param meshes bodies of triangles
  * @param skybox the panorama's file, already resolved against the scene file's folder
  * @param skyRotationDegrees how far the panorama is turned to the right, about the y axis
  * @param skyStrength what its radiance is multiplied by, 0 or more
@@ -30,6 +31,7 @@ public record Scene(
         SequencedMap<String, Material> materials,
         Plane plane,
         List<Sphere> spheres,
+        List<Mesh> meshes,
         Path skybox,
         double skyRotationDegrees,
         double skyStrength,
@@ -45,6 +47,7 @@ public record Scene(
     public Scene {
         materials = Collections.unmodifiableSequencedMap(new LinkedHashMap<>(materials));
         spheres = List.copyOf(spheres);
+        meshes = List.copyOf(meshes);
     }
 
     /** An empty scene: the default camera, light, plane and settings, no name and no spheres. */
@@ -56,6 +59,7 @@ public record Scene(
                 Light.DEFAULT,
                 new LinkedHashMap<>(),
                 Plane.DEFAULT,
+                List.of(),
                 List.of(),
                 skybox,
                 0,
@@ -90,6 +94,7 @@ public record Scene(
                 materials,
                 plane,
                 spheres,
+                meshes,
                 skybox,
                 skyRotationDegrees,
                 skyStrength,
@@ -108,6 +113,7 @@ public record Scene(
                 materials,
                 plane,
                 spheres,
+                meshes,
                 skybox,
                 skyRotationDegrees,
                 skyStrength,
@@ -126,6 +132,7 @@ public record Scene(
                 materials,
                 plane,
                 spheres,
+                meshes,
                 skybox,
                 skyRotationDegrees,
                 skyStrength,
@@ -144,6 +151,7 @@ public record Scene(
                 materials,
                 plane,
                 spheres,
+                meshes,
                 skybox,
                 skyRotationDegrees,
                 skyStrength,
@@ -162,6 +170,7 @@ public record Scene(
                 newMaterials,
                 plane,
                 spheres,
+                meshes,
                 skybox,
                 skyRotationDegrees,
                 skyStrength,
@@ -180,6 +189,7 @@ public record Scene(
                 materials,
                 newPlane,
                 spheres,
+                meshes,
                 skybox,
                 skyRotationDegrees,
                 skyStrength,
@@ -198,6 +208,26 @@ public record Scene(
                 materials,
                 plane,
                 newSpheres,
+                meshes,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
+    }
+
+    public Scene withMeshes(List<Mesh> newMeshes) {
+        return new Scene(
+                name,
+                description,
+                camera,
+                light,
+                materials,
+                plane,
+                spheres,
+                newMeshes,
                 skybox,
                 skyRotationDegrees,
                 skyStrength,
@@ -216,6 +246,7 @@ public record Scene(
                 materials,
                 plane,
                 spheres,
+                meshes,
                 newSkybox,
                 skyRotationDegrees,
                 skyStrength,
@@ -234,6 +265,7 @@ public record Scene(
                 materials,
                 plane,
                 spheres,
+                meshes,
                 skybox,
                 newSkyRotationDegrees,
                 skyStrength,
@@ -252,6 +284,7 @@ public record Scene(
                 materials,
                 plane,
                 spheres,
+                meshes,
                 skybox,
                 skyRotationDegrees,
                 newSkyStrength,
@@ -270,6 +303,7 @@ public record Scene(
                 materials,
                 plane,
                 spheres,
+                meshes,
                 skybox,
                 skyRotationDegrees,
                 skyStrength,
@@ -288,6 +322,7 @@ public record Scene(
                 materials,
                 plane,
                 spheres,
+                meshes,
                 skybox,
                 skyRotationDegrees,
                 skyStrength,
@@ -306,6 +341,7 @@ public record Scene(
                 materials,
                 plane,
                 spheres,
+                meshes,
                 skybox,
                 skyRotationDegrees,
                 skyStrength,
@@ -324,6 +360,7 @@ public record Scene(
                 materials,
                 plane,
                 spheres,
+                meshes,
                 skybox,
                 skyRotationDegrees,
                 skyStrength,

@@ -223,6 +223,44 @@ final class SceneFormat {
                 sphere -> named.have(sphere.material()));
     }
 
+    /** With neither a named material nor fields of one, it is made of what its file says. */
+    Shaped<Mesh> mesh() {
+        List<Field<Mesh, ?>> placement = List.of(
+                required("file", file, Mesh::file, Mesh::withFile).from(2),
+                sparse("position", POSITION, Mesh::position, Mesh::withPosition).from(2),
+                sparse("rotation", ValueType.angles(SceneLimits.ROTATION), Mesh::rotation, Mesh::withRotation)
+                        .from(2),
+                sparse("scale", new Decimal(SceneLimits.SCALE), Mesh::scale, Mesh::withScale)
+                        .from(2),
+                sparse("smooth", new Decimal(SceneLimits.SMOOTH), Mesh::smoothDegrees, Mesh::withSmooth)
+                        .from(2));
+        Field<Mesh, Material> name = Field.<Mesh, Material>required(
+                        MATERIAL,
+                        named,
+                        mesh -> mesh.material().orElseThrow(),
+                        (mesh, material) -> mesh.withMaterial(Optional.of(material)))
+                .from(2);
+        Field<Mesh, Optional<Rgb>> color = Field.<Mesh, Optional<Rgb>>sparse(
+                        "color",
+                        ValueType.present(ALBEDO),
+                        mesh -> mesh.material().map(Material::color),
+                        (mesh, given) ->
+                                mesh.withMaterial(Optional.of(mesh.own().withColor(given.orElseThrow()))))
+                .from(2);
+        return new Shaped<>(
+                MATERIAL,
+                structure(Mesh.DEFAULT, List.of(placement, List.of(name))),
+                structure(
+                        Mesh.DEFAULT,
+                        List.of(
+                                placement,
+                                List.of(color),
+                                uncolored
+                                        .optional()
+                                        .within(Mesh::own, (mesh, own) -> mesh.withMaterial(Optional.of(own))))),
+                mesh -> mesh.material().filter(named::have).isPresent());
+    }
+
     Structure<Pour> pour() {
         return structure(
                 Pour.DEFAULT, List.of(POUR, uncolored.within(Pour::material, Pour::withMaterial), List.of(POUR_SEED)));
@@ -279,6 +317,16 @@ final class SceneFormat {
                                         SceneLimits.MAX_SPHERES,
                                         "an array of 0 to " + SceneLimits.MAX_SPHERES + " spheres")),
                                 Scene::spheres,
-                                Scene::withSpheres)));
+                                Scene::withSpheres),
+                        sparse(
+                                        "meshes",
+                                        new Lines<>(new Array<>(
+                                                mesh(),
+                                                0,
+                                                SceneLimits.MAX_MESHES,
+                                                "an array of 0 to " + SceneLimits.MAX_MESHES + " meshes")),
+                                        Scene::meshes,
+                                        Scene::withMeshes)
+                                .from(2)));
     }
 }

@@ -10,6 +10,9 @@ public final class SceneLimits {
 
     public static final Range YAW = new Range(-1e6, 1e6, "degrees");
     public static final Range PITCH = new Range(-90, 90, "degrees");
+    public static final Range ROTATION = YAW;
+    public static final Range SCALE = new Range(1e-6, 1e6);
+    public static final Range SMOOTH = new Range(0, 180, "degrees");
     public static final Range FIELD_OF_VIEW = new Range(1, 179, "degrees");
     public static final Range APERTURE = new Range(0, 1e6, "meters");
     public static final Range FOCUS_DISTANCE = LENGTH;
@@ -38,6 +41,7 @@ public final class SceneLimits {
     public static final Range SEED = new Range(0, Integer.MAX_VALUE);
 
     public static final int MAX_SPHERES = 500_000;
+    public static final int MAX_MESHES = 10_000;
     public static final int MAX_MATERIALS = 256;
     public static final int MAX_NAME_LENGTH = 200;
     public static final int MAX_DESCRIPTION_LENGTH = 2000;

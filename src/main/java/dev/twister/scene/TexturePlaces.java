@@ -22,6 +22,11 @@ final class TexturePlaces {
         for (int i = 0; i < scene.spheres().size(); i++) {
             places.add(scene.spheres().get(i).material(), new JsonPath.Item(spheres, i));
         }
+        JsonPath meshes = new JsonPath.Field(ROOT, "meshes");
+        for (int i = 0; i < scene.meshes().size(); i++) {
+            JsonPath mesh = new JsonPath.Item(meshes, i);
+            scene.meshes().get(i).material().ifPresent(material -> places.add(material, mesh));
+        }
         return places.placeByFile;
     }
 

@@ -337,6 +337,13 @@ sealed interface ValueType<T>
                 vector -> List.of(vector.x(), vector.y(), vector.z()));
     }
 
+    static ValueType<Vector3> angles(Range range) {
+        return new Converted<>(
+                new Array<>(new Decimal(range), 3, 3, "an array of 3 numbers [yaw, pitch, roll]"),
+                axes -> new Vector3(axes.get(1), axes.get(0), axes.get(2)),
+                vector -> List.of(vector.y(), vector.x(), vector.z()));
+    }
+
     static ValueType<Rgb> color(Range range) {
         return new Converted<>(
                 new Array<>(new Decimal(range), 3, 3, "an array of 3 numbers [red, green, blue]"),

@@ -1,0 +1,14 @@
+package dev.twister.mesh;
+
+/** A mesh file that cannot be used. The message is one line for a person: what is wrong, and where. */
+public final class MeshException extends RuntimeException {
+    private static final long serialVersionUID = 1;
+
+    public MeshException(String message) {
+        super(message);
+    }
+
+    public MeshException(String message, Throwable cause) {
+        super(message, cause);
+    }
+}
