@@ -112,6 +112,12 @@ final class ContactBook {
         }
     }
 
+    /** Whether a body's contact with another, or with a surface, carries a load. */
+    boolean isLoaded(int body, int other) {
+        int found = find(body, other);
+        return found >= 0 && lists[list[body]].impulses[Contacts.IMPULSES * found + Contacts.BUILT] != 0;
+    }
+
     private int find(int body, int other) {
         int[] second = end[body] > start[body] ? lists[list[body]].second : start;
         for (int contact = start[body]; contact < end[body]; contact++) {

@@ -17,6 +17,9 @@ final class ContactSearch {
     private static final int MOST_KEPT = 64;
 
     private static final int FEWEST_KEPT = 16;
+    /** The most triangles of a mesh, the nearest ones, that a body is held by. */
+    private static final int MOST_TRIANGLES = 64;
+
     private static final int ROOM = 1 << 22;
 
     private final BodyStore bodies;
@@ -230,5 +233,46 @@ final class ContactSearch {
                 }
             }
         }
+        addTriangles(body, list);
+    }
+
+    private void addTriangles(int body, Contacts list) {
+        MeshSurface mesh = surroundings.mesh();
+        double[] n = bodies.numbers;
+        int at = BodyStore.STRIDE * body;
+        int start = list.count;
+        double reach = bodies.reach[body];
+        mesh.near(n[at], n[at + 1], n[at + 2], reach, triangle -> {
+            TriangleContact contact = mesh.contact(triangle);
+            contact.meet(n[at], n[at + 1], n[at + 2], 0, 0, 0, 0);
+            if (contact.away() <= reach) {
+                list.add(triangle);
+            }
+        });
+        if (list.count - start > MOST_TRIANGLES) {
+            list.keepLeast(start, MOST_TRIANGLES, triangle -> {
+                TriangleContact contact = mesh.contact(triangle);
+                contact.meet(n[at], n[at + 1], n[at + 2], 0, 0, 0, 0);
+                return contact.away();
+            });
+        }
+        for (int contact = start; contact < list.count; contact++) {
+            int triangle = list.second[contact];
+            int first = -1 - Surroundings.FIRST_TRIANGLE - 2 * triangle;
+            list.second[contact] = first - side(body, triangle, first);
+        }
+    }
+
+    /** The side of a triangle that a body is on; one that is pressed into it stays on the side that it came from. */
+    private int side(int body, int triangle, int first) {
+        double[] n = bodies.numbers;
+        int at = BodyStore.STRIDE * body;
+        TriangleContact contact = surroundings.mesh().contact(triangle);
+        int side = contact.height(n[at], n[at + 1], n[at + 2]) >= 0 ? 0 : 1;
+        contact.meet(n[at], n[at + 1], n[at + 2], side, 0, 0, 0);
+        boolean pressed = contact.isOver()
+                && contact.distance < n[at + BodyStore.RADIUS]
+                && earlier.isLoaded(body, first - (1 - side));
+        return pressed ? 1 - side : side;
     }
 }

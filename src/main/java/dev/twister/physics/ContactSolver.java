@@ -461,12 +461,37 @@ final class ContactSolver {
     }
 
     private void solveSurface(double[] impulses, int at, int body, int surface) {
+        if (numbers[BodyStore.STRIDE * body + BodyStore.INVERSE_MASS] != 0) {
+            if (surface < Surroundings.FIRST_TRIANGLE) {
+                solveFlat(impulses, at, body, surface);
+            } else {
+                solveTriangle(impulses, at, BodyStore.STRIDE * body, surface - Surroundings.FIRST_TRIANGLE);
+            }
+        }
+    }
+
+    private void solveTriangle(double[] impulses, int at, int a, int sideOfTriangle) {
+        double[] n = numbers;
+        int triangle = sideOfTriangle >> 1;
+        TriangleContact contact = surroundings.mesh().contact(triangle);
+        contact.meet(
+                n[a],
+                n[a + 1],
+                n[a + 2],
+                sideOfTriangle & 1,
+                n[a + BodyStore.MOVE],
+                n[a + BodyStore.MOVE + 1],
+                n[a + BodyStore.MOVE + 2]);
+        if (surroundings.mesh().isNearerAcross(triangle, contact)) {
+            clear(impulses, at);
+        } else {
+            meetSurface(impulses, at, a, contact.x, contact.y, contact.z, contact.distance);
+        }
+    }
+
+    private void solveFlat(double[] impulses, int at, int body, int surface) {
         int a = BodyStore.STRIDE * body;
         double[] n = numbers;
-        double weight = n[a + BodyStore.INVERSE_MASS];
-        if (weight == 0) {
-            return;
-        }
         double nx = 0;
         double ny = 0;
         double nz = 0;
@@ -491,6 +516,18 @@ final class ContactSolver {
             nx = wall < 2 ? inwards : 0;
             nz = wall < 2 ? 0 : inwards;
         }
+        meetSurface(impulses, at, a, nx, ny, nz, distance);
+    }
+
+    /**
+     * Lets a body meet what does not move.
+     *
+     * @param nx and the other two: the normal, towards the body
+     * @param distance of its center from the surface, in meters; below 0 beyond it
+     */
+    private void meetSurface(double[] impulses, int at, int a, double nx, double ny, double nz, double distance) {
+        double[] n = numbers;
+        double weight = n[a + BodyStore.INVERSE_MASS];
         double radius = n[a + BodyStore.RADIUS];
         double gap = distance - radius;
         double dx = n[a + BodyStore.MOVE];

@@ -60,13 +60,13 @@ public final class Simulation implements AutoCloseable {
     private long steps;
     private double ahead;
 
-    private Simulation(Scene scene, int threads) {
+    private Simulation(Scene scene, MeshSurface mesh, int threads) {
         this.scene = scene;
         this.threads = threads;
         List<Sphere> spheres = scene.allSpheres();
         int placed = scene.spheres().size();
         bodies = new BodyStore(scene, spheres);
-        surroundings = Surroundings.of(scene);
+        surroundings = Surroundings.of(scene, mesh);
         team = new Team(spheres.size() < MIN_BODIES_FOR_THREADS ? 1 : threads);
         firstBody = scene.physics().solidLight() ? BodyStore.LIGHT : BodyStore.FIRST_SPHERE;
         search = new ContactSearch(bodies, surroundings, team, firstBody, typicalRadius(spheres) * (1 + 2 * MARGIN));
@@ -75,7 +75,7 @@ public final class Simulation implements AutoCloseable {
         integrator = new Integrator(bodies, surroundings);
         survey = new Survey(bodies, team, firstBody);
         spout = Spout.of(scene.pour(), spheres.subList(placed, spheres.size()));
-        limit = largestCoordinate(scene, spheres) + DEPTH;
+        limit = Math.max(largestCoordinate(scene, spheres), mesh.largestCoordinate()) + DEPTH;
         setSubstep(STEP_SECONDS / SUBSTEPS);
         Vector3 gravity = surroundings.gravity();
         for (Sphere sphere : scene.spheres()) {
@@ -99,7 +99,11 @@ public final class Simulation implements AutoCloseable {
      * @param threads how many work, 1 or more; small scenes are moved by one
      */
     public static Simulation of(Scene scene, int threads) {
-        return new Simulation(scene, threads);
+        return of(scene, MeshSurface.EMPTY, threads);
+    }
+
+    static Simulation of(Scene scene, MeshSurface mesh, int threads) {
+        return new Simulation(scene, mesh, threads);
     }
 
     /**
@@ -115,7 +119,7 @@ public final class Simulation implements AutoCloseable {
             bodies.putLight(edited.light());
             return this;
         }
-        Simulation next = new Simulation(edited, threads);
+        Simulation next = new Simulation(edited, surroundings.mesh(), threads);
         next.takeOver(this);
         close();
         return next;

@@ -7,21 +7,30 @@ import dev.twister.scene.Vector3;
 
 /**
  * What does not move: the plane's square, which is met from above, from below and at its border, and four walls on the
- * border.
+ * border; and meshes.
  *
  * @param halfSide of the square, in meters
  * @param height the plane's y, in meters
  * @param gravity in m/s^2
  */
 record Surroundings(
-        double halfSide, double height, Vector3 gravity, double elasticity, double friction, double damping) {
+        double halfSide,
+        double height,
+        Vector3 gravity,
+        double elasticity,
+        double friction,
+        double damping,
+        MeshSurface mesh) {
     static final int GROUND = 0;
     static final int FIRST_WALL = 1;
 
     /** At the largest x, the least x, the largest z, the least z. */
     static final int WALLS = 4;
 
-    static Surroundings of(Scene scene) {
+    /** After the walls: for each triangle of the mesh one surface for each of its two sides. */
+    static final int FIRST_TRIANGLE = FIRST_WALL + WALLS;
+
+    static Surroundings of(Scene scene, MeshSurface mesh) {
         Plane plane = scene.plane();
         Physics physics = scene.physics();
         return new Surroundings(
@@ -30,7 +39,8 @@ record Surroundings(
                 physics.gravity(),
                 physics.elasticity(),
                 physics.friction(),
-                physics.damping());
+                physics.damping(),
+                mesh);
     }
 
     double gravityStrength() {

@@ -1,0 +1,177 @@
+package dev.twister.physics;
+
+import java.util.Arrays;
+import java.util.function.IntConsumer;
+
+/**
+ * Triangles that do not move and that bodies touch from both sides.
+ *
+ * <p>A body touches a triangle where the surface is nearest to its center. At a border that two triangles share, the
+ * nearest point of one is not the surface's where the other comes nearer; there only that one is touched, so that a
+ * body which rolls over flat ground does not stumble over the borders in it.
+ */
+final class MeshSurface {
+    /** Of no triangles. */
+    static final MeshSurface EMPTY = new MeshSurface(new double[0]);
+
+    private static final int NOTHING = -1;
+
+    /** Nodes have so many triangles at most, or two children. */
+    private static final int LEAF = 4;
+
+    /** Least and largest x, y and z. */
+    private static final int BOX = 6;
+
+    /** {@code double[9 * triangles]}: three corners of x, y, z each, in meters. */
+    private final double[] corners;
+
+    /** {@code int[3 * triangles]}: the triangle across the border from corner k to the next one, or {@link #NOTHING}. */
+    private final int[] neighbors;
+
+    /** {@code int[triangles]}: those of a node side by side. */
+    private final int[] order;
+
+    /** {@code double[6 * nodes]} of a complete binary tree: node k's children are 2 k + 1 and 2 k + 2. */
+    private final double[] boxes;
+
+    /**
+     * @param corners {@code double[9 * triangles]}: three corners of x, y, z each, in meters; no triangle is without an area
+     */
+    MeshSurface(double[] corners) {
+        this.corners = corners;
+        int triangles = corners.length / 9;
+        neighbors = TriangleBorders.neighbors(corners);
+        order = new int[triangles];
+        Arrays.setAll(order, triangle -> triangle);
+        int leaves = Integer.highestOneBit(Math.max(1, 2 * Math.ceilDiv(triangles, LEAF) - 1));
+        boxes = new double[BOX * (2 * leaves - 1)];
+        build(0, 0, triangles);
+    }
+
+    int triangles() {
+        return order.length;
+    }
+
+    /** The largest coordinate's size, in meters. */
+    double largestCoordinate() {
+        double largest = 0;
+        for (double coordinate : corners) {
+            largest = Math.max(largest, Math.abs(coordinate));
+        }
+        return largest;
+    }
+
+    /** Calls back for each triangle whose box a ball meets. */
+    void near(double x, double y, double z, double reach, IntConsumer found) {
+        if (order.length > 0) {
+            near(0, 0, order.length, x, y, z, reach, found);
+        }
+    }
+
+    /** Where a body touches a triangle, or may; see {@link TriangleContact#meet}. */
+    TriangleContact contact(int triangle) {
+        return new TriangleContact(corners, triangle);
+    }
+
+    /**
+     * Whether another triangle comes nearer to a point than a border of this one, where this one's nearest point is on
+     * that border.
+     *
+     * @param contact the triangle's, which has met the point
+     */
+    boolean isNearerAcross(int triangle, TriangleContact contact) {
+        return isNearerAcross(triangle, contact, 0)
+                || isNearerAcross(triangle, contact, 1)
+                || isNearerAcross(triangle, contact, 2);
+    }
+
+    private boolean isNearerAcross(int triangle, TriangleContact contact, int border) {
+        int other = neighbors[3 * triangle + border];
+        return contact.isOn(border) && other != NOTHING && contact.leansOver(corners, triangle, border, other);
+    }
+
+    private void build(int node, int from, int to) {
+        double[] box = {
+            Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY,
+            Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY,
+            Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY
+        };
+        for (int index = from; index < to; index++) {
+            for (int number = 0; number < 9; number++) {
+                double coordinate = corners[9 * order[index] + number];
+                int axis = number % 3;
+                box[2 * axis] = Math.min(box[2 * axis], coordinate);
+                box[2 * axis + 1] = Math.max(box[2 * axis + 1], coordinate);
+            }
+        }
+        System.arraycopy(box, 0, boxes, BOX * node, BOX);
+        if (hasChildren(node)) {
+            int axis = 0;
+            for (int other = 1; other < 3; other++) {
+                axis = box[2 * other + 1] - box[2 * other] > box[2 * axis + 1] - box[2 * axis] ? other : axis;
+            }
+            int middle = (from + to) >>> 1;
+            split(from, to, middle, axis);
+            build(2 * node + 1, from, middle);
+            build(2 * node + 2, middle, to);
+        }
+    }
+
+    private boolean hasChildren(int node) {
+        return BOX * (2 * node + 2) < boxes.length;
+    }
+
+    /** Puts the triangles before the middle whose centers come first along an axis (Hoare's selection). */
+    private void split(int from, int to, int middle, int axis) {
+        int low = from;
+        int high = to - 1;
+        while (low < high) {
+            double pivot = center(order[(low + high) >>> 1], axis);
+            int left = low;
+            int right = high;
+            while (left <= right) {
+                while (center(order[left], axis) < pivot) {
+                    left++;
+                }
+                while (center(order[right], axis) > pivot) {
+                    right--;
+                }
+                if (left <= right) {
+                    int swapped = order[left];
+                    order[left] = order[right];
+                    order[right] = swapped;
+                    left++;
+                    right--;
+                }
+            }
+            low = middle > right ? left : low;
+            high = middle < left ? right : high;
+        }
+    }
+
+    private double center(int triangle, int axis) {
+        return corners[9 * triangle + axis] + corners[9 * triangle + 3 + axis] + corners[9 * triangle + 6 + axis];
+    }
+
+    private void near(int node, int from, int to, double x, double y, double z, double reach, IntConsumer found) {
+        int at = BOX * node;
+        double outX = outside(x, boxes[at], boxes[at + 1]);
+        double outY = outside(y, boxes[at + 2], boxes[at + 3]);
+        double outZ = outside(z, boxes[at + 4], boxes[at + 5]);
+        if (outX * outX + outY * outY + outZ * outZ <= reach * reach) {
+            if (hasChildren(node)) {
+                int middle = (from + to) >>> 1;
+                near(2 * node + 1, from, middle, x, y, z, reach, found);
+                near(2 * node + 2, middle, to, x, y, z, reach, found);
+            } else {
+                for (int index = from; index < to; index++) {
+                    found.accept(order[index]);
+                }
+            }
+        }
+    }
+
+    private static double outside(double place, double least, double largest) {
+        return Math.max(0, Math.max(least - place, place - largest));
+    }
+}
