@@ -4,6 +4,7 @@ import dev.twister.engine.EngineException;
 import dev.twister.engine.UnknownEngineException;
 import dev.twister.files.PrintableText;
 import dev.twister.gui.NoDisplayException;
+import dev.twister.mesh.MeshException;
 import dev.twister.scene.SceneException;
 import dev.twister.sky.SkyException;
 import java.io.IOException;
@@ -33,6 +34,7 @@ final class Failures {
         PrintWriter err = command.getErr();
         return switch (failure) {
             case BadInputException _,
+                    MeshException _,
                     SceneException _,
                     SkyException _,
                     UnknownEngineException _,

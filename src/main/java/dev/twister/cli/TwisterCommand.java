@@ -19,6 +19,7 @@ import picocli.CommandLine.ScopeType;
             DevicesCommand.class,
             SkyCommand.class,
             SceneCommand.class,
+            ViewCommand.class,
             AutoComplete.GenerateCompletion.class
         })
 final class TwisterCommand implements Callable<Integer> {

@@ -1,5 +1,6 @@
 package dev.twister.mesh;
 
+import dev.twister.scene.Vector3;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -19,6 +20,19 @@ public record MeshFile(
         meshes = List.copyOf(meshes);
         parts = List.copyOf(parts);
         embeddedImages = Map.copyOf(embeddedImages);
+    }
+
+    /** The box around all that the parts show. */
+    public Bounds bounds() {
+        Bounds bounds = Bounds.NONE;
+        for (MeshPart part : parts) {
+            float[] positions = meshes.get(part.mesh()).positions();
+            for (int at = 0; at < positions.length; at += 3) {
+                bounds = bounds.with(
+                        part.placement().point(new Vector3(positions[at], positions[at + 1], positions[at + 2])));
+            }
+        }
+        return bounds;
     }
 
     /** All triangles that the parts show, a shared mesh's as often as it is shown. */

@@ -233,7 +233,9 @@ final class ContactSearch {
                 }
             }
         }
-        addTriangles(body, list);
+        if (surroundings.mesh().triangles() > 0) {
+            addTriangles(body, list);
+        }
     }
 
     private void addTriangles(int body, Contacts list) {

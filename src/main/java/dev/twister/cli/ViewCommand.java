@@ -1,0 +1,62 @@
+package dev.twister.cli;
+
+import dev.twister.engine.Engines;
+import dev.twister.gui.Gui;
+import dev.twister.gui.OpenedScene;
+import dev.twister.gui.ShippedFolders;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneWriter;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code twister view}: a mesh in the window. */
+@Command(
+        name = "view",
+        description = "Opens a mesh in the window: on the checkered plane, scaled and framed, under the day sky.",
+        footer = {"", "Examples:", "  twister view knot.obj", "  twister view model.glb -o model.json"})
+final class ViewCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "FILE", description = "An OBJ, glTF, GLB, PLY or STL file.")
+    private Path file;
+
+    @Option(
+            names = "--engine",
+            paramLabel = "ENGINE",
+            completionCandidates = Completions.OfEngine.class,
+            description = "The engine to start with (see 'twister devices'). Default: the last one chosen in the window.")
+    private Optional<String> engineId = Optional.empty();
+
+    @Option(
+            names = {"-o", "--output"},
+            paramLabel = "SCENE",
+            description = "Write the scene to this file instead of opening the window.")
+    private Optional<Path> output = Optional.empty();
+
+    @Override
+    public Integer call() throws IOException {
+        Scene scene = MeshFiles.stage(file, spec.commandLine().getErr());
+        if (output.isPresent()) {
+            OutputFile.check("--output", output.get());
+            OutputFile.checkKeeps("--output", output.get(), file);
+            SceneWriter.write(scene, output.get());
+        } else {
+            engineId.filter(id -> !Engines.isDevice(id))
+                    .ifPresent(id -> Engines.offer(id).check());
+            Gui.run(
+                    new OpenedScene(MeshFiles.sceneFile(file), scene),
+                    false,
+                    engineId,
+                    new ShippedFolders(Home.scenes(), Home.skyboxes()));
+        }
+        return Main.OK;
+    }
+}

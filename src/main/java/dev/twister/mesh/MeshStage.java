@@ -1,0 +1,64 @@
+package dev.twister.mesh;
+
+import dev.twister.scene.Camera;
+import dev.twister.scene.Light;
+import dev.twister.scene.Mesh;
+import dev.twister.scene.Plane;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
+import java.nio.file.Path;
+import java.util.List;
+
+/** A scene to look at one mesh: on the checkered plane, 2 meters large, in the middle of the picture. */
+public final class MeshStage {
+    /** What a file without normals is shaded by. */
+    public static final double SMOOTH_DEGREES = 30;
+
+    private static final double LARGEST_SIDE = 2;
+    private static final double PLANE_SIZE = 20;
+    private static final double YAW_DEGREES = 20;
+    private static final double PITCH_DEGREES = 15;
+    private static final double FIELD_OF_VIEW_DEGREES = 40;
+
+    /** Of the distance at which the mesh's ball just fits into the picture. */
+    private static final double ROOM = 1.05;
+
+    private static final Rgb BRIGHT = new Rgb(0.8, 0.8, 0.8);
+    private static final Rgb DARK = new Rgb(0.35, 0.35, 0.35);
+    private static final Light LIGHT = Light.of(new Vector3(-3, 6, -4), 0.5, new Rgb(1, 1, 1));
+
+    private MeshStage() {}
+
+    /**
+     * The scene.
+     *
+     * @param file the mesh's
+     * @param held what it holds
+     * @param skybox the panorama's file
+     */
+    public static Scene of(Path file, MeshFile held, Path skybox) {
+        Bounds bounds = held.bounds();
+        Vector3 half = bounds.half();
+        double scale = LARGEST_SIDE / 2 / Math.max(half.x(), Math.max(half.y(), half.z()));
+        Vector3 center = bounds.center();
+        Vector3 place = new Vector3(-scale * center.x(), -scale * bounds.least().y(), -scale * center.z());
+        double radius = scale * Math.sqrt(half.x() * half.x() + half.y() * half.y() + half.z() * half.z());
+        double distance = ROOM * radius / Math.sin(Math.toRadians(FIELD_OF_VIEW_DEGREES / 2));
+        double yaw = Math.toRadians(YAW_DEGREES);
+        double pitch = Math.toRadians(PITCH_DEGREES);
+        Vector3 eye = new Vector3(
+                -distance * Math.sin(yaw) * Math.cos(pitch),
+                scale * half.y() + distance * Math.sin(pitch),
+                -distance * Math.cos(yaw) * Math.cos(pitch));
+        return Scene.under(skybox)
+                .withName(file.getFileName().toString())
+                .withCamera(Camera.of(eye, YAW_DEGREES, PITCH_DEGREES, FIELD_OF_VIEW_DEGREES))
+                .withLight(LIGHT)
+                .withPlane(Plane.of(PLANE_SIZE, 0, BRIGHT, DARK, 0))
+                .withMeshes(List.of(Mesh.of(file)
+                        .withScale(scale)
+                        .withPosition(place)
+                        .withSmooth(SMOOTH_DEGREES)));
+    }
+}
