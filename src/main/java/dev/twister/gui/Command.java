@@ -20,6 +20,8 @@ enum Command {
     PREVIOUS(Group.EDIT, "Previous body", "Shift+F2", "The same the other way round."),
     DESELECT(Group.EDIT, "Back to the picture", "Esc", "Leaves the panel; in the picture, selects nothing."),
     RESET(Group.EDIT, "Reset everything", "Shortcut+Shift+Home", "Everything in the panel as it was at first."),
+    NEXT_SHOWN(Group.VIEW, "Next stage or view", "F4", "Shows the next stage of the picture, or the next view."),
+    PREVIOUS_SHOWN(Group.VIEW, "Previous stage or view", "Shift+F4", "The same the other way round."),
     PANEL(Group.VIEW, "Panel", "F9", "Shows or hides the panel; so does Tab, in the picture."),
     FRAME_TIMES(Group.VIEW, "Frame times", "F3", "Shows or hides frames a second and their graph."),
     FULL_SCREEN(Group.VIEW, "Full screen", "F11", "The window fills the screen, or no longer."),

@@ -3,6 +3,7 @@ package dev.twister.gui;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.Lens;
 import dev.twister.gui.model.ResolutionMode;
+import dev.twister.world.Picture;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -171,6 +172,7 @@ final class Panel extends ScrollPane {
         studio.endGesture();
         studio.goHome();
         studio.setResolution(ResolutionMode.WINDOW);
+        studio.setShown(Picture.REFLECTIONS);
         studio.refiningProperty().set(true);
         if (!studio.engineProperty().get().offer().id().equals(usualEngine)) {
             engines.find(usualEngine).ifPresent(studio::chooseEngine);

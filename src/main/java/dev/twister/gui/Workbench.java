@@ -3,10 +3,12 @@ package dev.twister.gui;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.NewSphere;
+import dev.twister.gui.model.ShownPictures;
 import dev.twister.gui.model.ThrownSpheres;
 import dev.twister.gui.model.WindowSettings;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
+import dev.twister.world.Picture;
 import javafx.collections.MapChangeListener;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.input.KeyCombination;
@@ -68,6 +70,9 @@ final class Workbench implements AutoCloseable {
         panel = new Panel(studio, engines, files, actions);
         menu = new MenuView(studio, settings, files, actions);
         pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
+        menu.check(Command.PANEL, panel.visibleProperty());
+        menu.check(Command.FRAME_TIMES, frameTimes.visibleProperty());
+        menu.check(Command.FULL_SCREEN, stage.fullScreenProperty());
         menu.explainKeys(root.getScene(), studio);
         root.setTop(menu);
         root.setRight(panel);
@@ -160,6 +165,8 @@ final class Workbench implements AutoCloseable {
                 .on(Command.PREVIOUS, () -> selectAlong(-1))
                 .on(Command.DESELECT, this::backToThePicture)
                 .on(Command.RESET, resetAll)
+                .on(Command.NEXT_SHOWN, () -> showAlong(1))
+                .on(Command.PREVIOUS_SHOWN, () -> showAlong(-1))
                 .on(Command.PANEL, () -> showPanel(!isPanelShown()))
                 .on(Command.FRAME_TIMES, () -> showFrameTimes(!frameTimes.isVisible()))
                 .on(
@@ -264,6 +271,12 @@ final class Workbench implements AutoCloseable {
 
     private void selectAlong(int steps) {
         studio.select(BodyEdits.along(studio.scene(), studio.selectionProperty().get(), steps));
+    }
+
+    private void showAlong(int steps) {
+        Picture next = ShownPictures.along(studio.shownProperty().get(), steps);
+        studio.setShown(next);
+        studio.notice(ShownPictures.label(next));
     }
 
     private void backToThePicture() {
