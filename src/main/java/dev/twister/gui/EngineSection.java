@@ -40,7 +40,7 @@ final class EngineSection {
         shown = new ChoiceRow<>(
                 "Show",
                 "The full picture, a stage on the way to it, or values per pixel.",
-                "Alt+V",
+                "Alt+J",
                 picture -> new Look(
                         ShownPictures.label(picture),
                         ShownPictures.label(picture),

@@ -34,13 +34,20 @@ final class MenuView extends MenuBar {
             Command.INSERT,
             Command.NEXT,
             Command.RESET,
+            Command.INSPECT,
             Command.PANEL,
             Command.FULL_SCREEN,
             Command.RANDOMISE,
             Command.ABOUT);
 
-    private static final Set<Command> SWITCHES =
-            EnumSet.of(Command.PANEL, Command.FRAME_TIMES, Command.FULL_SCREEN, Command.MOVE, Command.PAUSE);
+    private static final Set<Command> SWITCHES = EnumSet.of(
+            Command.INSPECT,
+            Command.COMPARE,
+            Command.PANEL,
+            Command.FRAME_TIMES,
+            Command.FULL_SCREEN,
+            Command.MOVE,
+            Command.PAUSE);
 
     private final Map<Command, MenuItem> items = new EnumMap<>(Command.class);
     private final Menu recent = new Menu("Open recent");

@@ -26,6 +26,7 @@ final class Panel extends ScrollPane {
     private static final double WIDE_EM = 130;
 
     private final EngineSection engine;
+    private final CompareSection compare;
     private final PictureSection picture;
     private final CameraSection camera;
     private final LightSection light;
@@ -34,9 +35,10 @@ final class Panel extends ScrollPane {
     private final SelectionSection selection;
     private final MaterialSection material;
 
-    Panel(Studio studio, EngineList engines, FileActions files, CommandActions actions) {
+    Panel(Studio studio, EngineList engines, Comparison comparison, FileActions files, CommandActions actions) {
         engine = new EngineSection(
                 studio, engines, studio.engineProperty().get().offer().id());
+        compare = new CompareSection(studio, engines, comparison);
         picture = new PictureSection(studio);
         camera = new CameraSection(studio);
         light = new LightSection(studio);
@@ -65,6 +67,7 @@ final class Panel extends ScrollPane {
                 physicsSection,
                 selectionSection,
                 materialSection,
+                section("Compare", compare.rows()),
                 reset);
         sections.getStyleClass().add("sections");
         setId("panel");
@@ -101,7 +104,8 @@ final class Panel extends ScrollPane {
                         sky.rows(),
                         physics.rows(),
                         selection.rows(),
-                        material.rows())
+                        material.rows(),
+                        compare.rows())
                 .flatMap(List::stream)
                 .toList();
     }

@@ -151,6 +151,11 @@ public final class Studio implements AutoCloseable {
         return drawing.getReadOnlyProperty();
     }
 
+    /** A second drawing thread, not started yet, that has the same skies at hand. */
+    DrawingLoop anotherLoop() {
+        return new DrawingLoop(skies, JvmEngines.parallel());
+    }
+
     /** See {@link DrawingLoop#radiance}. */
     CompletableFuture<Optional<float[]>> radiance(DrawnPicture shown) {
         return loop.radiance(shown);
