@@ -40,15 +40,10 @@ final class FirstHit {
         float green = number;
         float blue = number;
         if (body >= Layout.LIGHT) {
-            Surface.find(path, body, places);
-            Material.find(path, body, looks, properties, sky, skyDimensions, materials);
-            if (materials == Material.ANY) {
-                Surface.face(path, body);
-            }
+            Path.meet(path, body, properties, places, looks, sky, skyDimensions, materials);
             float lit = 1f;
             float specular = 0f;
             if (body >= Layout.PLANE) {
-                Light.aim(path, places);
                 int shaded = (aspect == Aspect.DIFFUSE ? 1 : 0) | (aspect == Aspect.HIGHLIGHTS ? 1 : 0);
                 lit = shaded != 0 ? Light.lit(properties[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], 1f) : 1f;
                 if (aspect == Aspect.HIGHLIGHTS) {

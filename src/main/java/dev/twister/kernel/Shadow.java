@@ -61,12 +61,8 @@ public final class Shadow {
             float[] scratch,
             int materials,
             int aspect) {
-        float cosine = path[Layout.NORMAL_DOT_LIGHT];
-        int matters = (aspect == Aspect.SHADOW ? 1 : 0)
-                | (cosine > properties[Layout.AMBIENT] ? 1 : 0)
-                | ((cosine > 0f ? 1 : 0) & (path[Layout.REFLECTIVITY] > 0f ? 1 : 0));
         float visible = 1f;
-        if (matters != 0) {
+        if (((aspect == Aspect.SHADOW ? 1 : 0) | matters(path, properties)) != 0) {
             int samples = (int) properties[Layout.SHADOW_SAMPLES];
             float discRadius = 2f * places[Layout.PLACE_STRIDE * Layout.LIGHT + Layout.PLACE_SIZE];
             float sampleScale = face(path, discRadius, samples, shadowDisc);
@@ -94,6 +90,13 @@ public final class Shadow {
             }
         }
         return visible;
+    }
+
+    /** 1 where S changes what the surface sends back, else 0. */
+    public static int matters(float[] path, float[] properties) {
+        float cosine = path[Layout.NORMAL_DOT_LIGHT];
+        return (cosine > properties[Layout.AMBIENT] ? 1 : 0)
+                | ((cosine > 0f ? 1 : 0) & (path[Layout.REFLECTIVITY] > 0f ? 1 : 0));
     }
 
     /**

@@ -38,7 +38,7 @@ public final class World {
     private float[] pixelSamples;
 
     private World(Scene scene, SceneImages images) {
-        origin = Origin.near(scene.camera().position());
+        origin = originOf(scene);
         List<Sphere> spheres = scene.allSpheres();
         bodies = Layout.FIRST_SPHERE + scene.spheres().size();
         int room = Layout.FIRST_SPHERE + spheres.size();
@@ -75,6 +75,11 @@ public final class World {
     /** The same, of a scene with textures. */
     public static World of(Scene scene, SceneImages images) {
         return new World(scene, images);
+    }
+
+    /** The {@link #origin} of every world of a scene. */
+    public static Vector3 originOf(Scene scene) {
+        return Origin.near(scene.camera().position());
     }
 
     /** Where the coordinates of its snapshots begin, in the scene's own: near the scene's camera. */
