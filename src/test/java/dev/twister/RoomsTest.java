@@ -107,6 +107,7 @@ class RoomsTest {
                         "cli",
                         "files",
                         "scene",
+                        "mesh",
                         "sky",
                         "world",
                         "physics",

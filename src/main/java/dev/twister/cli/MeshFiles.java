@@ -21,9 +21,11 @@ final class MeshFiles {
         Path mesh = file.toAbsolutePath().normalize();
         return MeshStage.of(
                 mesh,
-                MeshReader.read(
-                        mesh, MeshStage.SMOOTH_DEGREES, warning -> err.println("twister: warning: " + warning)),
-                Home.skyboxes().resolve(ShippedSky.DAY.fileName()).toAbsolutePath().normalize());
+                MeshReader.read(mesh, MeshStage.SMOOTH_DEGREES, warning -> err.println("twister: warning: " + warning)),
+                Home.skyboxes()
+                        .resolve(ShippedSky.DAY.fileName())
+                        .toAbsolutePath()
+                        .normalize());
     }
 
     /** Where the scene of a mesh is saved when it is: beside the mesh. */

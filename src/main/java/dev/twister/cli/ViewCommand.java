@@ -32,7 +32,8 @@ final class ViewCommand implements Callable<Integer> {
             names = "--engine",
             paramLabel = "ENGINE",
             completionCandidates = Completions.OfEngine.class,
-            description = "The engine to start with (see 'twister devices'). Default: the last one chosen in the window.")
+            description =
+                    "The engine to start with (see 'twister devices'). Default: the last one chosen in the window.")
     private Optional<String> engineId = Optional.empty();
 
     @Option(

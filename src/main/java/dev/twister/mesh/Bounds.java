@@ -18,9 +18,7 @@ public record Bounds(Vector3 least, Vector3 largest) {
     public Bounds with(Vector3 point) {
         return new Bounds(
                 new Vector3(
-                        Math.min(least.x(), point.x()),
-                        Math.min(least.y(), point.y()),
-                        Math.min(least.z(), point.z())),
+                        Math.min(least.x(), point.x()), Math.min(least.y(), point.y()), Math.min(least.z(), point.z())),
                 new Vector3(
                         Math.max(largest.x(), point.x()),
                         Math.max(largest.y(), point.y()),
@@ -28,13 +26,11 @@ public record Bounds(Vector3 least, Vector3 largest) {
     }
 
     public Vector3 center() {
-        return new Vector3(
-                (least.x() + largest.x()) / 2, (least.y() + largest.y()) / 2, (least.z() + largest.z()) / 2);
+        return new Vector3((least.x() + largest.x()) / 2, (least.y() + largest.y()) / 2, (least.z() + largest.z()) / 2);
     }
 
     /** Half of each side. */
     public Vector3 half() {
-        return new Vector3(
-                (largest.x() - least.x()) / 2, (largest.y() - least.y()) / 2, (largest.z() - least.z()) / 2);
+        return new Vector3((largest.x() - least.x()) / 2, (largest.y() - least.y()) / 2, (largest.z() - least.z()) / 2);
     }
 }

@@ -56,9 +56,7 @@ public final class MeshStage {
                 .withCamera(Camera.of(eye, YAW_DEGREES, PITCH_DEGREES, FIELD_OF_VIEW_DEGREES))
                 .withLight(LIGHT)
                 .withPlane(Plane.of(PLANE_SIZE, 0, BRIGHT, DARK, 0))
-                .withMeshes(List.of(Mesh.of(file)
-                        .withScale(scale)
-                        .withPosition(place)
-                        .withSmooth(SMOOTH_DEGREES)));
+                .withMeshes(List.of(
+                        Mesh.of(file).withScale(scale).withPosition(place).withSmooth(SMOOTH_DEGREES)));
     }
 }
