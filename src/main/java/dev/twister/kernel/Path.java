@@ -13,6 +13,7 @@ public final class Path {
      * @param bodies how many there are
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
      * @param search {@link Hit#ALL} or {@link Hit#WALK}
+     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      * @param materials {@link Material#PLAIN} or {@link Material#ANY}
      * @param aspect {@link Aspect#FULL}, or what is counted in {@link Layout#COUNT} beside
      */
@@ -23,6 +24,7 @@ public final class Path {
             float[] places,
             float[] looks,
             float[] hierarchy,
+            float[] meshes,
             int bodies,
             float[] sky,
             int[] skyDimensions,
@@ -30,6 +32,7 @@ public final class Path {
             float[] pixelSamples,
             float[] scratch,
             int search,
+            int firstMesh,
             int materials,
             int aspect) {
         int bounces = (int) properties[Layout.BOUNCES];
@@ -37,7 +40,8 @@ public final class Path {
         int waiting = 0;
         int goesOn = 1;
         while (goesOn != 0) {
-            int body = Hit.find(path, places, looks, hierarchy, bodies, scratch, search, materials, aspect);
+            int body = Hit.find(
+                    path, places, looks, hierarchy, meshes, bodies, scratch, search, firstMesh, materials, aspect);
             if (body == Layout.NOTHING) {
                 Sky.add(path, sky, skyDimensions, properties);
             }
@@ -46,13 +50,13 @@ public final class Path {
             }
             goesOn = 0;
             if (body >= Layout.PLANE) {
-                Surface.find(path, body, places);
-                Material.find(path, body, looks, properties, sky, skyDimensions, materials);
+                Surface.find(path, body, places, hierarchy, meshes, firstMesh);
+                Material.find(path, body, looks, properties, sky, skyDimensions, firstMesh, materials);
                 float mirror = bounce < bounces ? path[Layout.REFLECTIVITY] / Layout.MAX_REFLECTIVITY : 0f;
                 float transmission = 0f;
                 int shaded = 1;
                 if (materials == Material.ANY) {
-                    Surface.face(path, body);
+                    Surface.face(path, body, firstMesh);
                     transmission = bounce < bounces ? path[Layout.TRANSMISSION] : 0f;
                     // Clear glass shows no light of its own.
                     shaded = (transmission < 1f ? 1 : 0) | (path[Layout.REFLECTIVITY] > 0f ? 1 : 0);
@@ -69,7 +73,9 @@ public final class Path {
                             shadowDisc,
                             hierarchy,
                             Layout.root(bodies),
+                            meshes,
                             scratch,
+                            firstMesh,
                             materials,
                             aspect);
                 }
