@@ -1,5 +1,6 @@
 package dev.twister.cli;
 
+import dev.twister.engine.NumberColors;
 import dev.twister.image.ExrChannel;
 import dev.twister.image.Frame;
 import dev.twister.world.Picture;

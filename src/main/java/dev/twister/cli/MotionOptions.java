@@ -49,7 +49,12 @@ final class MotionOptions {
     }
 
     double secondsPerFrame() {
-        return 1 / Ranges.check("--fps", rate.orElse(60.0), 1 / MAX_RATE, MAX_RATE);
+        return 1 / checkRate(rate);
+    }
+
+    /** Frames a second. */
+    static double checkRate(Optional<Double> rate) {
+        return Ranges.check("--fps", rate.orElse(60.0), 1 / MAX_RATE, MAX_RATE);
     }
 
     double startSeconds() {

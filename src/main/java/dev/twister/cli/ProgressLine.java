@@ -1,13 +1,17 @@
 package dev.twister.cli;
 
 import java.io.PrintWriter;
+import java.io.Writer;
 import java.util.Optional;
 import me.tongfei.progressbar.DelegatingProgressBarConsumer;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
 
-/** A progress bar on a terminal; nothing at all elsewhere. Gone without a trace when it is closed. */
+/**
+ * A progress bar on a terminal, gone without a trace when it is closed, or lines for a program that watches; nothing at all
+ * elsewhere.
+ */
 final class ProgressLine implements AutoCloseable {
     /**
      * Set by the launcher, which knows whether the error output is a terminal, and how many columns it has; Java does not. 0
@@ -23,11 +27,18 @@ final class ProgressLine implements AutoCloseable {
     private final PrintWriter err;
     private final int columns;
     private final Optional<ProgressBar> bar;
+    private final Optional<StatusLines> lines;
 
-    private ProgressLine(PrintWriter err, int columns, Optional<ProgressBar> bar) {
+    private ProgressLine(PrintWriter err, int columns, Optional<ProgressBar> bar, Optional<StatusLines> lines) {
         this.err = err;
         this.columns = columns;
         this.bar = bar;
+        this.lines = lines;
+    }
+
+    /** For a program that reads lines. */
+    static ProgressLine of(StatusLines lines) {
+        return new ProgressLine(new PrintWriter(Writer.nullWriter()), 0, Optional.empty(), Optional.of(lines));
     }
 
     static ProgressLine start(PrintWriter err, String task, long steps) {
@@ -43,7 +54,10 @@ final class ProgressLine implements AutoCloseable {
         // Terminals begin a new line after their last column.
         int columns = Math.min(MOST_COLUMNS, terminal - 1);
         return new ProgressLine(
-                err, columns, columns > 0 ? Optional.of(bar(err, task, steps, columns)) : Optional.empty());
+                err,
+                columns,
+                columns > 0 ? Optional.of(bar(err, task, steps, columns)) : Optional.empty(),
+                Optional.empty());
     }
 
     // Own consumer, own width: the library's would load a terminal library with native code to ask for them.
@@ -64,10 +78,12 @@ final class ProgressLine implements AutoCloseable {
 
     void step() {
         bar.ifPresent(ProgressBar::step);
+        lines.ifPresent(StatusLines::step);
     }
 
     void stepTo(long step) {
         bar.ifPresent(shown -> shown.stepTo(step));
+        lines.ifPresent(shown -> shown.stepTo(step));
     }
 
     /** Shows what is being done, behind the bar. */

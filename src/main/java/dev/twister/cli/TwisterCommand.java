@@ -15,6 +15,7 @@ import picocli.CommandLine.ScopeType;
         subcommands = {
             GuiCommand.class,
             RenderCommand.class,
+            SimulateCommand.class,
             BenchmarkCommand.class,
             DevicesCommand.class,
             SkyCommand.class,

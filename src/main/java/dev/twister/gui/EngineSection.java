@@ -4,16 +4,19 @@ import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.gui.ChoiceRow.Look;
 import dev.twister.gui.model.ResolutionMode;
+import dev.twister.gui.model.ShownPictures;
+import dev.twister.world.Picture;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** What draws, and how many pixels. */
+/** What draws, how many pixels, and what of the picture. */
 final class EngineSection {
     private final Studio studio;
     private final EngineList engines;
     private final ChoiceRow<String> engine;
     private final ChoiceRow<ResolutionMode> resolution;
+    private final ChoiceRow<Picture> shown;
     private final String usualEngine;
 
     EngineSection(Studio studio, EngineList engines, String usualEngine) {
@@ -34,6 +37,17 @@ final class EngineSection {
                 mode -> new Look(mode.label()),
                 studio::setResolution,
                 studio::notice);
+        shown = new ChoiceRow<>(
+                "Show",
+                "The full picture, a stage on the way to it, or values per pixel.",
+                "Alt+J",
+                picture -> new Look(
+                        ShownPictures.label(picture),
+                        ShownPictures.label(picture),
+                        ShownPictures.hint(picture),
+                        Optional.empty()),
+                studio::setShown,
+                studio::notice);
         engine.firstControl().focusedProperty().subscribe(focused -> {
             if (focused) {
                 engines.want();
@@ -42,10 +56,11 @@ final class EngineSection {
         engines.offersProperty().subscribe(_ -> refresh());
         studio.engineProperty().subscribe(_ -> refresh());
         studio.resolutionProperty().subscribe(_ -> refresh());
+        studio.shownProperty().subscribe(now -> shown.show(ShownPictures.all(), now, Picture.REFLECTIONS));
     }
 
     List<PanelRow> rows() {
-        return List.of(engine, resolution);
+        return List.of(engine, resolution, shown);
     }
 
     private void refresh() {

@@ -61,7 +61,7 @@ final class MainWindow implements AutoCloseable {
         stage.setScene(scene);
         CameraKeys.install(scene, stage.focusedProperty(), studio);
         CameraMouse.install(picture, studio);
-        workbench = new Workbench(stage, root, picture, frameTimes, studio, reading, options);
+        workbench = new Workbench(stage, root, middle, picture, frameTimes, studio, reading, options);
         timer = new AnimationTimer() {
             @Override
             public void handle(long now) {

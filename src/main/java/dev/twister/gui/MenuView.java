@@ -1,29 +1,67 @@
 package dev.twister.gui;
 
 import dev.twister.gui.Command.Group;
+import dev.twister.gui.drawing.Motion;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.EditState;
+import dev.twister.gui.model.ShownPictures;
+import dev.twister.world.Picture;
 import java.nio.file.Path;
 import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import javafx.beans.value.ObservableValue;
 import javafx.scene.Scene;
+import javafx.scene.control.CheckMenuItem;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuBar;
 import javafx.scene.control.MenuItem;
+import javafx.scene.control.RadioMenuItem;
+import javafx.scene.control.SeparatorMenuItem;
+import javafx.scene.control.ToggleGroup;
 import javafx.scene.input.KeyEvent;
 
 /** The menus. */
 final class MenuView extends MenuBar {
+    /** A line stands above each. */
+    private static final Set<Command> BELOW_A_LINE = EnumSet.of(
+            Command.SCREENSHOT,
+            Command.QUIT,
+            Command.INSERT,
+            Command.NEXT,
+            Command.RESET,
+            Command.INSPECT,
+            Command.PANEL,
+            Command.FULL_SCREEN,
+            Command.RANDOMISE,
+            Command.ABOUT);
+
+    private static final Set<Command> SWITCHES = EnumSet.of(
+            Command.INSPECT,
+            Command.COMPARE,
+            Command.PANEL,
+            Command.FRAME_TIMES,
+            Command.FULL_SCREEN,
+            Command.MOVE,
+            Command.PAUSE);
+
     private final Map<Command, MenuItem> items = new EnumMap<>(Command.class);
     private final Menu recent = new Menu("Open recent");
 
     MenuView(Studio studio, SettingsKeeper settings, FileActions files, CommandActions actions) {
         for (Group group : Group.values()) {
-            getMenus().add(menu(group, actions));
+            Menu menu = menu(group, actions);
+            if (group == Group.VIEW) {
+                menu.getItems().addFirst(shownMenu(studio));
+            }
+            getMenus().add(menu);
         }
+        check(Command.MOVE, studio.motionProperty().map(Motion::isOn));
+        check(Command.PAUSE, studio.motionProperty().map(motion -> motion.isOn() && !motion.running()));
         recent.setId("recent");
         getMenus().getFirst().getItems().add(1, recent);
         settings.settingsProperty().subscribe(kept -> showRecent(kept.recentScenes(), files));
@@ -70,11 +108,40 @@ final class MenuView extends MenuBar {
         items.get(Command.RECORD).setText(recording ? "Stop recording" : Command.RECORD.label());
     }
 
+    /** Marks a command that switches something while that is on. */
+    void check(Command command, ObservableValue<Boolean> on) {
+        CheckMenuItem item = (CheckMenuItem) items.get(command);
+        on.subscribe(item::setSelected);
+        // A click on the item switches its mark, whatever the command has come to.
+        item.selectedProperty().subscribe(_ -> item.setSelected(on.getValue()));
+    }
+
+    private static Menu shownMenu(Studio studio) {
+        Menu menu = new Menu("_Show");
+        menu.setId("menu-show");
+        ToggleGroup group = new ToggleGroup();
+        for (Picture picture : ShownPictures.all()) {
+            RadioMenuItem item = new RadioMenuItem(ShownPictures.label(picture));
+            item.setToggleGroup(group);
+            item.setOnAction(_ -> studio.setShown(picture));
+            studio.shownProperty().subscribe(shown -> item.setSelected(shown == picture));
+            if (picture == Picture.ALBEDO) {
+                menu.getItems().add(new SeparatorMenuItem());
+            }
+            menu.getItems().add(item);
+        }
+        return menu;
+    }
+
     private Menu menu(Group group, CommandActions actions) {
         Menu menu = new Menu("_" + group.label());
         for (Command command : Command.values()) {
             if (command.group() == group) {
-                MenuItem item = new MenuItem(command.label());
+                if (BELOW_A_LINE.contains(command)) {
+                    menu.getItems().add(new SeparatorMenuItem());
+                }
+                MenuItem item =
+                        SWITCHES.contains(command) ? new CheckMenuItem(command.label()) : new MenuItem(command.label());
                 item.setId("menu-" + PanelRow.id(command.name().replace('_', ' ')));
                 item.setAccelerator(command.keys());
                 item.setOnAction(_ -> actions.run(command));

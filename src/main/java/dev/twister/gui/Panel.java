@@ -3,6 +3,7 @@ package dev.twister.gui;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.Lens;
 import dev.twister.gui.model.ResolutionMode;
+import dev.twister.world.Picture;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -25,6 +26,7 @@ final class Panel extends ScrollPane {
     private static final double WIDE_EM = 130;
 
     private final EngineSection engine;
+    private final CompareSection compare;
     private final PictureSection picture;
     private final CameraSection camera;
     private final LightSection light;
@@ -33,9 +35,10 @@ final class Panel extends ScrollPane {
     private final SelectionSection selection;
     private final MaterialSection material;
 
-    Panel(Studio studio, EngineList engines, FileActions files, CommandActions actions) {
+    Panel(Studio studio, EngineList engines, Comparison comparison, FileActions files, CommandActions actions) {
         engine = new EngineSection(
                 studio, engines, studio.engineProperty().get().offer().id());
+        compare = new CompareSection(studio, engines, comparison);
         picture = new PictureSection(studio);
         camera = new CameraSection(studio);
         light = new LightSection(studio);
@@ -64,6 +67,7 @@ final class Panel extends ScrollPane {
                 physicsSection,
                 selectionSection,
                 materialSection,
+                section("Compare", compare.rows()),
                 reset);
         sections.getStyleClass().add("sections");
         setId("panel");
@@ -100,7 +104,8 @@ final class Panel extends ScrollPane {
                         sky.rows(),
                         physics.rows(),
                         selection.rows(),
-                        material.rows())
+                        material.rows(),
+                        compare.rows())
                 .flatMap(List::stream)
                 .toList();
     }
@@ -171,6 +176,7 @@ final class Panel extends ScrollPane {
         studio.endGesture();
         studio.goHome();
         studio.setResolution(ResolutionMode.WINDOW);
+        studio.setShown(Picture.REFLECTIONS);
         studio.refiningProperty().set(true);
         if (!studio.engineProperty().get().offer().id().equals(usualEngine)) {
             engines.find(usualEngine).ifPresent(studio::chooseEngine);

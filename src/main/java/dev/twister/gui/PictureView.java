@@ -1,6 +1,8 @@
 package dev.twister.gui;
 
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.PictureZoom;
+import dev.twister.gui.model.PictureZoom.Side;
 import dev.twister.image.Frame;
 import java.nio.IntBuffer;
 import java.util.HashMap;
@@ -13,6 +15,7 @@ import javafx.scene.image.PixelFormat;
 import javafx.scene.image.WritableImage;
 import javafx.scene.layout.Pane;
 import javafx.scene.layout.Region;
+import javafx.scene.shape.Rectangle;
 import javafx.stage.Window;
 
 /**
@@ -20,10 +23,17 @@ import javafx.stage.Window;
  * at the same pixels.
  */
 final class PictureView extends Pane {
+    /** Nearer than that, pixels are squares. */
+    private static final double PIXELS_SEEN_FROM = 2;
+
     private final ImageView view = new ImageView();
     private final Map<Frame, ShownFrame> frames = new HashMap<>();
     private final Studio studio;
     private Optional<Frame> onScreen = Optional.empty();
+    private final Rectangle clip = new Rectangle();
+    private PictureZoom zoom = PictureZoom.FIT;
+    private Side across = new Side(1, 1);
+    private Side down = new Side(1, 1);
     private double laidOutScale;
 
     /** A frame as JavaFX sees it. */
@@ -40,6 +50,8 @@ final class PictureView extends Pane {
         getStyleClass().add("picture");
         view.setManaged(false);
         getChildren().add(view);
+        clip.widthProperty().bind(widthProperty());
+        clip.heightProperty().bind(heightProperty());
         studio.pictureProperty().subscribe(picture -> picture.ifPresent(this::show));
     }
 
@@ -86,9 +98,42 @@ final class PictureView extends Pane {
             width *= fit;
             height *= fit;
         }
-        view.setFitWidth(width);
-        view.setFitHeight(height);
-        view.relocate(snapPositionX((getWidth() - width) / 2), snapPositionY((getHeight() - height) / 2));
+        across = new Side(width, getWidth());
+        down = new Side(height, getHeight());
+        view.setFitWidth(width * zoom.factor());
+        view.setFitHeight(height * zoom.factor());
+        view.setSmooth(zoom.factor() < PIXELS_SEEN_FROM);
+        view.relocate(snapPositionX(zoom.left(across)), snapPositionY(zoom.top(down)));
+    }
+
+    /** Whether only a part of the picture is seen. */
+    boolean isZoomed() {
+        return !zoom.isFit();
+    }
+
+    /** Magnifies so many times; what is at that place of the view stays there. */
+    void zoom(double change, double x, double y) {
+        show(zoom.times(change, across, x, down, y));
+    }
+
+    /** The same about the view's middle. */
+    void zoom(double change) {
+        zoom(change, getWidth() / 2, getHeight() / 2);
+    }
+
+    void zoomToFit() {
+        show(PictureZoom.FIT);
+    }
+
+    /** Moves what is magnified. */
+    void moveZoomed(double right, double lower) {
+        show(zoom.moved(across, right, down, lower));
+    }
+
+    private void show(PictureZoom newZoom) {
+        zoom = newZoom;
+        setClip(zoom.isFit() ? null : clip);
+        requestLayout();
     }
 
     private void show(DrawnPicture picture) {

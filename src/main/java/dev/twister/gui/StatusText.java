@@ -3,9 +3,11 @@ package dev.twister.gui;
 import dev.twister.gui.drawing.DrawingStatus;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.model.ShownPictures;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
+import dev.twister.world.Picture;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -23,6 +25,9 @@ final class StatusText {
         Camera camera = picture.request().scene().camera();
         return Stream.of(
                         name.isEmpty() ? "untitled" : name,
+                        picture.request().shown() == Picture.REFLECTIONS
+                                ? ""
+                                : ShownPictures.label(picture.request().shown()),
                         (chosen.equals(picture.engine()) ? "" : chosen + ": ") + picture.engine() + " ("
                                 + picture.device() + ")",
                         picture.frame().width() + " × " + picture.frame().height(),

@@ -22,6 +22,7 @@ import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.world.CameraMotion;
+import dev.twister.world.Picture;
 import dev.twister.world.Turn;
 import dev.twister.world.Walk;
 import java.nio.file.Path;
@@ -58,6 +59,7 @@ public final class Studio implements AutoCloseable {
     private final ReadOnlyObjectWrapper<EditedFile> file;
     private final ReadOnlyObjectWrapper<EditState> edits = new ReadOnlyObjectWrapper<>(EditState.UNTOUCHED);
     private final ReadOnlyObjectWrapper<ResolutionMode> resolution = new ReadOnlyObjectWrapper<>(ResolutionMode.WINDOW);
+    private final ReadOnlyObjectWrapper<Picture> shown = new ReadOnlyObjectWrapper<>(Picture.REFLECTIONS);
     private final ReadOnlyIntegerWrapper selection = new ReadOnlyIntegerWrapper(BodyNumber.NONE);
     private final ReadOnlyObjectWrapper<Optional<DrawnPicture>> picture = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ReadOnlyObjectWrapper<DrawingStatus> drawing = new ReadOnlyObjectWrapper<>(DrawingStatus.QUIET);
@@ -147,6 +149,11 @@ public final class Studio implements AutoCloseable {
     /** What the drawing thread has to say. */
     public ReadOnlyObjectProperty<DrawingStatus> drawingProperty() {
         return drawing.getReadOnlyProperty();
+    }
+
+    /** A second drawing thread, not started yet, that has the same skies at hand. */
+    DrawingLoop anotherLoop() {
+        return new DrawingLoop(skies, JvmEngines.parallel());
     }
 
     /** See {@link DrawingLoop#radiance}. */
@@ -329,6 +336,16 @@ public final class Studio implements AutoCloseable {
 
     public void setResolution(ResolutionMode mode) {
         resolution.set(mode);
+        request();
+    }
+
+    /** What is shown of the scene: its picture, or a stage or a view of it. */
+    public ReadOnlyObjectProperty<Picture> shownProperty() {
+        return shown.getReadOnlyProperty();
+    }
+
+    public void setShown(Picture picture) {
+        shown.set(picture);
         request();
     }
 
@@ -570,7 +587,7 @@ public final class Studio implements AutoCloseable {
         if (viewWidth >= 1 && viewHeight >= 1) {
             requests++;
             PictureSize size = resolution.get().size(viewWidth, viewHeight);
-            int refineTo = refining.get() ? RefinementGoal.samples(scene.get()) : 0;
+            int refineTo = refining.get() ? RefinementGoal.samples(scene.get(), shown.get()) : 0;
             loop.request(new DrawingRequest(
                     requests,
                     documents,
@@ -579,7 +596,8 @@ public final class Studio implements AutoCloseable {
                     size.height(),
                     engine.get(),
                     refineTo,
-                    motion.get()));
+                    motion.get(),
+                    shown.get()));
         }
     }
 }

@@ -1,16 +1,21 @@
 package dev.twister.gui;
 
+import dev.twister.gui.Comparison.Mode;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.NewSphere;
+import dev.twister.gui.model.ShownPictures;
 import dev.twister.gui.model.ThrownSpheres;
 import dev.twister.gui.model.WindowSettings;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
+import dev.twister.world.Picture;
 import javafx.collections.MapChangeListener;
+import javafx.geometry.Pos;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.StackPane;
 import javafx.stage.Screen;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
@@ -34,17 +39,21 @@ final class Workbench implements AutoCloseable {
     private final PictureActions pictures;
     private final HelpWindows help;
     private final Panel panel;
+    private final PixelInspector inspector;
+    private final Comparison comparison;
     private final MenuView menu;
 
     /**
      * Puts the menu at the root's top and the panel at its right.
      *
-     * @param root of the stage's scene, the picture somewhere in it
+     * @param root of the stage's scene
+     * @param middle of the root, with the picture; what is said of the picture is laid over it
      * @param reading reads the files that are opened
      */
     Workbench(
             Stage stage,
             BorderPane root,
+            StackPane middle,
             PictureView picture,
             FrameTimesView frameTimes,
             Studio studio,
@@ -62,16 +71,27 @@ final class Workbench implements AutoCloseable {
         autosaves = new AutosaveKeeper(studio, options.autosaves());
         pictures = new PictureActions(studio, options.files(), dialogs, errands);
         help = new HelpWindows(stage);
+        comparison = new Comparison(studio, studio::anotherLoop);
+        middle.getChildren().add(1, new SplitView(picture, studio, comparison));
+        inspector = new PixelInspector(picture, studio, errands);
+        StackPane.setAlignment(inspector, Pos.BOTTOM_LEFT);
+        middle.getChildren().add(inspector);
         String usualEngine = studio.engineProperty().get().offer().id();
         EngineList engines = EngineList.load(studio, errands);
         CommandActions actions = actions(() -> Panel.resetAll(studio, engines, usualEngine));
-        panel = new Panel(studio, engines, files, actions);
+        panel = new Panel(studio, engines, comparison, files, actions);
         menu = new MenuView(studio, settings, files, actions);
         pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
+        menu.check(Command.INSPECT, inspector.visibleProperty());
+        menu.check(Command.COMPARE, comparison.modeProperty().map(mode -> mode != Mode.OFF));
+        menu.check(Command.PANEL, panel.visibleProperty());
+        menu.check(Command.FRAME_TIMES, frameTimes.visibleProperty());
+        menu.check(Command.FULL_SCREEN, stage.fullScreenProperty());
         menu.explainKeys(root.getScene(), studio);
         root.setTop(menu);
         root.setRight(panel);
         picture.addOverlay(new SelectionView(picture, studio));
+        ZoomMouse.install(picture);
         BodyMouse.install(picture, studio, stage.focusedProperty());
         PanelKeys.install(root.getScene(), panel, picture, this::showPanel);
         DropTarget.install(root.getScene(), files);
@@ -101,6 +121,8 @@ final class Workbench implements AutoCloseable {
         pictures.pulse();
         autosaves.pulse(nanos);
         panel.pulse(nanos);
+        inspector.pulse();
+        comparison.pulse(nanos);
     }
 
     /** Keeps the settings, and begins nothing more; {@link #awaitFiles} waits for what is still being written. */
@@ -113,6 +135,7 @@ final class Workbench implements AutoCloseable {
                 filling ? kept.withWindow(kept.width(), kept.height(), true) : kept.withWindow(width, height, false));
         settings.write();
         help.close();
+        comparison.close();
         pictures.finish();
         autosaves.finish();
         reading.cancel();
@@ -132,6 +155,10 @@ final class Workbench implements AutoCloseable {
 
     Panel panel() {
         return panel;
+    }
+
+    Comparison comparison() {
+        return comparison;
     }
 
     FileActions files() {
@@ -160,6 +187,13 @@ final class Workbench implements AutoCloseable {
                 .on(Command.PREVIOUS, () -> selectAlong(-1))
                 .on(Command.DESELECT, this::backToThePicture)
                 .on(Command.RESET, resetAll)
+                .on(Command.NEXT_SHOWN, () -> showAlong(1))
+                .on(Command.PREVIOUS_SHOWN, () -> showAlong(-1))
+                .on(Command.INSPECT, () -> inspector.setVisible(!inspector.isVisible()))
+                .on(Command.COMPARE, this::toggleComparison)
+                .on(Command.ZOOM_IN, () -> picture.zoom(ZoomMouse.STEP))
+                .on(Command.ZOOM_OUT, () -> picture.zoom(1 / ZoomMouse.STEP))
+                .on(Command.ZOOM_TO_FIT, picture::zoomToFit)
                 .on(Command.PANEL, () -> showPanel(!isPanelShown()))
                 .on(Command.FRAME_TIMES, () -> showFrameTimes(!frameTimes.isVisible()))
                 .on(
@@ -264,6 +298,16 @@ final class Workbench implements AutoCloseable {
 
     private void selectAlong(int steps) {
         studio.select(BodyEdits.along(studio.scene(), studio.selectionProperty().get(), steps));
+    }
+
+    private void toggleComparison() {
+        comparison.modeProperty().set(comparison.isOn() ? Mode.OFF : Mode.SPLIT);
+    }
+
+    private void showAlong(int steps) {
+        Picture next = ShownPictures.along(studio.shownProperty().get(), steps);
+        studio.setShown(next);
+        studio.notice(ShownPictures.label(next));
     }
 
     private void backToThePicture() {

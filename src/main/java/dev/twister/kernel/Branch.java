@@ -114,8 +114,13 @@ public final class Branch {
         return waiting + both;
     }
 
+    /** How many surfaces the ray has left that began to wait last, of so many. */
+    public static int bounce(float[] scratch, int waiting) {
+        return (int) scratch[Layout.SCRATCH_RAYS + Layout.RAY_STRIDE * (waiting - 1) + Layout.RAY_BOUNCE];
+    }
+
     /** Goes on with the ray that began to wait last. */
-    static void resume(float[] path, float[] scratch, int waiting) {
+    public static void resume(float[] path, float[] scratch, int waiting) {
         int first = Layout.SCRATCH_RAYS + Layout.RAY_STRIDE * (waiting - 1);
         for (int i = 0; i < Layout.RAY_BOUNCE; i++) {
             path[i] = scratch[first + i];

@@ -44,15 +44,21 @@ final class FirstHit {
         float green = number;
         float blue = number;
         if (body >= Layout.LIGHT) {
-            Surface.find(path, body, places, hierarchy, meshes, firstMesh);
-            Material.find(path, body, looks, properties, sky, skyDimensions, firstMesh, materials);
-            if (materials == Material.ANY) {
-                Surface.face(path, body, firstMesh);
-            }
+            Path.meet(
+                    path,
+                    body,
+                    properties,
+                    places,
+                    looks,
+                    hierarchy,
+                    meshes,
+                    sky,
+                    skyDimensions,
+                    firstMesh,
+                    materials);
             float lit = 1f;
             float specular = 0f;
             if (body >= Layout.PLANE) {
-                Light.aim(path, places);
                 int shaded = (aspect == Aspect.DIFFUSE ? 1 : 0) | (aspect == Aspect.HIGHLIGHTS ? 1 : 0);
                 lit = shaded != 0 ? Light.lit(properties[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], 1f) : 1f;
                 if (aspect == Aspect.HIGHLIGHTS) {

@@ -50,7 +50,7 @@ public final class Light {
     }
 
     /** The highlight's strength at {@link Layout#POINT}, by {@link #specular(float, float, float, float, float)}. */
-    static float highlight(float[] path, float visible) {
+    public static float highlight(float[] path, float visible) {
         float halfX = path[Layout.TO_LIGHT] - path[Layout.DIRECTION];
         float halfY = path[Layout.TO_LIGHT + 1] - path[Layout.DIRECTION + 1];
         float halfZ = path[Layout.TO_LIGHT + 2] - path[Layout.DIRECTION + 2];

@@ -35,70 +35,182 @@ public final class Path {
             int firstMesh,
             int materials,
             int aspect) {
-        int bounces = (int) properties[Layout.BOUNCES];
         int bounce = firstBounce;
         int waiting = 0;
         int goesOn = 1;
         while (goesOn != 0) {
             int body = Hit.find(
                     path, places, looks, hierarchy, meshes, bodies, scratch, search, firstMesh, materials, aspect);
-            if (body == Layout.NOTHING) {
-                Sky.add(path, sky, skyDimensions, properties);
-            }
-            if (body == Layout.LIGHT) {
-                Light.add(path, looks);
-            }
             goesOn = 0;
             if (body >= Layout.PLANE) {
-                Surface.find(path, body, places, hierarchy, meshes, firstMesh);
-                Material.find(path, body, looks, properties, sky, skyDimensions, firstMesh, materials);
-                float mirror = bounce < bounces ? path[Layout.REFLECTIVITY] / Layout.MAX_REFLECTIVITY : 0f;
-                float transmission = 0f;
-                int shaded = 1;
-                if (materials == Material.ANY) {
-                    Surface.face(path, body, firstMesh);
-                    transmission = bounce < bounces ? path[Layout.TRANSMISSION] : 0f;
-                    // Clear glass shows no light of its own.
-                    shaded = (transmission < 1f ? 1 : 0) | (path[Layout.REFLECTIVITY] > 0f ? 1 : 0);
-                }
-                Light.aim(path, places);
-                float visible = 1f;
-                if (shaded != 0) {
-                    visible = Shadow.visible(
-                            path,
-                            body,
-                            properties,
-                            places,
-                            looks,
-                            shadowDisc,
-                            hierarchy,
-                            Layout.root(bodies),
-                            meshes,
-                            scratch,
-                            firstMesh,
-                            materials,
-                            aspect);
-                }
-                float lit = Light.lit(properties[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible);
-                Scatter.shade(path, visible, mirror, transmission, lit, looks);
-                if (materials == Material.ANY) {
-                    Facet.find(path, bounce, pixelSamples);
-                    waiting = Branch.split(path, body, bounce, mirror, transmission, lit, scratch, waiting);
-                } else {
-                    Scatter.reflect(path, body, mirror * lit);
-                }
-                goesOn = path[Layout.THROUGHPUT] + path[Layout.THROUGHPUT + 1] + path[Layout.THROUGHPUT + 2] > 0f
-                        ? 1
-                        : 0;
+                meet(
+                        path,
+                        body,
+                        properties,
+                        places,
+                        looks,
+                        hierarchy,
+                        meshes,
+                        sky,
+                        skyDimensions,
+                        firstMesh,
+                        materials);
+                float visible = visible(
+                        path,
+                        body,
+                        bounce,
+                        properties,
+                        places,
+                        looks,
+                        hierarchy,
+                        meshes,
+                        bodies,
+                        shadowDisc,
+                        scratch,
+                        firstMesh,
+                        materials,
+                        aspect);
+                waiting = scatter(
+                        path, body, bounce, visible, properties, looks, pixelSamples, scratch, waiting, materials);
+                goesOn = carriesLight(path);
+            }
+            if (body < Layout.PLANE) {
+                end(path, body, properties, looks, sky, skyDimensions);
             }
             bounce = bounce + 1;
             if (((goesOn == 0 ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
                 Branch.resume(path, scratch, waiting);
-                bounce = (int) scratch[Layout.SCRATCH_RAYS + Layout.RAY_STRIDE * (waiting - 1) + Layout.RAY_BOUNCE];
+                bounce = Branch.bounce(scratch, waiting);
                 waiting = waiting - 1;
                 goesOn = 1;
             }
             Aspect.count(path, aspect, Aspect.BOUNCES, goesOn);
         }
+    }
+
+    /** Adds what the path's ray sees where it meets no surface: the light's own color, or the sky. */
+    public static void end(
+            float[] path, int body, float[] properties, float[] looks, float[] sky, int[] skyDimensions) {
+        if (body == Layout.NOTHING) {
+            Sky.add(path, sky, skyDimensions, properties);
+        }
+        if (body == Layout.LIGHT) {
+            Light.add(path, looks);
+        }
+    }
+
+    /** Writes where and how the path's ray meets a body's surface, what that is made of, and where the light is. */
+    public static void meet(
+            float[] path,
+            int body,
+            float[] properties,
+            float[] places,
+            float[] looks,
+            float[] hierarchy,
+            float[] meshes,
+            float[] sky,
+            int[] skyDimensions,
+            int firstMesh,
+            int materials) {
+        Surface.find(path, body, places, hierarchy, meshes, firstMesh);
+        Material.find(path, body, looks, properties, sky, skyDimensions, firstMesh, materials);
+        if (materials == Material.ANY) {
+            Surface.face(path, body, firstMesh);
+        }
+        Light.aim(path, places);
+    }
+
+    /** S where the ray has met a surface, as {@link Shadow#visible}; 1 where it is not shaded. */
+    public static float visible(
+            float[] path,
+            int body,
+            int bounce,
+            float[] properties,
+            float[] places,
+            float[] looks,
+            float[] hierarchy,
+            float[] meshes,
+            int bodies,
+            float[] shadowDisc,
+            float[] scratch,
+            int firstMesh,
+            int materials,
+            int aspect) {
+        float visible = 1f;
+        if (isShaded(path, bounce, properties, materials) != 0) {
+            visible = Shadow.visible(
+                    path,
+                    body,
+                    properties,
+                    places,
+                    looks,
+                    shadowDisc,
+                    hierarchy,
+                    Layout.root(bodies),
+                    meshes,
+                    scratch,
+                    firstMesh,
+                    materials,
+                    aspect);
+        }
+        return visible;
+    }
+
+    /**
+     * Adds what the surface sends back, and turns the path into the ray that goes on from it; another may wait in the
+     * scratch.
+     *
+     * @param visible S in [0, 1]
+     * @param waiting how many rays wait
+     * @return how many rays wait now
+     */
+    public static int scatter(
+            float[] path,
+            int body,
+            int bounce,
+            float visible,
+            float[] properties,
+            float[] looks,
+            float[] pixelSamples,
+            float[] scratch,
+            int waiting,
+            int materials) {
+        float mirror = mirror(path, bounce, properties);
+        float transmission = transmission(path, bounce, properties, materials);
+        float lit = Light.lit(properties[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible);
+        Scatter.shade(path, visible, mirror, transmission, lit, looks);
+        int waitingNow = waiting;
+        if (materials == Material.ANY) {
+            Facet.find(path, bounce, pixelSamples);
+            waitingNow = Branch.split(path, body, bounce, mirror, transmission, lit, scratch, waiting);
+        } else {
+            Scatter.reflect(path, body, mirror * lit);
+        }
+        return waitingNow;
+    }
+
+    /** 0 where the ray has met clear glass, which shows no light of its own, else 1. */
+    public static int isShaded(float[] path, int bounce, float[] properties, int materials) {
+        return (transmission(path, bounce, properties, materials) < 1f ? 1 : 0)
+                | (path[Layout.REFLECTIVITY] > 0f ? 1 : 0);
+    }
+
+    /** m of the surface that the ray has met, in [0, 1]; 0 at the last bounce. */
+    public static float mirror(float[] path, int bounce, float[] properties) {
+        return bounce < (int) properties[Layout.BOUNCES] ? path[Layout.REFLECTIVITY] / Layout.MAX_REFLECTIVITY : 0f;
+    }
+
+    /** t of the surface that the ray has met, in [0, 1]; 0 at the last bounce. */
+    public static float transmission(float[] path, int bounce, float[] properties, int materials) {
+        float transmission = 0f;
+        if (materials == Material.ANY) {
+            transmission = bounce < (int) properties[Layout.BOUNCES] ? path[Layout.TRANSMISSION] : 0f;
+        }
+        return transmission;
+    }
+
+    /** 1 where what the path's ray will see reaches the pixel, else 0. */
+    public static int carriesLight(float[] path) {
+        return path[Layout.THROUGHPUT] + path[Layout.THROUGHPUT + 1] + path[Layout.THROUGHPUT + 2] > 0f ? 1 : 0;
     }
 }

@@ -55,16 +55,7 @@ public final class PixelKernel {
         path[Layout.RADIANCE + 2] = 0f;
         Aspect.start(path, aspect);
         for (int sample = 0; sample < samples; sample++) {
-            int at = Layout.SAMPLE_STRIDE * sample;
-            float x = column + pixelSamples[at];
-            float y = dimensions[Layout.FIRST_ROW] + row + pixelSamples[at + 1];
-            Camera.start(path, x, y, dimensions, camera);
-            path[Layout.PIXEL_COLUMN] = column;
-            path[Layout.PIXEL_ROW] = dimensions[Layout.FIRST_ROW] + row;
-            path[Layout.PIXEL_SAMPLE] = at;
-            if (camera[Layout.CAMERA_APERTURE] > 0f) {
-                Lens.bend(path, camera, pixelSamples);
-            }
+            start(path, column, row, sample, dimensions, camera, pixelSamples);
             add(
                     path,
                     properties,
@@ -92,6 +83,21 @@ public final class PixelKernel {
             radiance[3 * pixel + 2] = path[Layout.RADIANCE + 2] * average;
         } else {
             pixels[pixel] = Tone.argb(path, average, properties);
+        }
+    }
+
+    /** Starts a sample's view ray. */
+    public static void start(
+            float[] path, int column, int row, int sample, int[] dimensions, float[] camera, float[] pixelSamples) {
+        int at = Layout.SAMPLE_STRIDE * sample;
+        float x = column + pixelSamples[at];
+        float y = dimensions[Layout.FIRST_ROW] + row + pixelSamples[at + 1];
+        Camera.start(path, x, y, dimensions, camera);
+        path[Layout.PIXEL_COLUMN] = column;
+        path[Layout.PIXEL_ROW] = dimensions[Layout.FIRST_ROW] + row;
+        path[Layout.PIXEL_SAMPLE] = at;
+        if (camera[Layout.CAMERA_APERTURE] > 0f) {
+            Lens.bend(path, camera, pixelSamples);
         }
     }
 

@@ -66,14 +66,11 @@ public final class Shadow {
             int firstMesh,
             int materials,
             int aspect) {
-        float cosine = path[Layout.NORMAL_DOT_LIGHT];
-        int matters = (aspect == Aspect.SHADOW ? 1 : 0)
-                | (cosine > properties[Layout.AMBIENT] ? 1 : 0)
-                | ((cosine > 0f ? 1 : 0) & (path[Layout.REFLECTIVITY] > 0f ? 1 : 0));
         float visible = 1f;
         if (Surface.isMesh(own, firstMesh) != 0) {
             visible = MeshSurface.looksAway(path) != 0 ? 0f : 1f;
         }
+        int matters = (aspect == Aspect.SHADOW ? 1 : 0) | matters(path, properties);
         if ((matters & (visible > 0f ? 1 : 0)) != 0) {
             int samples = (int) properties[Layout.SHADOW_SAMPLES];
             float discRadius = 2f * places[Layout.PLACE_STRIDE * Layout.LIGHT + Layout.PLACE_SIZE];
@@ -109,6 +106,13 @@ public final class Shadow {
             }
         }
         return visible;
+    }
+
+    /** 1 where S changes what the surface sends back, else 0. */
+    public static int matters(float[] path, float[] properties) {
+        float cosine = path[Layout.NORMAL_DOT_LIGHT];
+        return (cosine > properties[Layout.AMBIENT] ? 1 : 0)
+                | ((cosine > 0f ? 1 : 0) & (path[Layout.REFLECTIVITY] > 0f ? 1 : 0));
     }
 
     /**

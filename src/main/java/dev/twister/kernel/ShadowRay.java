@@ -1,8 +1,48 @@
 package dev.twister.kernel;
 
-/** One shadow ray of {@link Shadow} through the hierarchy, where a point has more candidates than it remembers. */
-final class ShadowRay {
+/** One shadow ray of {@link Shadow}; through the hierarchy where a point has more candidates than it remembers. */
+public final class ShadowRay {
     private ShadowRay() {}
+
+    /**
+     * What reaches {@link Layout#POINT} of the light along the ray to one of the disc's samples, in [0, 1], by itself:
+     * {@link Shadow#visible} is the mean over all of them, found sooner. Writes the disc as the point sees it.
+     *
+     * @param sample in [0, shadow samples)
+     * @param own the body that the point lies on
+     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
+     */
+    public static float light(
+            float[] path,
+            int own,
+            int sample,
+            float[] properties,
+            float[] places,
+            float[] looks,
+            float[] shadowDisc,
+            float[] hierarchy,
+            int root,
+            float[] meshes,
+            float[] scratch,
+            int firstMesh,
+            int materials) {
+        float discRadius = 2f * places[Layout.PLACE_STRIDE * Layout.LIGHT + Layout.PLACE_SIZE];
+        float scale = Shadow.face(path, discRadius, (int) properties[Layout.SHADOW_SAMPLES], shadowDisc);
+        float x = shadowDisc[2 * sample] * scale;
+        float y = shadowDisc[2 * sample + 1] * scale;
+        int blocked = PlaneShadow.mayBlock(path, own, discRadius, places) & PlaneShadow.blocks(path, x, y, places);
+        float pastPlane = blocked != 0 ? Shadow.transmission(looks, Layout.PLANE, materials) : 1f;
+        float light = pastPlane * light(path, own, x, y, looks, hierarchy, root, scratch, materials, Aspect.FULL);
+        if (firstMesh > Layout.NO_MESHES) {
+            light = light
+                    * MeshShadow.light(
+                            path, own, x, y, looks, hierarchy, meshes, firstMesh, scratch, materials, Aspect.FULL);
+        }
+        if (Surface.isMesh(own, firstMesh) != 0) {
+            light = MeshSurface.looksAway(path) != 0 ? 0f : light;
+        }
+        return light;
+    }
 
     /**
      * What the spheres let pass of the ray through (1, x, y) * distance, in the frame of A, U (whose x is 0) and W: in

@@ -245,7 +245,12 @@ public final class Simulation implements AutoCloseable {
         return positions(new Vector3(0, 0, 0));
     }
 
-    private float[] positions(Vector3 origin) {
+    /**
+     * The same, seen from another place than the scene's own origin.
+     *
+     * @param origin in the scene's coordinates, in meters; {@link World#origin} for a world's bodies
+     */
+    public float[] positions(Vector3 origin) {
         float share = (float) (ahead / STEP_SECONDS);
         float[] positions = new float[3 * (bodies.state.length - BodyStore.FIRST_SPHERE + Layout.FIRST_SPHERE)];
         double[] start = {origin.x(), origin.y(), origin.z()};

@@ -12,7 +12,7 @@ import dev.twister.kernel.Layout;
  * of zeros. The length depends on the room for bodies alone, not on how many are there yet.
  */
 public final class SphereHierarchy {
-    /** With fewer spheres the plain loop is as fast or faster; measured, see {@code benchmarks/NOTES.md}. */
+    /** With fewer spheres the plain loop is as fast or faster: {@code docs/decisions/010}. */
     static final int FEWEST_SPHERES = 32;
 
     /** Eight spheres are tested about as fast as two boxes and what is left in them. */

@@ -41,7 +41,7 @@ public final class World {
     private float[] pixelSamples;
 
     private World(Scene scene, SceneImages images, SceneMeshes sceneMeshes) {
-        origin = Origin.near(scene.camera().position());
+        origin = originOf(scene);
         List<Sphere> spheres = scene.allSpheres();
         bodies = Layout.FIRST_SPHERE + scene.spheres().size();
         room = Layout.FIRST_SPHERE + spheres.size();
@@ -96,6 +96,11 @@ public final class World {
      */
     public static World of(Scene scene, SceneImages images, SceneMeshes meshes) {
         return new World(scene, images, meshes);
+    }
+
+    /** The {@link #origin} of every world of a scene. */
+    public static Vector3 originOf(Scene scene) {
+        return Origin.near(scene.camera().position());
     }
 
     /** Where the coordinates of its snapshots begin, in the scene's own: near the scene's camera. */

@@ -347,6 +347,7 @@ class PanelTest {
     @Test
     void aNumberIsDraggedByItsNameAndThatIsOneEdit() {
         double before = sphereX();
+        driver.type(row("Sphere x").keys());
         Label name = in(row("Sphere x"), ".row-name", Label.class);
         Bounds place = WindowDriver.call(() -> name.localToScreen(name.getLayoutBounds()));
         driver.withRobot(hand -> hand.mouseMove(place.getMinX() + 5, place.getCenterY()));

@@ -26,7 +26,7 @@ public final class FastestEngine {
     /** Itself, and what parallel does with more threads. */
     private static final Set<String> NEVER_TAKEN = Set.of(AUTO, JvmEngines.SEQUENTIAL);
 
-    /** Wherever it works, see benchmarks/NOTES.md; until it has been measured. */
+    /** Assumed until engines have been measured: {@code docs/decisions/008}. */
     private static final String MOSTLY_FASTEST = "vector";
 
     /** How long frames wait for it, all together. */

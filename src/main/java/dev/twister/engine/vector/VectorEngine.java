@@ -15,7 +15,7 @@ import java.util.function.IntConsumer;
 
 /** Draws tiles in SIMD lanes on some threads; once warm, a frame allocates nothing but its times. */
 final class VectorEngine implements Engine {
-    /** With fewer bodies, a look at all of them a tile is faster; measured, see {@code benchmarks/NOTES.md}. */
+    /** With fewer bodies, a look at all of them a tile is faster: {@code docs/decisions/010}. */
     static final int CROWD = 250;
 
     /** Neighbours' pixels share cache lines, and taking turns waits until a thread's pixels are in memory, so not for each tile. */

@@ -1,6 +1,7 @@
 package dev.twister.gui.drawing;
 
 import dev.twister.scene.Scene;
+import dev.twister.world.Picture;
 
 /**
  * What is to be drawn from now on.
@@ -14,6 +15,7 @@ import dev.twister.scene.Scene;
  * @param refineTo samples a pixel that the picture gathers while no other request comes, and then rests; 0 to draw the same
  *     picture again and again
  * @param motion whether and how bodies move
+ * @param shown the picture, or a stage or a view of it
  */
 public record DrawingRequest(
         long number,
@@ -23,10 +25,11 @@ public record DrawingRequest(
         int height,
         EngineChoice engine,
         int refineTo,
-        Motion motion) {
+        Motion motion,
+        Picture shown) {
     /** A request for a picture of the first scene, its bodies where it has them. */
     public DrawingRequest(long number, Scene scene, int width, int height, EngineChoice engine, int refineTo) {
-        this(number, 0, scene, width, height, engine, refineTo, Motion.NONE);
+        this(number, 0, scene, width, height, engine, refineTo, Motion.NONE, Picture.REFLECTIONS);
     }
 
     /** Whether the other one asks for the same picture, of whatever engine. */
@@ -39,7 +42,8 @@ public record DrawingRequest(
                 other.height(),
                 engine,
                 refineTo,
-                other.motion()));
+                other.motion(),
+                other.shown()));
     }
 
     /**
@@ -48,6 +52,7 @@ public record DrawingRequest(
      */
     boolean showsThePlaceOf(DrawingRequest other) {
         return document == other.document()
+                && shown == other.shown()
                 && motion.start() == other.motion().start()
                 && scene.skybox().equals(other.scene().skybox())
                 && scene.skyRotationDegrees() == other.scene().skyRotationDegrees()

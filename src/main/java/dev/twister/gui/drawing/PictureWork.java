@@ -2,10 +2,12 @@ package dev.twister.gui.drawing;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
+import dev.twister.engine.NumberColors;
 import dev.twister.gui.model.RefinedPicture;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
+import dev.twister.world.Picture;
 import java.nio.IntBuffer;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
@@ -70,7 +72,9 @@ final class PictureWork implements AutoCloseable {
     /** Looks at a request: the world is as it says, and its engine is being opened. Whether there is something to draw. */
     boolean prepare(DrawingRequest wanted) {
         try {
-            input = world.snapshot(wanted.scene(), wanted.motion(), wanted.width(), wanted.height(), clock.getAsLong());
+            FrameInput snapshot =
+                    world.snapshot(wanted.scene(), wanted.motion(), wanted.width(), wanted.height(), clock.getAsLong());
+            input = showing(wanted.shown(), snapshot);
             seat.choose(wanted.engine(), new WarmUp(input, coarse(COARSEST), clock));
             sceneFailure = Optional.empty();
         } catch (OutOfMemoryError _) {
@@ -79,6 +83,14 @@ final class PictureWork implements AutoCloseable {
             sceneFailure = Optional.of("this scene cannot be drawn: " + problem);
         }
         return sceneFailure.isEmpty();
+    }
+
+    /** Numbers are exact with one sample: the mean of two bodies' numbers is a third one's. */
+    private static FrameInput showing(Picture shown, FrameInput input) {
+        if (shown == Picture.REFLECTIONS) {
+            return input;
+        }
+        return shown.isColor() ? input.showing(shown) : input.showing(shown).withSamples(0, 1);
     }
 
     /** Takes one step for the request that was prepared; whether there is another to take. */
@@ -173,7 +185,7 @@ final class PictureWork implements AutoCloseable {
         Frame frame = exchange.frameToDraw(seen.width(), seen.height());
         boolean whole = false;
         try {
-            whole = slowPictures.draw(engine, seen, frame, nanosLeft -> isInVain(wanted, nanosLeft));
+            whole = render(wanted, engine, seen, frame);
         } finally {
             if (!whole) {
                 exchange.abandon(frame);
@@ -183,6 +195,26 @@ final class PictureWork implements AutoCloseable {
             finish(wanted, seen, engine, frame, frame.times(), seen.samplesPerPixel(), again);
         }
         return whole;
+    }
+
+    private boolean render(DrawingRequest wanted, Engine engine, FrameInput seen, Frame frame) {
+        if (wanted.shown().isColor()) {
+            return slowPictures.draw(engine, seen, frame, nanosLeft -> isInVain(wanted, nanosLeft));
+        }
+        Frame linear = linear(seen.width(), seen.height());
+        boolean whole = slowPictures.draw(engine, seen, linear, nanosLeft -> isInVain(wanted, nanosLeft));
+        if (whole) {
+            NumberColors.paint(wanted.shown(), linear.radiance(), frame.argb());
+            frame.setTimes(linear.times());
+        }
+        return whole;
+    }
+
+    private Frame linear(int width, int height) {
+        Frame linear = pass.filter(old -> old.width() == width && old.height() == height)
+                .orElseGet(() -> Frame.ofRadiance(width, height));
+        pass = Optional.of(linear);
+        return linear;
     }
 
     /**
@@ -207,9 +239,7 @@ final class PictureWork implements AutoCloseable {
         if (picture.isDone()) {
             return false;
         }
-        Frame linear = pass.filter(old -> picture.fits(old.width(), old.height()))
-                .orElseGet(() -> Frame.ofRadiance(wanted.width(), wanted.height()));
-        pass = Optional.of(linear);
+        Frame linear = linear(wanted.width(), wanted.height());
         int samples = picture.samplesOfNextPass(input.samplesPerPixel());
         FrameInput next = picture.next(input, samples);
         if (!slowPictures.draw(engine, next, linear, _ -> isRefinedInVain())) {
@@ -218,7 +248,11 @@ final class PictureWork implements AutoCloseable {
         picture.add(linear, samples);
         if (picture.isDone() || (picture.samples() >= FEWEST_REFINED_SAMPLES && isToBeSeen())) {
             Frame frame = exchange.frameToDraw(wanted.width(), wanted.height());
-            picture.show(input, IntBuffer.wrap(frame.argb()));
+            if (wanted.shown().isColor()) {
+                picture.show(input, IntBuffer.wrap(frame.argb()));
+            } else {
+                NumberColors.paint(wanted.shown(), picture.radiance(), frame.argb());
+            }
             finish(wanted, input, engine, frame, linear.times(), picture.samples(), false);
         } else {
             pictures++;

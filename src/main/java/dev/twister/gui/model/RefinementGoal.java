@@ -3,6 +3,7 @@ package dev.twister.gui.model;
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
+import dev.twister.world.Picture;
 
 /** How many samples per pixel a picture at rest gathers. */
 public final class RefinementGoal {
@@ -14,8 +15,12 @@ public final class RefinementGoal {
 
     private RefinementGoal() {}
 
-    /** At least as many samples as the scene's settings have. */
-    public static int samples(Scene scene) {
+    /** At least as many samples as the scene's settings have; one where numbers are shown, which it makes exact. */
+    public static int samples(Scene scene, Picture shown) {
+        return shown.isColor() ? samples(scene) : 1;
+    }
+
+    static int samples(Scene scene) {
         return Math.max(isNoisy(scene) ? NOISY : SHARP, scene.settings().samplesPerPixel());
     }
 

@@ -6,6 +6,7 @@ import dev.twister.engine.EngineOffer;
 import dev.twister.gui.WindowScenes;
 import dev.twister.image.HdrWriter;
 import dev.twister.scene.Scene;
+import dev.twister.world.Picture;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -466,7 +467,8 @@ class DrawingLoopTest {
         awaitQuiet();
         List<Integer> samples = new CopyOnWriteArrayList<>();
         loop.watch(picture -> samples.add(picture.samples()));
-        loop.request(new DrawingRequest(2, 1, scene, LARGE_WIDTH, LARGE_HEIGHT, chosen, 16, Motion.NONE));
+        loop.request(new DrawingRequest(
+                2, 1, scene, LARGE_WIDTH, LARGE_HEIGHT, chosen, 16, Motion.NONE, Picture.REFLECTIONS));
 
         await(() -> !samples.isEmpty());
         // What is clicked in the one before is of no scene any more, and more samples take as much longer.
@@ -503,7 +505,8 @@ class DrawingLoopTest {
 
     /** To follow all others. */
     private DrawingRequest large(long document, Scene wanted, Motion motion) {
-        return new DrawingRequest(Long.MAX_VALUE, document, wanted, LARGE_WIDTH, LARGE_HEIGHT, chosen, 1, motion);
+        return new DrawingRequest(
+                Long.MAX_VALUE, document, wanted, LARGE_WIDTH, LARGE_HEIGHT, chosen, 1, motion, Picture.REFLECTIONS);
     }
 
     private void beSlow(TestEngine.Kind kind) {
@@ -582,7 +585,8 @@ class DrawingLoopTest {
 
     private void request(Scene wanted, int refineTo, Motion motion) {
         requests++;
-        loop.request(new DrawingRequest(requests, 0, wanted, WIDTH, HEIGHT, chosen, refineTo, motion));
+        loop.request(
+                new DrawingRequest(requests, 0, wanted, WIDTH, HEIGHT, chosen, refineTo, motion, Picture.REFLECTIONS));
     }
 
     private DrawnPicture awaitAnswer() {

@@ -7,7 +7,7 @@ import java.util.Arrays;
  * leaves in doubt lies close together along the direction across the edge. Kept while the samples are the same.
  */
 public final class DiscOrders {
-    /** With fewer samples all are looked at; measured, see {@code benchmarks/NOTES.md}. */
+    /** With fewer samples all are looked at: {@code docs/decisions/013}. */
     public static final int FEW = 48;
 
     /** Evenly about the whole circle. */

@@ -15,7 +15,7 @@ import jdk.incubator.vector.VectorOperators;
  * read once and weighed in all lanes, which is the bilinear mean with the weights of far texels 0.
  */
 public final class SkyPatches {
-    /** Texels from which on it is faster to look up lane by lane; measured, see {@code benchmarks/NOTES.md}. */
+    /** Texels from which on it is faster to look up lane by lane: {@code docs/decisions/018}. */
     private static final int MOST_TEXELS = 2 * Lanes.COUNT;
 
     private SkyPatches() {}

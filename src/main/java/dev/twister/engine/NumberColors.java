@@ -1,15 +1,15 @@
-package dev.twister.cli;
+package dev.twister.engine;
 
 import dev.twister.image.Frame;
 import dev.twister.world.Picture;
 import java.awt.Color;
-import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * How views that are no colors look in 8 bits. Neither exposure nor tone map applies, and every picture has the same
  * scale.
  */
-final class NumberColors {
+public final class NumberColors {
     private static final int CHANNELS = 3;
     private static final int OPAQUE = 0xFF000000;
 
@@ -36,10 +36,17 @@ final class NumberColors {
      * @param picture a view that is no color
      * @param values three floats a pixel, as a linear {@link Frame} has them
      */
-    static int[] pixels(Picture picture, float[] values) {
+    public static int[] pixels(Picture picture, float[] values) {
         int[] pixels = new int[values.length / CHANNELS];
-        Arrays.setAll(pixels, pixel -> OPAQUE | color(picture, values, CHANNELS * pixel));
+        paint(picture, values, pixels);
         return pixels;
+    }
+
+    /** The same into pixels that are there already. */
+    public static void paint(Picture picture, float[] values, int[] argb) {
+        IntStream.range(0, argb.length)
+                .parallel()
+                .forEach(pixel -> argb[pixel] = OPAQUE | color(picture, values, CHANNELS * pixel));
     }
 
     private static int color(Picture picture, float[] values, int at) {

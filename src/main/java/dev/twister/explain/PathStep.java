@@ -1,0 +1,46 @@
+package dev.twister.explain;
+
+import dev.twister.kernel.Layout;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Vector3;
+import java.util.Optional;
+
+/**
+ * A ray of a pixel's path, and what it meets.
+ *
+ * @param parent the index of the step whose surface it leaves; {@link #NO_PARENT} for the view ray
+ * @param bounce how many surfaces the path has left before, 0 for the view ray
+ * @param origin in the scene's meters
+ * @param direction a unit vector
+ * @param inside whether it goes through the inside of a transparent body
+ * @param throughput what part of the radiance it finds reaches the pixel
+ * @param body what it meets, as view {@code body} numbers it: {@link Layout#NOTHING} is the sky, {@link Layout#LIGHT} and
+ *     {@link Layout#PLANE} are what they say, spheres follow
+ * @param distance in meters; 0 where it meets nothing
+ * @param shading of the surface it meets; none for the light and the sky
+ * @param adds radiance that the step adds to the pixel's sample
+ */
+public record PathStep(
+        int parent,
+        RayKind kind,
+        int bounce,
+        Vector3 origin,
+        Vector3 direction,
+        boolean inside,
+        Rgb throughput,
+        int body,
+        double distance,
+        Optional<Shading> shading,
+        Rgb adds) {
+    public static final int NO_PARENT = -1;
+
+    /** Such as {@code sky}, {@code light}, {@code plane} or {@code body 5}. */
+    public static String bodyName(int body) {
+        return switch (body) {
+            case Layout.NOTHING -> "sky";
+            case Layout.LIGHT -> "light";
+            case Layout.PLANE -> "plane";
+            default -> "body " + body;
+        };
+    }
+}

@@ -1,0 +1,62 @@
+package dev.twister.explain;
+
+import dev.twister.engine.JvmKernel;
+import dev.twister.image.Frame;
+import dev.twister.kernel.Aspect;
+import dev.twister.scene.Rgb;
+import dev.twister.world.FrameInput;
+import dev.twister.world.Picture;
+import java.util.List;
+import java.util.Objects;
+
+/**
+ * The path of one sample of a pixel, as the kernel follows it.
+ *
+ * @param column of the pixel, from 0 at the left
+ * @param row from 0 at the top
+ * @param sample from 0
+ * @param samples of the pixel
+ * @param steps in the order in which the kernel follows the rays; the view ray is the first
+ * @param radiance of the sample: what the steps add, as floats added one after the other
+ * @param pixel the mean of all samples' radiance
+ * @param argb the pixel as it is shown, 0xAARRGGBB
+ */
+public record PixelPath(
+        int column, int row, int sample, int samples, List<PathStep> steps, Rgb radiance, Rgb pixel, int argb) {
+    /**
+     * Follows a sample's path; of the picture itself, where the input is of a view.
+     *
+     * @throws IndexOutOfBoundsException where the picture has no such pixel, or the pixel no such sample
+     */
+    public static PixelPath of(FrameInput input, int column, int row, int sample) {
+        Objects.checkIndex(column, input.width());
+        Objects.checkIndex(row, input.height());
+        Objects.checkIndex(sample, input.samplesPerPixel());
+        FrameInput full = input.aspect() == Aspect.FULL ? input : input.showing(Picture.BEAUTY);
+        FrameInput band = full.band(row, 1);
+        List<PathStep> steps = new PathRecorder(band).record(column, sample);
+        Frame linear = Frame.ofRadiance(input.width(), 1);
+        Frame shown = Frame.ofPixels(input.width(), 1);
+        new JvmKernel().drawRow(band, linear, 0, column, column + 1);
+        new JvmKernel().drawRow(band, shown, 0, column, column + 1);
+        return new PixelPath(
+                column,
+                row,
+                sample,
+                input.samplesPerPixel(),
+                steps,
+                sum(steps),
+                Floats.rgb(linear.radiance(), 3 * column),
+                shown.argb()[column]);
+    }
+
+    private static Rgb sum(List<PathStep> steps) {
+        float[] sum = new float[3];
+        for (PathStep step : steps) {
+            sum[0] += (float) step.adds().red();
+            sum[1] += (float) step.adds().green();
+            sum[2] += (float) step.adds().blue();
+        }
+        return Floats.rgb(sum, 0);
+    }
+}

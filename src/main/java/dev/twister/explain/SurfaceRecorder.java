@@ -1,0 +1,129 @@
+package dev.twister.explain;
+
+import dev.twister.kernel.Aspect;
+import dev.twister.kernel.Layout;
+import dev.twister.kernel.Light;
+import dev.twister.kernel.Path;
+import dev.twister.kernel.Refraction;
+import dev.twister.kernel.Shadow;
+import dev.twister.scene.Vector3;
+import dev.twister.world.Bodies;
+import dev.twister.world.FrameInput;
+import java.util.List;
+
+/** One surface of a path: lets the kernel shade it and turn the ray, and keeps what was there before. */
+final class SurfaceRecorder {
+    private final FrameInput input;
+    private final float[] before;
+    private final float[] facet;
+    private final int body;
+    private final int bounce;
+    private final float visible;
+    private final int waiting;
+
+    /** Takes the path, whose ray has met the body, past its surface. */
+    SurfaceRecorder(FrameInput input, float[] path, float[] scratch, int body, int bounce, int waitingBefore) {
+        this.input = input;
+        this.body = body;
+        this.bounce = bounce;
+        Bodies bodies = input.bodies();
+        float[] properties = input.view().properties();
+        Path.meet(
+                path,
+                body,
+                properties,
+                bodies.places(),
+                bodies.looks(),
+                bodies.hierarchy(),
+                bodies.meshes(),
+                input.panorama().texels(),
+                input.panorama().dimensions(),
+                bodies.firstMesh(),
+                bodies.materials());
+        visible = Path.visible(
+                path,
+                body,
+                bounce,
+                properties,
+                bodies.places(),
+                bodies.looks(),
+                bodies.hierarchy(),
+                bodies.meshes(),
+                input.bodyCount(),
+                input.view().shadowDisc(),
+                scratch,
+                bodies.firstMesh(),
+                bodies.materials(),
+                Aspect.FULL);
+        before = path.clone();
+        waiting = Path.scatter(
+                path,
+                body,
+                bounce,
+                visible,
+                properties,
+                bodies.looks(),
+                input.view().pixelSamples(),
+                scratch,
+                waitingBefore,
+                bodies.materials());
+        facet = path.clone();
+    }
+
+    /** The path as it met the surface. */
+    float[] ray() {
+        return before;
+    }
+
+    /** How many rays wait now. */
+    int waiting() {
+        return waiting;
+    }
+
+    /** Of a ray that begins at the surface: a refracted one goes on to the side that the ray came not from. */
+    RayKind kindOf(float[] rays, int at) {
+        float cameFrom = dot(before, Layout.DIRECTION, before, Layout.NORMAL);
+        float goesTo = dot(rays, at + Layout.DIRECTION, before, Layout.NORMAL);
+        return cameFrom * goesTo > 0 ? RayKind.REFRACTED : RayKind.REFLECTED;
+    }
+
+    Shading shading() {
+        float[] properties = input.view().properties();
+        float transmission =
+                Path.transmission(before, bounce, properties, input.bodies().materials());
+        Vector3 origin = input.bodies().origin();
+        return new Shading(
+                Floats.place(before, Layout.POINT, origin),
+                Floats.vector(before, Layout.NORMAL),
+                Floats.rgb(before, Layout.ALBEDO),
+                before[Layout.REFLECTIVITY],
+                before[Layout.ROUGHNESS],
+                before[Layout.IOR],
+                Floats.vector(before, Layout.TO_LIGHT),
+                before[Layout.NORMAL_DOT_LIGHT],
+                visible,
+                Light.lit(properties[Layout.AMBIENT], before[Layout.NORMAL_DOT_LIGHT], visible),
+                Light.highlight(before, visible),
+                Path.mirror(before, bounce, properties),
+                transmission,
+                transmission > 0 ? reflectance() : 0,
+                shadowRays());
+    }
+
+    private float reflectance() {
+        float cosine = Math.clamp(-dot(before, Layout.DIRECTION, facet, Layout.FACET), 0f, 1f);
+        float ior = before[Layout.IOR];
+        return Refraction.reflectance(cosine, before[Layout.FROM_INSIDE] > 0 ? ior : 1 / ior);
+    }
+
+    private List<ShadowRay> shadowRays() {
+        float[] properties = input.view().properties();
+        int traced = Path.isShaded(before, bounce, properties, input.bodies().materials())
+                & Shadow.matters(before, properties);
+        return traced == 0 ? List.of() : ShadowRays.of(input, before, body);
+    }
+
+    private static float dot(float[] a, int atA, float[] b, int atB) {
+        return a[atA] * b[atB] + a[atA + 1] * b[atB + 1] + a[atA + 2] * b[atB + 2];
+    }
+}

@@ -1,0 +1,130 @@
+package dev.twister.mesh;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.net.URLDecoder;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/** The buffers of a glTF file: in the GLB, in the JSON or in files beside it. */
+final class GltfBuffers implements Closeable {
+    private static final int MAX_BUFFERS = 1000;
+    private static final String DATA = "data:";
+
+    /** Bytes of a buffer, all of which are there. */
+    record Range(Bytes bytes, long start, long length) {}
+
+    private final Path file;
+    private final Bytes bytes;
+    private final GltfDocument document;
+    private final Map<Integer, Range> opened = new HashMap<>();
+    private final List<FileChannel> channels = new ArrayList<>();
+
+    GltfBuffers(Path file, Bytes bytes, GltfDocument document) {
+        this.file = file;
+        this.bytes = bytes;
+        this.document = document;
+    }
+
+    /** The bytes of a buffer view. */
+    Range view(GltfPlace view) throws IOException {
+        GltfPlace buffers = document.root().at("buffers");
+        if (buffers.size() > MAX_BUFFERS) {
+            throw buffers.failure("has " + buffers.size() + " items; at most " + MAX_BUFFERS + " are read");
+        }
+        int index = view.at("buffer").index(buffers);
+        Range buffer = opened.get(index);
+        if (buffer == null) {
+            buffer = open(buffers.at(index), index);
+            opened.put(index, buffer);
+        }
+        long offset = view.at("byteOffset").countOr(0);
+        long length = view.at("byteLength").count();
+        if (offset > buffer.length() || length > buffer.length() - offset) {
+            throw view.failure("reaches to byte " + (offset + length) + " of a buffer of " + buffer.length());
+        }
+        return new Range(buffer.bytes(), buffer.start() + offset, length);
+    }
+
+    private Range open(GltfPlace buffer, int index) throws IOException {
+        long length = buffer.at("byteLength").count();
+        Range all = content(buffer, index);
+        if (length > all.length()) {
+            throw buffer.failure("is said to have " + length + " bytes, but has " + all.length() + "; truncated?");
+        }
+        return new Range(all.bytes(), all.start(), length);
+    }
+
+    private Range content(GltfPlace buffer, int index) throws IOException {
+        GltfPlace uri = buffer.at("uri");
+        if (!uri.exists()) {
+            if (index != 0 || document.binaryLength() == 0) {
+                throw buffer.failure("has no uri, and no bytes in this file; data that only an extension describes, as"
+                        + " EXT_meshopt_compression does, is not read");
+            }
+            return new Range(bytes, document.binaryStart(), document.binaryLength());
+        }
+        if (isData(uri)) {
+            byte[] data = data(uri);
+            return new Range(Bytes.of(bytes.name() + ": " + uri, data), 0, data.length);
+        }
+        Path path = path(file, uri);
+        if (!Files.isRegularFile(path)) {
+            throw uri.failure("names " + Shown.text(uri.text()) + ": file not found beside this one");
+        }
+        FileChannel channel = FileChannel.open(path, StandardOpenOption.READ);
+        channels.add(channel);
+        Bytes content = Bytes.of(path, channel);
+        return new Range(content, 0, content.length());
+    }
+
+    static boolean isData(GltfPlace uri) {
+        return uri.text().regionMatches(true, 0, DATA, 0, DATA.length());
+    }
+
+    /** The bytes in a data URI. */
+    static byte[] data(GltfPlace uri) {
+        String text = uri.text();
+        int comma = text.indexOf(',');
+        if (comma < 0 || !text.substring(0, comma).endsWith(";base64")) {
+            throw uri.failure("is no data URI in base64");
+        }
+        try {
+            return Base64.getDecoder().decode(text.substring(comma + 1));
+        } catch (IllegalArgumentException broken) {
+            throw uri.failure("is a broken data URI: no base64; export the file again");
+        }
+    }
+
+    /** The file that a relative URI names. */
+    static Path path(Path file, GltfPlace uri) {
+        String text = uri.text();
+        try {
+            // The decoder is one for forms, where a plus is a space.
+            text = URLDecoder.decode(text.replace("+", "%2B"), StandardCharsets.UTF_8);
+        } catch (IllegalArgumentException broken) {
+            throw uri.failure("is " + Shown.text(text) + ", no valid URI");
+        }
+        return PathsBeside.of(file, text, problem -> uri.failure(": " + problem));
+    }
+
+    /** How many bytes the buffers that were read have. */
+    long openedBytes() {
+        return opened.values().stream().mapToLong(Range::length).sum();
+    }
+
+    @Override
+    public void close() throws IOException {
+        for (FileChannel channel : channels) {
+            channel.close();
+        }
+    }
+}

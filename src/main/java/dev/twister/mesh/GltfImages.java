@@ -1,0 +1,84 @@
+package dev.twister.mesh;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+
+/** The pictures of a glTF file: in it, or beside it. */
+final class GltfImages {
+    private final Path file;
+    private final Bytes bytes;
+    private final GltfPlace root;
+    private final GltfBuffers buffers;
+    private final Warnings warnings;
+    private final Map<Integer, Optional<Path>> found = new HashMap<>();
+    private final Map<Path, byte[]> embedded = new LinkedHashMap<>();
+    private long embeddedBytes;
+
+    GltfImages(Path file, Bytes bytes, GltfPlace root, GltfBuffers buffers, Warnings warnings) {
+        this.file = file;
+        this.bytes = bytes;
+        this.root = root;
+        this.buffers = buffers;
+        this.warnings = warnings;
+    }
+
+    /** Those in the file that materials have, by the path that these have as their texture. */
+    Map<Path, byte[]> embedded() {
+        return embedded;
+    }
+
+    /** The picture of a texture; empty, with a warning, where it cannot be used. */
+    Optional<Path> ofTexture(GltfPlace texture) throws IOException {
+        if (!texture.at("source").exists()) {
+            warnings.add(texture + " has no PNG or JPEG" + ofExtension(texture) + "; rendered without it");
+            return Optional.empty();
+        }
+        GltfPlace images = root.at("images");
+        int index = texture.at("source").index(images);
+        Optional<Path> known = found.get(index);
+        if (known == null) {
+            known = find(images.at(index), index);
+            found.put(index, known);
+        }
+        return known;
+    }
+
+    private static String ofExtension(GltfPlace texture) {
+        return texture.at("extensions").names().stream()
+                .findFirst()
+                .map(name -> " but what " + Shown.text(name) + " describes")
+                .orElse("");
+    }
+
+    private Optional<Path> find(GltfPlace image, int index) throws IOException {
+        GltfPlace uri = image.at("uri");
+        if (!uri.exists()) {
+            GltfBuffers.Range view = buffers.view(image.at("bufferView").in(root.at("bufferViews")));
+            return embed(image, index, view);
+        }
+        if (GltfBuffers.isData(uri)) {
+            byte[] data = GltfBuffers.data(uri);
+            return embed(image, index, new GltfBuffers.Range(Bytes.of("", data), 0, data.length));
+        }
+        return TextureFiles.usable(GltfBuffers.path(file, uri), warnings);
+    }
+
+    private Optional<Path> embed(GltfPlace image, int index, GltfBuffers.Range range) throws IOException {
+        embeddedBytes += range.length();
+        if (embeddedBytes > bytes.length() + buffers.openedBytes()) {
+            throw image.failure("shares its bytes with other images, which together are more than the file's");
+        }
+        byte[] picture = range.bytes().copy(range.start(), (int) range.length());
+        if (!TextureFiles.isPicture(picture)) {
+            warnings.add(image + " is neither PNG nor JPEG; rendered without it");
+            return Optional.empty();
+        }
+        Path path = file.resolveSibling(file.getFileName() + "#" + index);
+        embedded.put(path, picture);
+        return Optional.of(path);
+    }
+}

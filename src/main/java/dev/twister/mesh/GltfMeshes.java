@@ -1,0 +1,201 @@
+package dev.twister.mesh;
+
+import dev.twister.scene.Material;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** The meshes of a glTF file, each of whose primitives becomes a mesh of its own. */
+final class GltfMeshes {
+    private static final int TRIANGLES = 4;
+    private static final int STRIP = 5;
+    private static final int FAN = 6;
+    private static final String DRACO = "KHR_draco_mesh_compression";
+
+    /** A primitive that has triangles. */
+    record Primitive(int mesh, Material material) {}
+
+    private final GltfPlace root;
+    private final GltfBuffers buffers;
+    private final GltfMaterials materials;
+    private final double smoothDegrees;
+    private final Warnings warnings;
+    private final List<TriangleMesh> meshes = new ArrayList<>();
+    private final Map<Integer, List<Primitive>> read = new HashMap<>();
+    private long triangles;
+    private int degenerateTriangles;
+
+    GltfMeshes(GltfPlace root, GltfBuffers buffers, GltfMaterials materials, double smoothDegrees, Warnings warnings) {
+        this.root = root;
+        this.buffers = buffers;
+        this.materials = materials;
+        this.smoothDegrees = smoothDegrees;
+        this.warnings = warnings;
+    }
+
+    List<TriangleMesh> meshes() {
+        return meshes;
+    }
+
+    int degenerateTriangles() {
+        return degenerateTriangles;
+    }
+
+    /** The primitives of one of the file's meshes, which is read at the first call. */
+    List<Primitive> primitives(int index) throws IOException {
+        List<Primitive> known = read.get(index);
+        if (known == null) {
+            known = new ArrayList<>();
+            for (GltfPlace primitive :
+                    root.at("meshes").at(index).at("primitives").items()) {
+                readPrimitive(primitive).ifPresent(known::add);
+            }
+            read.put(index, known);
+        }
+        return known;
+    }
+
+    private Optional<Primitive> readPrimitive(GltfPlace primitive) throws IOException {
+        long mode = primitive.at("mode").countOr(TRIANGLES);
+        GltfPlace attributes = primitive.at("attributes");
+        if (mode < TRIANGLES || mode > FAN || !attributes.at("POSITION").exists()) {
+            warnings.add("there are points or lines, or triangles without positions; not read");
+            return Optional.empty();
+        }
+        if (primitive.at("targets").size() > 0) {
+            warnings.add("morph targets are not applied");
+        }
+        GltfAccessor positions = accessor(attributes.at("POSITION"), 3);
+        if (positions.isEmpty()) {
+            throw positions
+                    .place()
+                    .failure(
+                            primitive.at("extensions").at(DRACO).exists()
+                                    ? "is compressed by " + DRACO
+                                            + ", which is not read; export the file without compression"
+                                    : "has no bufferView, so that all positions are the same");
+        }
+        int[] corners = corners(primitive, (int) mode, positions.count());
+        GltfMaterials.Textured material = materials.of(primitive);
+        MeshAssembly.Assembled assembled =
+                MeshAssembly.assemble(soup(attributes, positions, corners, material), Axes.Y_UP, smoothDegrees);
+        degenerateTriangles += assembled.degenerateTriangles();
+        if (assembled.meshByMaterial().isEmpty()) {
+            return Optional.empty();
+        }
+        meshes.add(assembled.meshByMaterial().firstEntry().getValue());
+        return Optional.of(new Primitive(meshes.size() - 1, material.material()));
+    }
+
+    private GltfAccessor accessor(GltfPlace number, int components) throws IOException {
+        return GltfAccessor.open(root, number.in(root.at("accessors")), components, buffers);
+    }
+
+    private Optional<GltfAccessor> attribute(GltfPlace number, int components, GltfAccessor positions)
+            throws IOException {
+        if (!number.exists()) {
+            return Optional.empty();
+        }
+        GltfAccessor accessor = accessor(number, components);
+        if (accessor.count() != positions.count()) {
+            throw accessor.place()
+                    .failure("has " + accessor.count() + " elements, but the positions beside it are "
+                            + positions.count());
+        }
+        return Optional.of(accessor);
+    }
+
+    private TriangleSoup soup(
+            GltfPlace attributes, GltfAccessor positions, int[] corners, GltfMaterials.Textured material)
+            throws IOException {
+        Optional<GltfAccessor> normals = attribute(attributes.at("NORMAL"), 3, positions);
+        Optional<GltfAccessor> coordinates =
+                attribute(attributes.at("TEXCOORD_" + material.coordinateSet()), 2, positions);
+        BitSet used = new BitSet(positions.count());
+        for (int corner : corners) {
+            used.set(corner);
+        }
+        TriangleSoup soup = new TriangleSoup(used.cardinality(), corners.length / 3);
+        int[] numbers = new int[used.length()];
+        // One attribute after the other, as each mostly has a place of its own in the file.
+        for (int vertex = used.nextSetBit(0); vertex >= 0; vertex = used.nextSetBit(vertex + 1)) {
+            numbers[vertex] = soup.vertices();
+            addPosition(soup, positions, vertex);
+        }
+        if (normals.isPresent()) {
+            addNormals(soup, normals.get(), used);
+        }
+        if (coordinates.isPresent()) {
+            addCoordinates(soup, coordinates.get(), material.layout(), used);
+        }
+        for (int i = 0; i < corners.length; i += 3) {
+            soup.triangle(numbers[corners[i]], numbers[corners[i + 1]], numbers[corners[i + 2]]);
+        }
+        return soup;
+    }
+
+    private static void addNormals(TriangleSoup soup, GltfAccessor normals, BitSet used) throws IOException {
+        for (int vertex = used.nextSetBit(0); vertex >= 0; vertex = used.nextSetBit(vertex + 1)) {
+            soup.normal(normals.get(vertex, 0), normals.get(vertex, 1), normals.get(vertex, 2));
+        }
+    }
+
+    private static void addCoordinates(TriangleSoup soup, GltfAccessor coordinates, TextureLayout layout, BitSet used)
+            throws IOException {
+        for (int vertex = used.nextSetBit(0); vertex >= 0; vertex = used.nextSetBit(vertex + 1)) {
+            double u = coordinates.get(vertex, 0);
+            double v = coordinates.get(vertex, 1);
+            soup.textureCoordinates(layout.u(u, v), layout.v(u, v));
+        }
+    }
+
+    private static void addPosition(TriangleSoup soup, GltfAccessor positions, int vertex) throws IOException {
+        double x = positions.get(vertex, 0);
+        double y = positions.get(vertex, 1);
+        double z = positions.get(vertex, 2);
+        for (double value : new double[] {x, y, z}) {
+            if (!MeshLimits.isCoordinate(value)) {
+                throw positions.place().failure("has at element " + vertex + " " + MeshLimits.badCoordinate(value));
+            }
+        }
+        soup.position(x, y, z);
+    }
+
+    /** Three vertices per triangle, whatever they are written as. */
+    private int[] corners(GltfPlace primitive, int mode, int vertices) throws IOException {
+        GltfPlace number = primitive.at("indices");
+        Optional<GltfAccessor> indices = number.exists() ? Optional.of(accessor(number, 1)) : Optional.empty();
+        int count = indices.map(GltfAccessor::count).orElse(vertices);
+        int triangleCount = mode == TRIANGLES ? count / 3 : Math.max(0, count - 2);
+        triangles += triangleCount;
+        if (triangles > MeshLimits.TRIANGLES) {
+            throw primitive.failure("brings the file to " + MeshLimits.tooManyTriangles(triangles));
+        }
+        int[] listed = new int[mode == TRIANGLES ? 3 * triangleCount : count];
+        for (int i = 0; i < listed.length; i++) {
+            double index = indices.isPresent() ? indices.get().get(i, 0) : i;
+            if (!(index >= 0 && index < vertices) || index != (int) index) {
+                throw indices.orElseThrow()
+                        .place()
+                        .failure("has the vertex " + (long) index + "; there are " + vertices);
+            }
+            listed[i] = (int) index;
+        }
+        return mode == TRIANGLES ? listed : unrolled(listed, mode, triangleCount);
+    }
+
+    private static int[] unrolled(int[] listed, int mode, int triangleCount) {
+        int[] corners = new int[3 * triangleCount];
+        for (int i = 0; i < triangleCount; i++) {
+            boolean odd = mode == STRIP && i % 2 == 1;
+            corners[3 * i] = listed[mode == FAN ? 0 : odd ? i + 1 : i];
+            corners[3 * i + 1] = listed[odd ? i : i + 1];
+            corners[3 * i + 2] = listed[i + 2];
+        }
+        return corners;
+    }
+}

@@ -1,0 +1,158 @@
+package dev.twister.mesh;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Deque;
+import java.util.List;
+import java.util.Set;
+
+/** Reads glTF 2.0 files, as JSON and as GLB. */
+final class GltfReader {
+    private static final Set<String> READ =
+            Set.of("KHR_materials_transmission", "KHR_materials_ior", "KHR_texture_transform", "KHR_mesh_quantization");
+
+    private final Path file;
+    private final Bytes bytes;
+    private final double smoothDegrees;
+    private final Warnings warnings;
+    private final List<MeshPart> parts = new ArrayList<>();
+
+    private record Placed(int node, Affine parent) {}
+
+    GltfReader(Path file, Bytes bytes, double smoothDegrees, Warnings warnings) {
+        this.file = file;
+        this.bytes = bytes;
+        this.smoothDegrees = smoothDegrees;
+        this.warnings = warnings;
+    }
+
+    MeshFile read() throws IOException {
+        GltfDocument document = GltfDocument.read(bytes);
+        GltfPlace root = document.root();
+        checkVersion(root);
+        checkExtensions(root);
+        warnOfUnused(root);
+        try (GltfBuffers buffers = new GltfBuffers(file, bytes, document)) {
+            GltfImages images = new GltfImages(file, bytes, root, buffers, warnings);
+            GltfMeshes meshes =
+                    new GltfMeshes(root, buffers, new GltfMaterials(root, images, warnings), smoothDegrees, warnings);
+            placeAll(root, meshes);
+            if (parts.isEmpty()) {
+                throw MeshReader.noTriangles(bytes, meshes.degenerateTriangles());
+            }
+            return new MeshFile(meshes.meshes(), parts, images.embedded(), meshes.degenerateTriangles());
+        }
+    }
+
+    private static void checkVersion(GltfPlace root) {
+        GltfPlace version = root.at("asset").at("version");
+        if (!version.text().startsWith("2.")) {
+            throw version.failure("is " + Shown.text(version.text()) + "; glTF 2.0 is read");
+        }
+    }
+
+    private void checkExtensions(GltfPlace root) {
+        for (GltfPlace required : root.at("extensionsRequired").items()) {
+            String name = required.text();
+            // These say how a surface looks, and without them it looks plain.
+            if (!READ.contains(name) && !name.startsWith("KHR_materials_") && !name.equals("KHR_lights_punctual")) {
+                throw required.failure("is " + Shown.text(name) + ", which is not read; export the file without it");
+            }
+        }
+        for (GltfPlace used : root.at("extensionsUsed").items()) {
+            if (!READ.contains(used.text())) {
+                warnings.add("the extension " + Shown.text(used.text()) + " is not read");
+            }
+        }
+    }
+
+    private void warnOfUnused(GltfPlace root) {
+        if (root.at("animations").size() > 0) {
+            warnings.add("animations are not played; the mesh is as the nodes place it");
+        }
+        if (root.at("skins").size() > 0) {
+            warnings.add("skins are not applied; the mesh has its bind pose");
+        }
+        if (root.at("scenes").size() > 1) {
+            warnings.add("there are several scenes; " + (root.at("scene").exists() ? "the default" : "the first")
+                    + " one is read");
+        }
+    }
+
+    private void placeAll(GltfPlace root, GltfMeshes meshes) throws IOException {
+        GltfPlace nodes = root.at("nodes");
+        Deque<Placed> waiting = new ArrayDeque<>();
+        BitSet reached = new BitSet();
+        reach(roots(root, nodes), nodes, Affine.IDENTITY, waiting, reached);
+        while (!waiting.isEmpty()) {
+            Placed next = waiting.pop();
+            GltfPlace node = nodes.at(next.node());
+            Affine placement = next.parent().of(GltfTransform.of(node));
+            if (node.at("mesh").exists()) {
+                place(node, placement, node.at("mesh").index(root.at("meshes")), root, meshes);
+            }
+            reach(numbers(node.at("children"), nodes), nodes, placement, waiting, reached);
+        }
+        if (nodes.size() == 0) {
+            for (int mesh = 0; mesh < root.at("meshes").size(); mesh++) {
+                place(root.at("meshes").at(mesh), Affine.IDENTITY, mesh, root, meshes);
+            }
+        }
+    }
+
+    private static void reach(
+            List<Integer> numbers, GltfPlace nodes, Affine parent, Deque<Placed> waiting, BitSet reached) {
+        // Taken from the end: the first is to be placed first.
+        for (int node : numbers.reversed()) {
+            if (reached.get(node)) {
+                throw nodes.at(node).failure("is in the scene twice, or its own ancestor; nodes must form a tree");
+            }
+            reached.set(node);
+            waiting.push(new Placed(node, parent));
+        }
+    }
+
+    private static List<Integer> numbers(GltfPlace list, GltfPlace nodes) {
+        return list.items().stream().map(number -> number.index(nodes)).toList();
+    }
+
+    /** The nodes that the file shows: those of its scene, or all that have no parent. */
+    private static List<Integer> roots(GltfPlace root, GltfPlace nodes) {
+        GltfPlace scenes = root.at("scenes");
+        if (scenes.size() > 0) {
+            GltfPlace scene = root.at("scene").exists() ? root.at("scene").in(scenes) : scenes.at(0);
+            return numbers(scene.at("nodes"), nodes);
+        }
+        BitSet children = new BitSet();
+        for (GltfPlace node : nodes.items()) {
+            for (GltfPlace child : node.at("children").items()) {
+                children.set(child.index(nodes));
+            }
+        }
+        List<Integer> roots = new ArrayList<>();
+        for (int node = children.nextClearBit(0); node < nodes.size(); node = children.nextClearBit(node + 1)) {
+            roots.add(node);
+        }
+        return roots;
+    }
+
+    private void place(GltfPlace node, Affine placement, int mesh, GltfPlace root, GltfMeshes meshes)
+            throws IOException {
+        Affine turned = GltfTransform.turned(placement);
+        if (!GltfTransform.isUsable(turned)) {
+            warnings.add(node + " is flat, or far too large; not read");
+            return;
+        }
+        GltfPlace source = root.at("meshes").at(mesh);
+        String name = node.at("name").textOr(source.at("name").textOr(""));
+        for (GltfMeshes.Primitive primitive : meshes.primitives(mesh)) {
+            if (parts.size() == MeshLimits.PARTS) {
+                throw node.failure("brings the file to more than " + MeshLimits.PARTS + " parts; join its meshes");
+            }
+            parts.add(new MeshPart(name, primitive.mesh(), turned, primitive.material()));
+        }
+    }
+}

@@ -1,0 +1,84 @@
+package dev.twister.mesh;
+
+import dev.twister.scene.Vector3;
+
+/** The placements of glTF's nodes. */
+final class GltfTransform {
+    private static final double FLAT = 1e-12;
+
+    private GltfTransform() {}
+
+    /** From a node's coordinates to its parent's, both as the file has them. */
+    static Affine of(GltfPlace node) {
+        if (node.at("matrix").exists()) {
+            double[] m = node.at("matrix").numbersOr(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
+            return new Affine(column(m, 0), column(m, 4), column(m, 8), column(m, 12));
+        }
+        double[] scale = node.at("scale").numbersOr(1, 1, 1);
+        Affine turn = rotation(node.at("rotation").numbersOr(0, 0, 0, 1));
+        return new Affine(
+                scaled(turn.axisX(), scale[0]),
+                scaled(turn.axisY(), scale[1]),
+                scaled(turn.axisZ(), scale[2]),
+                column(node.at("translation").numbersOr(0, 0, 0), 0));
+    }
+
+    /** The same placement in Twister's axes, on both sides of it. */
+    static Affine turned(Affine placement) {
+        return new Affine(
+                turned(placement.axisX()),
+                turned(placement.axisY()),
+                scaled(turned(placement.axisZ()), -1),
+                turned(placement.origin()));
+    }
+
+    private static Vector3 turned(Vector3 vector) {
+        return new Vector3(vector.x(), vector.y(), 0 - vector.z());
+    }
+
+    /** Whether what is placed keeps its volume, and a size that floats can have. */
+    static boolean isUsable(Affine placement) {
+        Vector3 x = placement.axisX();
+        Vector3 y = placement.axisY();
+        Vector3 z = placement.axisZ();
+        double volume = x.x() * (y.y() * z.z() - y.z() * z.y())
+                + x.y() * (y.z() * z.x() - y.x() * z.z())
+                + x.z() * (y.x() * z.y() - y.y() * z.x());
+        double lengths = length(x) * length(y) * length(z);
+        return Math.abs(volume) > FLAT * lengths
+                && MeshLimits.isCoordinate(Math.max(length(x), Math.max(length(y), length(z))))
+                && MeshLimits.isCoordinate(length(placement.origin()));
+    }
+
+    private static double length(Vector3 vector) {
+        return Math.sqrt(vector.x() * vector.x() + vector.y() * vector.y() + vector.z() * vector.z());
+    }
+
+    private static Vector3 column(double[] numbers, int at) {
+        return new Vector3(numbers[at], numbers[at + 1], numbers[at + 2]);
+    }
+
+    private static Vector3 scaled(Vector3 vector, double factor) {
+        return new Vector3(factor * vector.x(), factor * vector.y(), factor * vector.z());
+    }
+
+    /** Of a quaternion (x, y, z, w) of any length; of none where that is 0. */
+    private static Affine rotation(double[] q) {
+        double square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+        double s = square > 0 ? 2 / square : 0;
+        double xx = s * q[0] * q[0];
+        double yy = s * q[1] * q[1];
+        double zz = s * q[2] * q[2];
+        double xy = s * q[0] * q[1];
+        double xz = s * q[0] * q[2];
+        double yz = s * q[1] * q[2];
+        double wx = s * q[3] * q[0];
+        double wy = s * q[3] * q[1];
+        double wz = s * q[3] * q[2];
+        return new Affine(
+                new Vector3(1 - yy - zz, xy + wz, xz - wy),
+                new Vector3(xy - wz, 1 - xx - zz, yz + wx),
+                new Vector3(xz + wy, yz - wx, 1 - xx - yy),
+                new Vector3(0, 0, 0));
+    }
+}

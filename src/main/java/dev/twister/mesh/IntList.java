@@ -1,0 +1,50 @@
+package dev.twister.mesh;
+
+import java.util.Arrays;
+
+/** Ints, one after the other. */
+final class IntList {
+    private int[] values;
+    private int size;
+
+    IntList(int capacity) {
+        values = new int[Math.max(16, capacity)];
+    }
+
+    IntList() {
+        this(0);
+    }
+
+    int size() {
+        return size;
+    }
+
+    int get(int index) {
+        return values[index];
+    }
+
+    void set(int index, int value) {
+        values[index] = value;
+    }
+
+    void add(int value) {
+        if (size == values.length) {
+            values = Arrays.copyOf(values, Math.addExact(size, size >> 1));
+        }
+        values[size++] = value;
+    }
+
+    /** Leaves out what comes after so many. */
+    void cut(int newSize) {
+        size = newSize;
+    }
+
+    /** The values so far, and room behind them: not for keeping. */
+    int[] storage() {
+        return values;
+    }
+
+    int[] toArray() {
+        return size == values.length ? values : Arrays.copyOf(values, size);
+    }
+}

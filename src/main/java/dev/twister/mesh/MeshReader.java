@@ -1,0 +1,101 @@
+package dev.twister.mesh;
+
+import dev.twister.files.SystemReason;
+import dev.twister.scene.Material;
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Consumer;
+
+/** Reads mesh files: OBJ, glTF 2.0 (also binary), PLY and STL. */
+public final class MeshReader {
+    private MeshReader() {}
+
+    /**
+     * Reads a mesh file of at most 2 GiB and 16,000,000 triangles. What it is is told by its first bytes, or where the
+     * format has no mark, by how the name ends. The result has Twister's axes: x right, y up, z into the picture.
+     *
+     * @param file a file of the default file system
+     * @param smoothDegrees where the file has no normals: triangles whose planes meet at no larger angle are shaded as
+     *     one smooth surface, in [0, 180]; 0 leaves every triangle flat
+     * @param warnings told of what the file says and is not used; one line each that names the file
+     * @throws MeshException where there is no such file, it is not a mesh of these kinds, is damaged or too large
+     */
+    public static MeshFile read(Path file, double smoothDegrees, Consumer<String> warnings) {
+        String name = Shown.path(file);
+        try {
+            if (!Files.exists(file)) {
+                throw new MeshException(name + ": file not found");
+            }
+            if (!Files.isRegularFile(file)) {
+                throw new MeshException(name + ": not a file but a folder or a device");
+            }
+            try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
+                return read(file, Bytes.of(file, channel), smoothDegrees, new Warnings(name, warnings));
+            }
+        } catch (IOException problem) {
+            throw new MeshException(name + ": " + SystemReason.of(problem), problem);
+        }
+    }
+
+    private static MeshFile read(Path file, Bytes bytes, double smoothDegrees, Warnings warnings) throws IOException {
+        if (bytes.length() == 0) {
+            throw bytes.failure("an empty file");
+        }
+        if (bytes.length() > MeshLimits.FILE_BYTES) {
+            throw bytes.failure(bytes.length() + " bytes; at most " + MeshLimits.FILE_BYTES + " (2 GiB) are read");
+        }
+        return switch (format(file, bytes)) {
+            case GLTF -> new GltfReader(file, bytes, smoothDegrees, warnings).read();
+            case OBJ -> new ObjReader(file, bytes, smoothDegrees, warnings).read();
+            case PLY -> new PlyReader(file, bytes, smoothDegrees, warnings).read();
+            case STL -> new StlReader(bytes, smoothDegrees, warnings).read();
+        };
+    }
+
+    private enum Format {
+        GLTF,
+        OBJ,
+        PLY,
+        STL
+    }
+
+    private static Format format(Path file, Bytes bytes) throws IOException {
+        String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
+        if (bytes.startsWith("ply\n") || bytes.startsWith("ply\r")) {
+            return Format.PLY;
+        }
+        if (GltfDocument.isBinary(bytes) || name.endsWith(".gltf") || name.endsWith(".glb")) {
+            return Format.GLTF;
+        }
+        if (name.endsWith(".stl") || StlReader.isBinary(bytes) || bytes.startsWith("solid")) {
+            return Format.STL;
+        }
+        if (name.endsWith(".obj")) {
+            return Format.OBJ;
+        }
+        throw bytes.failure("not a mesh by its first bytes or its name; OBJ, glTF, GLB, PLY and STL are read");
+    }
+
+    /** A file of one material. */
+    static MeshFile single(String name, Bytes bytes, MeshAssembly.Assembled assembled, Material material) {
+        if (assembled.meshByMaterial().isEmpty()) {
+            throw noTriangles(bytes, assembled.degenerateTriangles());
+        }
+        return new MeshFile(
+                List.copyOf(assembled.meshByMaterial().values()),
+                List.of(new MeshPart(name, 0, Affine.IDENTITY, material)),
+                Map.of(),
+                assembled.degenerateTriangles());
+    }
+
+    static MeshException noTriangles(Bytes bytes, int degenerate) {
+        return bytes.failure(
+                degenerate == 0 ? "holds no triangles" : "holds no triangles but " + degenerate + " without an area");
+    }
+}

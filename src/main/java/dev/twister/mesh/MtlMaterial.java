@@ -1,0 +1,71 @@
+package dev.twister.mesh;
+
+import dev.twister.scene.Material;
+import dev.twister.scene.Rgb;
+import java.nio.file.Path;
+import java.util.Optional;
+
+/** What an MTL file says of a material, and Twister's material for it. */
+final class MtlMaterial {
+    private static final double MAX_EXPONENT = 1000;
+
+    Rgb diffuse = Material.DEFAULT.color();
+    Optional<Rgb> specular = Optional.empty();
+    Optional<Rgb> filter = Optional.empty();
+    Optional<Double> opacity = Optional.empty();
+    Optional<Double> transparency = Optional.empty();
+    Optional<Double> ior = Optional.empty();
+    Optional<Path> texture = Optional.empty();
+    double exponent;
+    double roughness;
+    double metallic;
+    long illumination = 2;
+
+    Material material() {
+        double opaque =
+                opacity.orElseGet(() -> transparency.map(value -> 1 - value).orElse(1.0));
+        double through = Math.clamp(1 - opaque, 0.0, 1.0);
+        boolean glass = isGlass();
+        double transmission = glass && through == 0 ? 1 : through;
+        return new Material(
+                transmission > 0 ? tint(glass) : diffuse,
+                reflectivity(),
+                Math.clamp(roughness, 0.0, 1.0),
+                transmission,
+                // What is only faded, without an index, is not to bend the light.
+                Math.clamp(ior.orElse(glass || transmission == 0 ? Material.DEFAULT.ior() : 1.0), 1.0, 4.0),
+                texture);
+    }
+
+    private boolean isGlass() {
+        return illumination == 4 || illumination == 6 || illumination == 7 || illumination == 9;
+    }
+
+    private boolean isMirror() {
+        return illumination == 3 || illumination == 5 || illumination == 8;
+    }
+
+    /** The filter's color, where there is one; black glass is one whose file says its color nowhere. */
+    private Rgb tint(boolean glass) {
+        boolean black = diffuse.red() == 0 && diffuse.green() == 0 && diffuse.blue() == 0;
+        return filter.orElse(glass && black ? Material.DEFAULT.color() : diffuse);
+    }
+
+    private double reflectivity() {
+        if (metallic > 0) {
+            return Reflectivity.of(Math.clamp(metallic, 0.0, 1.0), Math.clamp(roughness, 0.0, 1.0));
+        }
+        double strength = specular.map(MtlMaterial::greatest).orElse(0.0);
+        if (isMirror()) {
+            return Reflectivity.MOST * (specular.isPresent() ? strength : 1);
+        }
+        if (isGlass() || illumination < 2) {
+            return 0;
+        }
+        return Reflectivity.PLASTIC * strength * Math.clamp(exponent / MAX_EXPONENT * 10, 0.0, 1.0);
+    }
+
+    private static double greatest(Rgb color) {
+        return Math.max(color.red(), Math.max(color.green(), color.blue()));
+    }
+}

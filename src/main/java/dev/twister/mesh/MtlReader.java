@@ -1,0 +1,156 @@
+package dev.twister.mesh;
+
+import dev.twister.scene.Material;
+import dev.twister.scene.Rgb;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/** Reads the materials of an MTL file. */
+final class MtlReader {
+    private static final int MAX_MATERIALS = 10_000;
+    private static final Set<String> UNUSED = Set.of(
+            "Ka",
+            "Ke",
+            "sharpness",
+            "map_Ka",
+            "map_Ks",
+            "map_Ke",
+            "map_Ns",
+            "map_d",
+            "map_Bump",
+            "map_bump",
+            "bump",
+            "disp",
+            "decal",
+            "refl",
+            "norm",
+            "map_Pr",
+            "map_Pm",
+            "map_Ps",
+            "Ps",
+            "Pc",
+            "Pcr",
+            "aniso",
+            "anisor");
+
+    private final Path file;
+    private final TextCursor text;
+    private final Warnings warnings;
+
+    MtlReader(Path file, Bytes bytes, Warnings warnings) {
+        this.file = file;
+        this.text = new TextCursor(bytes);
+        this.warnings = warnings;
+    }
+
+    Map<String, Material> read() throws IOException {
+        Map<String, Material> materials = new HashMap<>();
+        MtlMaterial current = new MtlMaterial();
+        String name = "";
+        while (!text.atEnd()) {
+            if (!text.atLineEnd()) {
+                String keyword = text.word();
+                if (keyword.equals("newmtl")) {
+                    materials.putIfAbsent(name, current.material());
+                    current = new MtlMaterial();
+                    name = text.rest();
+                    if (materials.size() > MAX_MATERIALS) {
+                        throw text.failure("more than " + MAX_MATERIALS + " materials");
+                    }
+                } else {
+                    readField(keyword, current);
+                }
+            }
+            text.skipLine();
+        }
+        materials.putIfAbsent(name, current.material());
+        return materials;
+    }
+
+    private void readField(String keyword, MtlMaterial material) throws IOException {
+        switch (keyword) {
+            case "Kd" -> color().ifPresent(color -> material.diffuse = color);
+            case "Ks" -> color().ifPresent(color -> material.specular = Optional.of(color));
+            case "Tf" -> color().ifPresent(color -> material.filter = Optional.of(color));
+            case "Ns" -> material.exponent = number();
+            case "Ni" -> material.ior = Optional.of(number());
+            case "d" -> {
+                if (!text.atLineEnd() && text.atNumber()) {
+                    material.opacity = Optional.of(number());
+                }
+            }
+            case "Tr" -> material.transparency = Optional.of(number());
+            case "illum" -> material.illumination = text.integer("an illumination model from 0 to 10");
+            case "Pr" -> material.roughness = number();
+            case "Pm" -> material.metallic = number();
+            case "map_Kd" -> material.texture = texture(text.rest());
+            default -> {
+                if (!UNUSED.contains(keyword)) {
+                    warnings.add("material library: " + Shown.text(keyword) + " is not read");
+                }
+            }
+        }
+    }
+
+    /** Three numbers or one for all; empty where it is a spectrum or CIE XYZ, which hardly any file has. */
+    private Optional<Rgb> color() throws IOException {
+        if (!text.atLineEnd() && !text.atNumber()) {
+            warnings.add("material library: a color as spectrum or CIE XYZ is not read");
+            return Optional.empty();
+        }
+        double red = unit();
+        if (text.atLineEnd()) {
+            return Optional.of(new Rgb(red, red, red));
+        }
+        double green = unit();
+        return Optional.of(new Rgb(red, green, text.atLineEnd() ? green : unit()));
+    }
+
+    private double unit() throws IOException {
+        return Math.clamp(number(), 0.0, 1.0);
+    }
+
+    private double number() throws IOException {
+        double value = text.number();
+        if (!Double.isFinite(value)) {
+            throw text.failure("a number that is not finite");
+        }
+        return value;
+    }
+
+    /** What follows the options of a texture. */
+    private Optional<Path> texture(String line) throws IOException {
+        String rest = line;
+        while (rest.matches("-[a-z].*")) {
+            warnings.add("material library: options of textures are not read");
+            rest = withoutOption(rest);
+        }
+        if (rest.isEmpty()) {
+            return Optional.empty();
+        }
+        return TextureFiles.usable(PathsBeside.of(file, rest, text::failure), warnings);
+    }
+
+    private static String withoutOption(String line) {
+        String[] option = line.split("\\s+", 2);
+        String rest = option.length < 2 ? "" : option[1];
+        int most = switch (option[0]) {
+            case "-o", "-s", "-t" -> 3;
+            case "-mm" -> 2;
+            default -> 1;
+        };
+        for (int i = 0; i < most; i++) {
+            String[] value = rest.split("\\s+", 2);
+            // Of three numbers the last two may be left out.
+            if (i > 0 && !value[0].matches("[+-]?[0-9.]+")) {
+                break;
+            }
+            rest = value.length < 2 ? "" : value[1];
+        }
+        return rest;
+    }
+}

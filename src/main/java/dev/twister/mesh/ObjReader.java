@@ -1,0 +1,231 @@
+package dev.twister.mesh;
+
+import dev.twister.scene.Material;
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.SequencedMap;
+
+/** Reads OBJ files, and the MTL files that they name. */
+final class ObjReader {
+    private static final int MAX_MATERIALS = 10_000;
+    private static final int MAX_LIBRARIES = 100;
+    private static final int MAX_LIBRARY_BYTES = 1 << 26;
+
+    private final Path file;
+    private final Bytes bytes;
+    private final double smoothDegrees;
+    private final Warnings warnings;
+    private final TextCursor text;
+    private final TriangleSoup soup = new TriangleSoup(0, 0);
+    private final PolygonCutter cutter = new PolygonCutter();
+    private final IntList polygon = new IntList();
+    private final IntList polygonNormals = new IntList();
+    private final IntList polygonTextures = new IntList();
+    private final SequencedMap<String, Integer> numberByMaterial = new LinkedHashMap<>();
+    private final Map<String, Material> defined = new HashMap<>();
+    private int libraries;
+    private int material;
+
+    ObjReader(Path file, Bytes bytes, double smoothDegrees, Warnings warnings) {
+        this.file = file;
+        this.bytes = bytes;
+        this.smoothDegrees = smoothDegrees;
+        this.warnings = warnings;
+        this.text = new TextCursor(bytes);
+        numberByMaterial.put("", 0);
+    }
+
+    MeshFile read() throws IOException {
+        while (!text.atEnd()) {
+            if (!text.atLineEnd()) {
+                readLine(text.word());
+            }
+            text.skipLine();
+        }
+        MeshAssembly.Assembled assembled = MeshAssembly.assemble(soup, Axes.Y_UP, smoothDegrees);
+        if (assembled.meshByMaterial().isEmpty()) {
+            throw MeshReader.noTriangles(bytes, assembled.degenerateTriangles());
+        }
+        List<String> names = List.copyOf(numberByMaterial.keySet());
+        List<MeshPart> parts = new ArrayList<>();
+        for (int number : assembled.meshByMaterial().keySet()) {
+            String name = names.get(number);
+            parts.add(new MeshPart(name, parts.size(), Affine.IDENTITY, material(name)));
+        }
+        return new MeshFile(
+                List.copyOf(assembled.meshByMaterial().values()), parts, Map.of(), assembled.degenerateTriangles());
+    }
+
+    private Material material(String name) {
+        if (!name.isEmpty() && !defined.containsKey(name)) {
+            warnings.add("material " + Shown.text(name) + " is not defined; rendered matte white");
+        }
+        return defined.getOrDefault(name, Material.DEFAULT);
+    }
+
+    private void readLine(String keyword) throws IOException {
+        switch (keyword) {
+            case "v" -> readPosition();
+            case "vn" -> soup.normal(text.number(), text.number(), text.number());
+            case "vt" -> readTextureCoordinates();
+            case "f", "fo" -> readFace();
+            case "usemtl" -> useMaterial(text.rest());
+            case "mtllib" -> readLibraries(text.rest());
+            // Groups, names and smoothing groups: the normals, or the angle asked for, say what is smooth.
+            case "g", "o", "s", "mg" -> {}
+            case "p", "l" -> warnings.add("there are points or lines; not read");
+            default -> {
+                if (keyword.indexOf('\0') >= 0) {
+                    throw text.failure("bytes of 0; expected text in ASCII or UTF-8");
+                }
+                warnings.add(Shown.text(keyword) + " is not read");
+            }
+        }
+    }
+
+    private void readPosition() throws IOException {
+        double x = coordinate();
+        double y = coordinate();
+        soup.position(x, y, coordinate());
+        if (soup.vertices() > MeshLimits.VERTICES) {
+            throw text.failure("more than " + MeshLimits.VERTICES + " vertices");
+        }
+    }
+
+    private double coordinate() throws IOException {
+        double value = text.number();
+        if (!MeshLimits.isCoordinate(value)) {
+            throw text.failure(MeshLimits.badCoordinate(value));
+        }
+        return value;
+    }
+
+    private void readTextureCoordinates() throws IOException {
+        double u = text.number();
+        soup.textureCoordinates(u, text.atLineEnd() ? 1 : 1 - text.number());
+    }
+
+    private void readFace() throws IOException {
+        polygon.cut(0);
+        polygonNormals.cut(0);
+        polygonTextures.cut(0);
+        while (!text.atLineEnd()) {
+            if (polygon.size() == MeshLimits.POLYGON_CORNERS) {
+                throw text.failure("a face of more than " + MeshLimits.POLYGON_CORNERS + " corners; triangulate it");
+            }
+            readCorner();
+        }
+        int count = polygon.size();
+        if (count < 3) {
+            warnings.add("there are faces of fewer than 3 corners; not read");
+            return;
+        }
+        IntList cut = cutter.cut(soup.positions, polygon, count);
+        if (cutter.isExhausted()) {
+            throw text.failure(PolygonCutter.EXHAUSTED);
+        }
+        for (int i = 0; i < cut.size(); i++) {
+            int corner = cut.get(i);
+            soup.corner(polygon.get(corner), polygonNormals.get(corner), polygonTextures.get(corner));
+        }
+        for (int i = 0; i < cut.size(); i += 3) {
+            soup.materialOf.add(material);
+        }
+        if (soup.triangles() > MeshLimits.TRIANGLES) {
+            throw text.failure(MeshLimits.tooManyTriangles(soup.triangles()));
+        }
+    }
+
+    /** A corner as {@code 1}, {@code 1/2}, {@code 1//3} or {@code 1/2/3}. */
+    private void readCorner() throws IOException {
+        polygon.add(position());
+        int texture = TriangleSoup.NONE;
+        int normal = TriangleSoup.NONE;
+        if (text.skip('/')) {
+            if (text.atInteger()) {
+                texture = index(soup.textureCoordinates.size() / 2);
+            }
+            if (text.skip('/') && text.atInteger()) {
+                normal = index(soup.normals.size() / 3);
+            }
+        }
+        if (!text.atWordEnd()) {
+            throw text.unexpected("a corner like 1, 1/2, 1//3 or 1/2/3");
+        }
+        polygonTextures.add(texture);
+        polygonNormals.add(normal);
+    }
+
+    private int position() throws IOException {
+        int count = soup.vertices();
+        long index = text.integer("the number of a vertex");
+        int position = fromStart(index, count);
+        if (position == TriangleSoup.NONE) {
+            throw text.failure("vertex " + index + " is not there; "
+                    + (count == 0 ? "there are none above this line" : "above this line there are 1 to " + count));
+        }
+        return position;
+    }
+
+    /** Of normals or texture coordinates, which some programs number but do not write. */
+    private int index(int count) throws IOException {
+        int index = fromStart(text.integer("a number"), count);
+        if (index == TriangleSoup.NONE) {
+            warnings.add("corners have normals or texture coordinates that are not there; read without them");
+        }
+        return index;
+    }
+
+    /** Counted from 0 instead of 1, or with a minus from the end. */
+    private static int fromStart(long index, int count) {
+        if (index == 0 || Math.abs(index) > count) {
+            return TriangleSoup.NONE;
+        }
+        return (int) (index > 0 ? index - 1 : count + index);
+    }
+
+    private void useMaterial(String name) {
+        if (numberByMaterial.size() > MAX_MATERIALS) {
+            throw text.failure("more than " + MAX_MATERIALS + " materials");
+        }
+        material = numberByMaterial.computeIfAbsent(name, _ -> numberByMaterial.size());
+    }
+
+    /** One file whose name may have spaces, or several files. */
+    private void readLibraries(String names) throws IOException {
+        Path whole = PathsBeside.of(file, names, text::failure);
+        if (Files.isRegularFile(whole)) {
+            readLibrary(whole);
+            return;
+        }
+        for (String name : names.split("\\s+", -1)) {
+            Path library = PathsBeside.of(file, name, text::failure);
+            if (Files.isRegularFile(library)) {
+                readLibrary(library);
+            } else {
+                warnings.add("material library " + Shown.text(name) + ": file not found");
+            }
+        }
+    }
+
+    private void readLibrary(Path library) throws IOException {
+        if (++libraries > MAX_LIBRARIES) {
+            throw text.failure("more than " + MAX_LIBRARIES + " material libraries");
+        }
+        try (FileChannel channel = FileChannel.open(library, StandardOpenOption.READ)) {
+            Bytes content = Bytes.of(library, channel);
+            if (content.length() > MAX_LIBRARY_BYTES) {
+                throw content.failure(content.length() + " bytes; at most " + MAX_LIBRARY_BYTES + " are read");
+            }
+            new MtlReader(library, content, warnings).read().forEach(defined::putIfAbsent);
+        }
+    }
+}

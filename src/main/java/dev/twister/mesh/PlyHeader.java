@@ -1,0 +1,132 @@
+package dev.twister.mesh;
+
+import java.io.IOException;
+import java.nio.ByteOrder;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What a PLY file says that it holds.
+ *
+ * @param order of binary files; text has none
+ * @param elements in the file's order
+ * @param texture the file that a comment of MeshLab's kind names
+ */
+record PlyHeader(Optional<ByteOrder> order, List<Element> elements, Optional<String> texture) {
+    private static final int MAX_PROPERTIES = 1000;
+    private static final int MAX_ELEMENTS = 100;
+    private static final String EXPECTED = "expected a header of lines like 'element vertex 8' up to 'end_header'";
+
+    /** A kind of things, and how many there are. */
+    record Element(String name, long count, List<Property> properties) {
+        int indexOf(String... names) {
+            for (String wanted : names) {
+                for (int i = 0; i < properties.size(); i++) {
+                    if (properties.get(i).name().equals(wanted)) {
+                        return i;
+                    }
+                }
+            }
+            return -1;
+        }
+
+        /** The fewest bytes that one of them takes. */
+        long leastBytes(boolean binary) {
+            long least = 0;
+            for (Property property : properties) {
+                least += binary ? property.count().orElse(property.type()).bytes() : 2;
+            }
+            return least;
+        }
+    }
+
+    /**
+     * A number, or a list of numbers.
+     *
+     * @param count the type of a list's length
+     */
+    record Property(String name, PlyType type, Optional<PlyType> count) {}
+
+    /** Reads the header; the text then stands at the first element. */
+    static PlyHeader read(TextCursor text) throws IOException {
+        text.skipLine();
+        Optional<ByteOrder> order = Optional.empty();
+        Optional<String> texture = Optional.empty();
+        boolean formatted = false;
+        List<Element> elements = new ArrayList<>();
+        while (true) {
+            if (text.atEnd()) {
+                throw text.failure("truncated: the file ends in the header; get or export it again");
+            }
+            String keyword = text.word();
+            switch (keyword) {
+                case "format" -> {
+                    order = order(text);
+                    formatted = true;
+                }
+                case "comment" -> {
+                    if (text.word().equals("TextureFile")) {
+                        texture = Optional.of(text.rest());
+                    }
+                }
+                case "element" -> elements.add(element(text, elements.size()));
+                case "property" -> property(text, elements);
+                case "end_header" -> {
+                    if (!formatted) {
+                        throw text.failure("the header has no format");
+                    }
+                    text.skipLine();
+                    return new PlyHeader(order, elements, texture);
+                }
+                case "obj_info", "" -> {}
+                default -> throw text.failure(Shown.text(keyword) + "; " + EXPECTED);
+            }
+            text.skipLine();
+        }
+    }
+
+    private static Optional<ByteOrder> order(TextCursor text) throws IOException {
+        String format = text.word();
+        return switch (format) {
+            case "ascii" -> Optional.empty();
+            case "binary_little_endian" -> Optional.of(ByteOrder.LITTLE_ENDIAN);
+            case "binary_big_endian" -> Optional.of(ByteOrder.BIG_ENDIAN);
+            default ->
+                throw text.failure("unknown format " + Shown.text(format)
+                        + "; expected one of: ascii, binary_little_endian, binary_big_endian");
+        };
+    }
+
+    private static Element element(TextCursor text, int earlier) throws IOException {
+        if (earlier == MAX_ELEMENTS) {
+            throw text.failure("more than " + MAX_ELEMENTS + " elements");
+        }
+        String name = text.word();
+        long count = text.integer("how many of the element there are");
+        if (count < 0) {
+            throw text.failure("there are " + count + " of the element " + Shown.text(name) + "; expected 0 or more");
+        }
+        return new Element(name, count, new ArrayList<>());
+    }
+
+    private static void property(TextCursor text, List<Element> elements) throws IOException {
+        if (elements.isEmpty()) {
+            throw text.failure("a property before the first element");
+        }
+        List<Property> properties = elements.getLast().properties();
+        if (properties.size() == MAX_PROPERTIES) {
+            throw text.failure("more than " + MAX_PROPERTIES + " properties of an element");
+        }
+        String word = text.word();
+        Optional<PlyType> count = word.equals("list") ? Optional.of(type(text, text.word())) : Optional.empty();
+        PlyType type = type(text, count.isPresent() ? text.word() : word);
+        properties.add(new Property(text.word(), type, count));
+    }
+
+    private static PlyType type(TextCursor text, String name) {
+        return PlyType.of(name)
+                .orElseThrow(() -> text.failure("unknown type " + Shown.text(name)
+                        + "; expected one of: char, uchar, short, ushort, int, uint, float, double"));
+    }
+}

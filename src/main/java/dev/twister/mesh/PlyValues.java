@@ -1,0 +1,100 @@
+package dev.twister.mesh;
+
+import java.io.IOException;
+import java.nio.ByteOrder;
+
+/** The numbers behind a PLY file's header, one after the other. */
+interface PlyValues {
+    double next(PlyType type) throws IOException;
+
+    /** Goes over so many numbers. */
+    void skip(PlyType type, long count) throws IOException;
+
+    /** Goes to the next element: in text to the next line, as some programs write more numbers than the header names. */
+    void endElement() throws IOException;
+
+    /** What is wrong where the reader is. */
+    MeshException failure(String problem);
+
+    /** How many bytes are left. */
+    long remaining();
+
+    /** Numbers as text, wherever lines end. */
+    static PlyValues text(TextCursor text) {
+        return new PlyValues() {
+            @Override
+            public double next(PlyType type) throws IOException {
+                text.skipSpace();
+                if (text.atEnd()) {
+                    throw text.failure("truncated: the file ends before its last element; get or export it again");
+                }
+                return text.number();
+            }
+
+            @Override
+            public void skip(PlyType type, long count) throws IOException {
+                for (long i = 0; i < count; i++) {
+                    next(type);
+                }
+            }
+
+            @Override
+            public void endElement() throws IOException {
+                text.skipLine();
+            }
+
+            @Override
+            public MeshException failure(String problem) {
+                return text.failure(problem);
+            }
+
+            @Override
+            public long remaining() {
+                return text.remaining();
+            }
+        };
+    }
+
+    /** Binary numbers from a position on. */
+    static PlyValues binary(Bytes bytes, long start, ByteOrder order) {
+        return new PlyValues() {
+            private long position = start;
+
+            @Override
+            public double next(PlyType type) throws IOException {
+                long at = position;
+                bytes.require(at, type.bytes(), "an element");
+                position += type.bytes();
+                return switch (type) {
+                    case BYTE -> (byte) bytes.at(at);
+                    case UNSIGNED_BYTE -> bytes.at(at);
+                    case SHORT -> bytes.shortAt(at, order);
+                    case UNSIGNED_SHORT -> Short.toUnsignedInt(bytes.shortAt(at, order));
+                    case INT -> bytes.intAt(at, order);
+                    case UNSIGNED_INT -> Integer.toUnsignedLong(bytes.intAt(at, order));
+                    case FLOAT -> bytes.floatAt(at, order);
+                    case DOUBLE -> bytes.doubleAt(at, order);
+                };
+            }
+
+            @Override
+            public void skip(PlyType type, long count) {
+                bytes.require(position, count * type.bytes(), "a list");
+                position += count * type.bytes();
+            }
+
+            @Override
+            public void endElement() {}
+
+            @Override
+            public MeshException failure(String problem) {
+                return bytes.failure(position, problem);
+            }
+
+            @Override
+            public long remaining() {
+                return bytes.length() - position;
+            }
+        };
+    }
+}

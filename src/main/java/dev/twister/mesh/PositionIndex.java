@@ -1,0 +1,58 @@
+package dev.twister.mesh;
+
+import java.util.Arrays;
+
+/** Numbers positions, equal ones alike. */
+final class PositionIndex {
+    private final FloatList positions;
+    private int[] table = new int[1 << 10];
+
+    /** Starts with no positions, and adds them to this empty list. */
+    PositionIndex(FloatList positions) {
+        this.positions = positions;
+        Arrays.fill(table, -1);
+    }
+
+    /** The number of the position, a new one where it was not there yet. */
+    int of(float x, float y, float z) {
+        int count = positions.size() / 3;
+        if (2 * count >= table.length) {
+            grow(count);
+        }
+        int slot = slot(x, y, z);
+        if (table[slot] >= 0) {
+            return table[slot];
+        }
+        table[slot] = count;
+        positions.add(x);
+        positions.add(y);
+        positions.add(z);
+        return count;
+    }
+
+    private void grow(int count) {
+        table = new int[2 * table.length];
+        Arrays.fill(table, -1);
+        for (int i = 0; i < count; i++) {
+            table[slot(positions.get(3 * i), positions.get(3 * i + 1), positions.get(3 * i + 2))] = i;
+        }
+    }
+
+    private int slot(float x, float y, float z) {
+        int mask = table.length - 1;
+        int slot = Hash.of(bits(x), bits(y), bits(z)) & mask;
+        while (table[slot] >= 0 && !isAt(table[slot], x, y, z)) {
+            slot = slot + 1 & mask;
+        }
+        return slot;
+    }
+
+    private boolean isAt(int index, float x, float y, float z) {
+        return positions.get(3 * index) == x && positions.get(3 * index + 1) == y && positions.get(3 * index + 2) == z;
+    }
+
+    // Adding 0 makes -0 into 0, which it is equal to.
+    private static int bits(float value) {
+        return Float.floatToRawIntBits(value + 0f);
+    }
+}

@@ -1,0 +1,156 @@
+package dev.twister.mesh;
+
+import dev.twister.scene.Material;
+import java.io.IOException;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+
+/** Reads STL files, binary and as text. Their normals say no more than their corners, and are not used. */
+final class StlReader {
+    private static final int COUNT_AT = 80;
+    private static final int TRIANGLES_AT = 84;
+    private static final int TRIANGLE_BYTES = 50;
+    private static final int NORMAL_BYTES = 12;
+
+    /** Text that is "solid" at first has a facet, or ends, within so many bytes. */
+    private static final int TEXT_START = 1024;
+
+    private final Bytes bytes;
+    private final double smoothDegrees;
+    private final Warnings warnings;
+    private final TriangleSoup soup;
+    private final PositionIndex vertices;
+
+    StlReader(Bytes bytes, double smoothDegrees, Warnings warnings) {
+        this.bytes = bytes;
+        this.smoothDegrees = smoothDegrees;
+        this.warnings = warnings;
+        this.soup = new TriangleSoup(0, 0);
+        this.vertices = new PositionIndex(soup.positions);
+    }
+
+    /** Whether a file is as long as the number of triangles in it says. */
+    static boolean isBinary(Bytes bytes) throws IOException {
+        return bytes.length() >= TRIANGLES_AT && bytes.length() == TRIANGLES_AT + TRIANGLE_BYTES * count(bytes);
+    }
+
+    private static long count(Bytes bytes) throws IOException {
+        return Integer.toUnsignedLong(bytes.intAt(COUNT_AT, ByteOrder.LITTLE_ENDIAN));
+    }
+
+    MeshFile read() throws IOException {
+        String name = "";
+        if (isBinary(bytes) || !isText()) {
+            readBinary();
+        } else {
+            name = readText();
+        }
+        return MeshReader.single(name, bytes, MeshAssembly.assemble(soup, Axes.Z_UP, smoothDegrees), Material.DEFAULT);
+    }
+
+    private boolean isText() throws IOException {
+        if (!bytes.startsWith("solid")) {
+            return false;
+        }
+        int count = (int) Math.min(TEXT_START, bytes.length());
+        String start = new String(bytes.copy(0, count), StandardCharsets.ISO_8859_1);
+        return bytes.length() < TRIANGLES_AT
+                || start.toLowerCase(Locale.ROOT).contains("facet")
+                || start.contains("endsolid");
+    }
+
+    private void readBinary() throws IOException {
+        bytes.require(
+                0,
+                TRIANGLES_AT,
+                "the header; STL has 84 bytes before its triangles, or is text that starts with 'solid'");
+        long count = count(bytes);
+        if (count > (bytes.length() - TRIANGLES_AT) / TRIANGLE_BYTES) {
+            throw bytes.failure(
+                    COUNT_AT,
+                    "truncated, or not STL: the header says " + count + " triangles, but the file holds "
+                            + (bytes.length() - TRIANGLES_AT) / TRIANGLE_BYTES + "; get or export it again");
+        }
+        if (count > MeshLimits.TRIANGLES) {
+            throw bytes.failure(MeshLimits.tooManyTriangles(count));
+        }
+        if (bytes.length() > TRIANGLES_AT + TRIANGLE_BYTES * count) {
+            warnings.add("there are bytes after the last triangle; not read");
+        }
+        for (int triangle = 0; triangle < count; triangle++) {
+            long at = TRIANGLES_AT + (long) TRIANGLE_BYTES * triangle + NORMAL_BYTES;
+            int a = vertexAt(at);
+            int b = vertexAt(at + 12);
+            soup.triangle(a, b, vertexAt(at + 24));
+        }
+    }
+
+    private int vertexAt(long at) throws IOException {
+        float x = bytes.floatAt(at, ByteOrder.LITTLE_ENDIAN);
+        float y = bytes.floatAt(at + 4, ByteOrder.LITTLE_ENDIAN);
+        float z = bytes.floatAt(at + 8, ByteOrder.LITTLE_ENDIAN);
+        for (float value : new float[] {x, y, z}) {
+            if (!MeshLimits.isCoordinate(value)) {
+                throw bytes.failure(at, MeshLimits.badCoordinate(value));
+            }
+        }
+        return vertices.of(x, y, z);
+    }
+
+    private String readText() throws IOException {
+        TextCursor text = new TextCursor(bytes);
+        expect(text, "solid");
+        String name = text.rest();
+        for (String word = nextWord(text); !word.isEmpty(); word = nextWord(text)) {
+            switch (word) {
+                case "facet" -> readFacet(text);
+                // Several solids may follow each other in a file.
+                case "solid", "endsolid" -> text.skipLine();
+                default -> throw text.failure(Shown.text(word) + "; expected facet or endsolid");
+            }
+        }
+        return name;
+    }
+
+    private void readFacet(TextCursor text) throws IOException {
+        if (soup.triangles() == MeshLimits.TRIANGLES) {
+            throw text.failure(MeshLimits.tooManyTriangles(soup.triangles() + 1L));
+        }
+        expect(text, "normal");
+        text.skipLine();
+        expect(text, "outer");
+        expect(text, "loop");
+        int a = readVertex(text);
+        int b = readVertex(text);
+        soup.triangle(a, b, readVertex(text));
+        expect(text, "endloop");
+        expect(text, "endfacet");
+    }
+
+    private int readVertex(TextCursor text) throws IOException {
+        expect(text, "vertex");
+        float[] position = new float[3];
+        for (int axis = 0; axis < 3; axis++) {
+            double value = text.number();
+            if (!MeshLimits.isCoordinate(value)) {
+                throw text.failure(MeshLimits.badCoordinate(value));
+            }
+            position[axis] = (float) value;
+        }
+        return vertices.of(position[0], position[1], position[2]);
+    }
+
+    private static void expect(TextCursor text, String word) throws IOException {
+        String found = nextWord(text);
+        if (!found.equals(word)) {
+            throw text.failure(
+                    (found.isEmpty() ? "truncated: the file ends" : Shown.text(found)) + "; expected '" + word + "'");
+        }
+    }
+
+    private static String nextWord(TextCursor text) throws IOException {
+        text.skipSpace();
+        return text.word().toLowerCase(Locale.ROOT);
+    }
+}

@@ -1,0 +1,296 @@
+package dev.twister.mesh;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+
+/**
+ * Reads words and numbers of a text, and knows the line. Lines end in a line feed, a carriage return or both; one that
+ * ends in a backslash goes on in the next. Lines are not held as a whole, so they may be of any length.
+ */
+final class TextCursor {
+    private static final int END = -1;
+    private static final int MAX_WORD_BYTES = 4096;
+
+    /** With a digit more it still fits a long. */
+    private static final long MANTISSA_LIMIT = 100_000_000_000_000_000L;
+
+    private static final double[] POWERS_OF_TEN = {
+        1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19,
+        1e20, 1e21, 1e22
+    };
+
+    private final Bytes bytes;
+    private long position;
+    private long line = 1;
+
+    TextCursor(Bytes bytes) {
+        this.bytes = bytes;
+    }
+
+    long position() {
+        return position;
+    }
+
+    long remaining() {
+        return bytes.length() - position;
+    }
+
+    MeshException failure(String problem) {
+        return new MeshException(bytes.name() + ":" + line + ": " + problem);
+    }
+
+    boolean atEnd() {
+        return position >= bytes.length();
+    }
+
+    /** Whether nothing but blanks or a comment is left on the line. */
+    boolean atLineEnd() throws IOException {
+        skipBlanks();
+        int next = peek();
+        return isLineEnd(next) || next == '#';
+    }
+
+    /** To the start of the next line. */
+    void skipLine() throws IOException {
+        int next = peek();
+        while (!isLineEnd(next)) {
+            next = advance();
+        }
+        endLine(next);
+    }
+
+    /** Over blanks and the ends of lines. */
+    void skipSpace() throws IOException {
+        skipBlanks();
+        for (int next = peek(); isLineEnd(next) && next != END; next = peek()) {
+            endLine(next);
+            skipBlanks();
+        }
+    }
+
+    /** The next word of the line, empty where there is none. */
+    String word() throws IOException {
+        skipBlanks();
+        long start = position;
+        int next = peek();
+        while (!isBlank(next) && !isLineEnd(next)) {
+            next = advance();
+        }
+        return text(start);
+    }
+
+    /** The rest of the line, without blanks around it. */
+    String rest() throws IOException {
+        skipBlanks();
+        long start = position;
+        int next = peek();
+        while (!isLineEnd(next)) {
+            next = advance();
+        }
+        return text(start).strip();
+    }
+
+    /** The next number of the line; not a number where the text says that it is none, or infinite. */
+    double number() throws IOException {
+        skipBlanks();
+        long start = position;
+        int next = peek();
+        boolean negative = next == '-';
+        if (negative || next == '+') {
+            next = advance();
+        }
+        long mantissa = 0;
+        int scale = 0;
+        int digits = 0;
+        for (; isDigit(next); next = advance(), digits++) {
+            if (mantissa < MANTISSA_LIMIT) {
+                mantissa = 10 * mantissa + (next - '0');
+            } else {
+                scale++;
+            }
+        }
+        if (next == '.') {
+            next = advance();
+            for (; isDigit(next); next = advance(), digits++) {
+                if (mantissa < MANTISSA_LIMIT) {
+                    mantissa = 10 * mantissa + (next - '0');
+                    scale--;
+                }
+            }
+        }
+        if (digits > 0 && (next == 'e' || next == 'E')) {
+            advance();
+            scale += exponent(start);
+            next = peek();
+        }
+        if (digits == 0 || !(isBlank(next) || isLineEnd(next))) {
+            return noNumber(start);
+        }
+        double value = scaled(mantissa, scale);
+        return negative ? -value : value;
+    }
+
+    /**
+     * The next whole number.
+     *
+     * @param what stands there, for messages
+     */
+    long integer(String what) throws IOException {
+        skipBlanks();
+        long start = position;
+        int next = peek();
+        boolean negative = next == '-';
+        if (negative || next == '+') {
+            next = advance();
+        }
+        if (!isDigit(next)) {
+            throw unexpected(start, what);
+        }
+        long value = 0;
+        for (; isDigit(next); next = advance()) {
+            if (value > MANTISSA_LIMIT) {
+                throw unexpected(start, what);
+            }
+            value = 10 * value + (next - '0');
+        }
+        return negative ? -value : value;
+    }
+
+    /** Goes over a character where it comes next. */
+    boolean skip(char character) throws IOException {
+        if (peek() == character) {
+            position++;
+            return true;
+        }
+        return false;
+    }
+
+    /** Whether a blank, a line's end or a comment comes next. */
+    boolean atWordEnd() throws IOException {
+        int next = peek();
+        return isBlank(next) || isLineEnd(next) || next == '#';
+    }
+
+    /** Whether a digit or a minus comes next. */
+    boolean atInteger() throws IOException {
+        int next = peek();
+        return isDigit(next) || next == '-' || next == '+';
+    }
+
+    /** Whether a number comes next, going by its first character. */
+    boolean atNumber() throws IOException {
+        return atInteger() || peek() == '.';
+    }
+
+    MeshException unexpected(String expected) throws IOException {
+        return unexpected(position, expected);
+    }
+
+    private MeshException unexpected(long start, String expected) throws IOException {
+        position = start;
+        String found = word();
+        return failure((found.isEmpty() ? "the line ends" : Shown.text(found)) + "; expected " + expected);
+    }
+
+    private int exponent(long start) throws IOException {
+        int next = peek();
+        boolean negative = next == '-';
+        if (negative || next == '+') {
+            next = advance();
+        }
+        if (!isDigit(next)) {
+            throw unexpected(start, "a number");
+        }
+        int exponent = 0;
+        for (; isDigit(next); next = advance()) {
+            exponent = Math.min(99_999, 10 * exponent + (next - '0'));
+        }
+        return negative ? -exponent : exponent;
+    }
+
+    private static double scaled(long mantissa, int scale) {
+        if (scale == 0 || mantissa == 0) {
+            return mantissa;
+        }
+        if (Math.abs(scale) < POWERS_OF_TEN.length) {
+            return scale < 0 ? mantissa / POWERS_OF_TEN[-scale] : mantissa * POWERS_OF_TEN[scale];
+        }
+        return mantissa * Math.pow(10, scale);
+    }
+
+    /** C's and C++'s libraries write numbers that are none in these ways. */
+    private double noNumber(long start) throws IOException {
+        position = start;
+        String word = word().toLowerCase(Locale.ROOT);
+        if (word.matches("[+-]?(nan|inf).*|.*#(qnan|snan|ind|inf).*")) {
+            return Double.NaN;
+        }
+        throw unexpected(start, "a number");
+    }
+
+    private String text(long start) throws IOException {
+        long count = position - start;
+        if (count > MAX_WORD_BYTES) {
+            throw failure("a word or name of " + count + " bytes; at most " + MAX_WORD_BYTES + " are read");
+        }
+        return new String(bytes.copy(start, (int) count), StandardCharsets.UTF_8);
+    }
+
+    private void skipBlanks() throws IOException {
+        int next = peek();
+        while (isBlank(next) || (next == '\\' && continued())) {
+            next = advance();
+        }
+    }
+
+    /** Steps onto the end of a line before which there is a backslash. */
+    private boolean continued() throws IOException {
+        long after = position + 1;
+        if (after >= bytes.length()) {
+            return false;
+        }
+        int end = bytes.at(after);
+        if (end != '\n' && end != '\r') {
+            return false;
+        }
+        position = after;
+        if (end == '\r' && after + 1 < bytes.length() && bytes.at(after + 1) == '\n') {
+            position++;
+        }
+        line++;
+        return true;
+    }
+
+    private void endLine(int end) throws IOException {
+        if (end == END) {
+            return;
+        }
+        position++;
+        if (end == '\r' && peek() == '\n') {
+            position++;
+        }
+        line++;
+    }
+
+    private int advance() throws IOException {
+        position++;
+        return peek();
+    }
+
+    private int peek() throws IOException {
+        return position < bytes.length() ? bytes.at(position) : END;
+    }
+
+    private static boolean isDigit(int character) {
+        return character >= '0' && character <= '9';
+    }
+
+    private static boolean isBlank(int character) {
+        return character == ' ' || character == '\t';
+    }
+
+    private static boolean isLineEnd(int character) {
+        return character == '\n' || character == '\r' || character == END;
+    }
+}

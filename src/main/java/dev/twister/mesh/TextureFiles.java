@@ -1,0 +1,43 @@
+package dev.twister.mesh;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Optional;
+
+/** Pictures that a mesh file names. */
+final class TextureFiles {
+    private static final byte[] PNG = {(byte) 0x89, 'P', 'N', 'G'};
+    private static final byte[] JPEG = {(byte) 0xff, (byte) 0xd8, (byte) 0xff};
+
+    private TextureFiles() {}
+
+    /** The file itself; empty, with a warning, where it is not there or neither PNG nor JPEG. */
+    static Optional<Path> usable(Path texture, Warnings warnings) throws IOException {
+        String name = "texture " + Shown.path(texture);
+        if (!Files.isRegularFile(texture)) {
+            warnings.add(name + ": file not found; rendered without it");
+            return Optional.empty();
+        }
+        byte[] start;
+        try (InputStream in = Files.newInputStream(texture)) {
+            start = in.readNBytes(PNG.length);
+        }
+        if (!isPicture(start)) {
+            warnings.add(name + ": neither PNG nor JPEG; rendered without it");
+            return Optional.empty();
+        }
+        return Optional.of(texture);
+    }
+
+    /** Whether bytes start as PNG or JPEG files do. */
+    static boolean isPicture(byte[] bytes) {
+        return startsWith(bytes, PNG) || startsWith(bytes, JPEG);
+    }
+
+    private static boolean startsWith(byte[] bytes, byte[] start) {
+        return bytes.length >= start.length && Arrays.equals(bytes, 0, start.length, start, 0, start.length);
+    }
+}

@@ -1,0 +1,152 @@
+package dev.twister.mesh;
+
+import java.util.Arrays;
+
+/**
+ * Triangles as a file lists them. Positions, normals and texture coordinates are numbered apart from each other, or by
+ * one number where nothing but {@link #triangle(int, int, int)} was called.
+ */
+final class TriangleSoup {
+    static final int NONE = -1;
+
+    private static final double TEXTURE_COORDINATE = 1e6;
+
+    final FloatList positions;
+    final FloatList normals;
+    final FloatList textureCoordinates;
+
+    /** Per corner. */
+    IntList positionOf;
+
+    /** Per corner, or empty where it is the position's number. */
+    IntList normalOf = new IntList();
+
+    /** Per corner, or empty where it is the position's number. */
+    final IntList textureOf = new IntList();
+
+    /** Per triangle, or empty where all are 0. */
+    final IntList materialOf = new IntList();
+
+    /** For so many vertices and triangles to begin with. */
+    TriangleSoup(int vertices, int triangles) {
+        positions = new FloatList(3 * vertices);
+        normals = new FloatList();
+        textureCoordinates = new FloatList();
+        positionOf = new IntList(3 * triangles);
+    }
+
+    int vertices() {
+        return positions.size() / 3;
+    }
+
+    int triangles() {
+        return positionOf.size() / 3;
+    }
+
+    void position(double x, double y, double z) {
+        positions.add((float) x);
+        positions.add((float) y);
+        positions.add((float) z);
+    }
+
+    /** A normal of any length; one that is not finite counts as missing. */
+    void normal(double x, double y, double z) {
+        double length = Math.sqrt(x * x + y * y + z * z);
+        double factor = length > 0 && length < Double.POSITIVE_INFINITY ? 1 / length : 0;
+        normals.add(factor == 0 ? 0 : (float) (x * factor));
+        normals.add(factor == 0 ? 0 : (float) (y * factor));
+        normals.add(factor == 0 ? 0 : (float) (z * factor));
+    }
+
+    /** Texture coordinates, v down; ones that no texture can be read at become 0. */
+    void textureCoordinates(double u, double v) {
+        textureCoordinates.add(usable(u));
+        textureCoordinates.add(usable(v));
+    }
+
+    private static float usable(double value) {
+        return Math.abs(value) <= TEXTURE_COORDINATE ? (float) value : 0;
+    }
+
+    void triangle(int a, int b, int c) {
+        positionOf.add(a);
+        positionOf.add(b);
+        positionOf.add(c);
+    }
+
+    void corner(int position, int normal, int texture) {
+        positionOf.add(position);
+        normalOf.add(normal);
+        textureOf.add(texture);
+    }
+
+    boolean hasOneNumbering() {
+        return normalOf.size() == 0;
+    }
+
+    /** The normal's number at a corner, or {@link #NONE}. */
+    int normalAt(int corner) {
+        int index = hasOneNumbering() ? positionOf.get(corner) : normalOf.get(corner);
+        return 3L * index + 2 < normals.size() && index >= 0 && hasLength(index) ? index : NONE;
+    }
+
+    private boolean hasLength(int normal) {
+        return normals.get(3 * normal) != 0 || normals.get(3 * normal + 1) != 0 || normals.get(3 * normal + 2) != 0;
+    }
+
+    /** The number of the texture coordinates at a corner, or {@link #NONE}. */
+    int textureAt(int corner) {
+        int index = textureOf.size() == 0 ? positionOf.get(corner) : textureOf.get(corner);
+        return 2L * index + 1 < textureCoordinates.size() ? index : NONE;
+    }
+
+    int materialAt(int triangle) {
+        return materialOf.size() == 0 ? 0 : materialOf.get(triangle);
+    }
+
+    /** Turns everything, and the triangles with it. */
+    void turn(Axes axes) {
+        axes.turn(positions.storage(), positions.size());
+        axes.turn(normals.storage(), normals.size());
+        for (IntList corners : Arrays.asList(positionOf, normalOf, textureOf)) {
+            for (int b = 1; b < corners.size(); b += 3) {
+                int swapped = corners.get(b);
+                corners.set(b, corners.get(b + 1));
+                corners.set(b + 1, swapped);
+            }
+        }
+    }
+
+    /** Leaves out triangles without an area. Returns how many. */
+    int dropDegenerate() {
+        Face face = new Face();
+        float[] places = positions.storage();
+        int kept = 0;
+        int triangles = triangles();
+        for (int triangle = 0; triangle < triangles; triangle++) {
+            int corner = 3 * triangle;
+            if (face.set(places, positionOf.get(corner), positionOf.get(corner + 1), positionOf.get(corner + 2))) {
+                if (kept < triangle) {
+                    move(triangle, kept);
+                }
+                kept++;
+            }
+        }
+        positionOf.cut(3 * kept);
+        normalOf.cut(Math.min(normalOf.size(), 3 * kept));
+        textureOf.cut(Math.min(textureOf.size(), 3 * kept));
+        materialOf.cut(Math.min(materialOf.size(), kept));
+        return triangles - kept;
+    }
+
+    private void move(int from, int to) {
+        for (IntList corners : Arrays.asList(positionOf, normalOf, textureOf)) {
+            for (int i = 0; i < 3 && corners.size() > 0; i++) {
+                corners.set(3 * to + i, corners.get(3 * from + i));
+            }
+        }
+        if (materialOf.size() > 0) {
+            materialOf.set(to, materialOf.get(from));
+        }
+    }
+}

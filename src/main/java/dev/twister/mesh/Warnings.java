@@ -1,0 +1,25 @@
+package dev.twister.mesh;
+
+import java.util.HashSet;
+import java.util.Set;
+import java.util.function.Consumer;
+
+/** Says what of a file is not used: each thing once, one line that names the file, and only so many. */
+final class Warnings {
+    private static final int MOST = 20;
+
+    private final String name;
+    private final Consumer<String> listener;
+    private final Set<String> said = new HashSet<>();
+
+    Warnings(String name, Consumer<String> listener) {
+        this.name = name;
+        this.listener = listener;
+    }
+
+    void add(String warning) {
+        if (said.size() < MOST && said.add(warning)) {
+            listener.accept(name + ": " + warning);
+        }
+    }
+}

@@ -1,0 +1,46 @@
+package dev.twister.motion;
+
+import dev.twister.scene.Material;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.Objects;
+
+/** Tells scenes apart whose bodies move differently: colors, cameras, skies and settings do not count. */
+final class MotionDigest {
+    static final int BYTES = 32;
+
+    private MotionDigest() {}
+
+    /** SHA-256 of all that the motion depends on. */
+    static byte[] of(Scene scene) {
+        MessageDigest digest = sha256();
+        add(digest, scene.physics());
+        add(digest, scene.plane().size());
+        add(digest, scene.plane().height());
+        add(digest, scene.light().position());
+        add(digest, scene.light().radius());
+        add(digest, scene.pour().map(pour -> pour.withMaterial(Material.DEFAULT)));
+        for (Sphere sphere : scene.spheres()) {
+            add(digest, sphere.position());
+            add(digest, sphere.radius());
+        }
+        return digest.digest();
+    }
+
+    // Records and numbers say all their bits as text.
+    private static void add(MessageDigest digest, Object part) {
+        digest.update(Objects.toString(part).getBytes(StandardCharsets.UTF_8));
+        digest.update((byte) '\n');
+    }
+
+    private static MessageDigest sha256() {
+        try {
+            return MessageDigest.getInstance("SHA-256");
+        } catch (NoSuchAlgorithmException impossible) {
+            throw new AssertionError("every Java platform has SHA-256", impossible);
+        }
+    }
+}

@@ -1,0 +1,51 @@
+package dev.twister.motion;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.zip.CRC32C;
+
+/**
+ * Where the bodies are in a frame. In a file: the number of bodies that are there, the positions as floats, and a CRC-32C of
+ * both, little-endian.
+ *
+ * @param present how many bodies are there, light and plane included; the others are not poured yet
+ * @param positions {@code float[3 * bodies]}, as the world takes them, relative to the file's origin
+ */
+@SuppressWarnings("ArrayRecordComponent") // never compared
+public record MotionFrame(int present, float[] positions) {
+    static int bytes(int bodies) {
+        return Math.addExact(2 * Integer.BYTES, Math.multiplyExact(3 * Float.BYTES, bodies));
+    }
+
+    byte[] encoded() {
+        ByteBuffer buffer = ByteBuffer.allocate(bytes(positions.length / 3)).order(ByteOrder.LITTLE_ENDIAN);
+        buffer.putInt(present);
+        buffer.asFloatBuffer().put(positions);
+        int end = buffer.capacity() - Integer.BYTES;
+        return buffer.putInt(end, checksum(buffer.array(), end)).array();
+    }
+
+    /**
+     * Reads what {@link #encoded} gave.
+     *
+     * @throws IOException where the checksum is wrong
+     */
+    static MotionFrame decode(byte[] bytes) throws IOException {
+        ByteBuffer buffer = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+        int end = bytes.length - Integer.BYTES;
+        if (buffer.getInt(end) != checksum(bytes, end)) {
+            throw new IOException("its checksum is wrong");
+        }
+        float[] positions = new float[end / Float.BYTES - 1];
+        int present = buffer.getInt();
+        buffer.asFloatBuffer().get(positions);
+        return new MotionFrame(present, positions);
+    }
+
+    private static int checksum(byte[] bytes, int end) {
+        CRC32C checksum = new CRC32C();
+        checksum.update(bytes, 0, end);
+        return (int) checksum.getValue();
+    }
+}

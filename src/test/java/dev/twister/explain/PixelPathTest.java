@@ -1,0 +1,206 @@
+package dev.twister.explain;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.twister.engine.JvmEngines;
+import dev.twister.kernel.Layout;
+import dev.twister.oracle.LitScene;
+import dev.twister.oracle.Pictures;
+import dev.twister.oracle.RandomMaterials;
+import dev.twister.oracle.ShippedScenes;
+import dev.twister.scene.Camera;
+import dev.twister.scene.Light;
+import dev.twister.scene.Plane;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import dev.twister.sky.Skybox;
+import dev.twister.world.FrameInput;
+import dev.twister.world.Picture;
+import dev.twister.world.World;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Paths against the pictures that the kernel draws, bit for bit, and paths that are known by hand. */
+class PixelPathTest {
+    private static final int COLUMNS = 6;
+    private static final int ROWS = 4;
+
+    static List<String> shipped() {
+        return ShippedScenes.names();
+    }
+
+    @ParameterizedTest
+    @MethodSource("shipped")
+    void shippedScenesAddUp(String name) {
+        LitScene scene = ShippedScenes.quick(name);
+        RenderSettings settings = scene.scene().settings();
+        pathsAddUp(input(scene, settings.withSize(96, 54).withSamplesPerPixel(1)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 3, 6})
+    void randomGlassAndRoughSurfacesAddUp(int bounces) {
+        for (int seed = 0; seed < 25; seed++) {
+            LitScene scene = RandomMaterials.scene(new Random(seed), bounces);
+            pathsAddUp(input(scene, scene.scene().settings()));
+        }
+    }
+
+    /** All samples of pixels here and there, added as the kernel adds them. */
+    private static void pathsAddUp(FrameInput input) {
+        float[] picture = Pictures.radiance(JvmEngines.SEQUENTIAL, input);
+        for (int i = 0; i < COLUMNS * ROWS; i++) {
+            int column = (2 * (i % COLUMNS) + 1) * input.width() / (2 * COLUMNS);
+            int row = (2 * (i / COLUMNS) + 1) * input.height() / (2 * ROWS);
+            float[] sum = new float[3];
+            for (int sample = 0; sample < input.samplesPerPixel(); sample++) {
+                PixelPath path = PixelPath.of(input, column, row, sample);
+                path.steps().forEach(step -> add(sum, step.adds()));
+                path.steps().forEach(step -> step.shading().ifPresent(PixelPathTest::shadowIsTheMeanOfItsRays));
+                treeIsWhole(path.steps());
+            }
+            int at = 3 * (row * input.width() + column);
+            float average = 1f / input.samplesPerPixel();
+            assertThat(new float[] {sum[0] * average, sum[1] * average, sum[2] * average})
+                    .as("pixel %d,%d", column, row)
+                    .containsExactly(picture[at], picture[at + 1], picture[at + 2]);
+        }
+    }
+
+    private static void add(float[] sum, Rgb adds) {
+        sum[0] += (float) adds.red();
+        sum[1] += (float) adds.green();
+        sum[2] += (float) adds.blue();
+    }
+
+    /** The kernel has other ways to count; where a ray just touches a sphere, they may differ in it. */
+    private static void shadowIsTheMeanOfItsRays(Shading shading) {
+        List<ShadowRay> rays = shading.shadowRays();
+        double mean = rays.stream().mapToDouble(ShadowRay::light).average().orElse(1);
+        double ray = rays.size() > 1 ? 1.0 / rays.size() : 0;
+        assertThat(mean).isCloseTo(shading.visible(), within(ray + 1e-5));
+    }
+
+    private static void treeIsWhole(List<PathStep> steps) {
+        assertThat(steps.getFirst().kind()).isEqualTo(RayKind.VIEW);
+        for (int i = 1; i < steps.size(); i++) {
+            PathStep step = steps.get(i);
+            PathStep parent = steps.get(step.parent());
+            assertThat(step.parent()).isLessThan(i);
+            assertThat(step.bounce()).isEqualTo(parent.bounce() + 1);
+            assertThat(step.origin()).isEqualTo(parent.shading().orElseThrow().point());
+            assertThat(step.kind()).isNotEqualTo(RayKind.VIEW);
+        }
+    }
+
+    /** Straight down onto a half mirror; what goes up again meets the sky. */
+    @Test
+    void mirrorShowsTheSky() {
+        List<PathStep> steps =
+                PixelPath.of(one(64, 1, new Vector3(5, 4, 5)), 0, 0, 0).steps();
+
+        assertThat(steps).hasSize(2);
+        Shading shading = steps.getFirst().shading().orElseThrow();
+        assertThat(steps.getFirst().body()).isEqualTo(Layout.PLANE);
+        assertThat(steps.getFirst().distance()).isCloseTo(4, within(1e-6));
+        assertThat(shading.mirror()).isEqualTo(0.5);
+        assertThat(shading.visible()).isEqualTo(1);
+        assertThat(shading.shadowRays()).hasSize(8).allMatch(ray -> ray.blocker() == Layout.NOTHING);
+        assertThat(steps.getLast().kind()).isEqualTo(RayKind.REFLECTED);
+        assertThat(steps.getLast().body()).isEqualTo(Layout.NOTHING);
+        assertThat(steps.getLast().throughput().red()).isCloseTo(0.5 * shading.lit(), within(1e-6));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 0, 0", "0.9, 1, 2", "5, 1, -1"})
+    void shadowRaysNameWhatBlocksThem(double x, double light, int blocker) {
+        Shading shading = PixelPath.of(one(0, 0, new Vector3(x, 1, 0)), 0, 0, 0)
+                .steps()
+                .getFirst()
+                .shading()
+                .orElseThrow();
+
+        assertThat(shading.shadowRays()).hasSize(8);
+        if (blocker == 2) {
+            assertThat(shading.visible()).isStrictlyBetween(0.0, light);
+            assertThat(shading.shadowRays()).anyMatch(ray -> ray.light() == 0 && ray.blocker() == blocker);
+        }
+        if (blocker == Layout.NOTHING) {
+            assertThat(shading.visible()).isEqualTo(light);
+        }
+        if (blocker == 0) {
+            assertThat(shading.visible()).isZero();
+            assertThat(shading.shadowRays()).allMatch(ray -> ray.light() == 0 && ray.blocker() == 2);
+        }
+    }
+
+    @Test
+    void glassIsATreeOfRays() {
+        Scene scene = scene(0, 2);
+        Sphere glass = Sphere.of(new Vector3(5, 2, 5), 0.5, new Rgb(1, 1, 1), 0);
+        Scene clear = scene.withCamera(above(new Vector3(5, 4, 5)))
+                .withSpheres(List.of(glass.withMaterial(glass.material().withTransmission(1))));
+        List<PathStep> steps =
+                PixelPath.of(World.of(clear, SKY).snapshot(), 0, 0, 0).steps();
+
+        assertThat(steps.getFirst().shading().orElseThrow().reflectance()).isCloseTo(0.04, within(1e-6));
+        assertThat(steps)
+                .extracting(PathStep::kind)
+                .containsExactly(
+                        RayKind.VIEW, RayKind.REFLECTED, RayKind.REFRACTED, RayKind.REFLECTED, RayKind.REFRACTED);
+        assertThat(steps).extracting(PathStep::inside).containsExactly(false, false, true, true, false);
+    }
+
+    @Test
+    void viewsAreExplainedAsThePicture() {
+        FrameInput input = one(64, 1, new Vector3(5, 4, 5));
+        assertThat(PixelPath.of(input.showing(Picture.DEPTH), 0, 0, 0)).isEqualTo(PixelPath.of(input, 0, 0, 0));
+    }
+
+    @Test
+    void pixelsOutsideAreRefused() {
+        FrameInput input = one(0, 0, new Vector3(0, 4, 0));
+        assertThatThrownBy(() -> PixelPath.of(input, 1, 0, 0)).isInstanceOf(IndexOutOfBoundsException.class);
+        assertThatThrownBy(() -> PixelPath.of(input, 0, -1, 0)).isInstanceOf(IndexOutOfBoundsException.class);
+        assertThatThrownBy(() -> PixelPath.of(input, 0, 0, 1)).isInstanceOf(IndexOutOfBoundsException.class);
+    }
+
+    private static final Skybox SKY = new Skybox(1, 1, new float[] {0.25f, 0.5f, 0.75f});
+
+    /** A single pixel that looks straight down; a sphere hangs between the light and the plane's middle. */
+    private static FrameInput one(double groundReflectivity, int bounces, Vector3 eye) {
+        return World.of(scene(groundReflectivity, bounces).withCamera(above(eye)), SKY)
+                .snapshot();
+    }
+
+    private static Camera above(Vector3 eye) {
+        return Camera.of(eye, 0, 90, 60);
+    }
+
+    private static Scene scene(double groundReflectivity, int bounces) {
+        return Scene.under(Path.of("none.hdr"))
+                .withLight(Light.of(new Vector3(0, 10, 0), 0.5, new Rgb(1, 1, 1)))
+                .withPlane(Plane.of(40, 0, new Rgb(0.5, 0.5, 0.5), new Rgb(0.5, 0.5, 0.5), groundReflectivity))
+                .withSpheres(List.of(Sphere.of(new Vector3(0, 5, 0), 0.75, new Rgb(0.5, 0.5, 0.5), 0)))
+                .withSettings(RenderSettings.DEFAULT
+                        .withSize(1, 1)
+                        .withBounces(bounces)
+                        .withSamplesPerPixel(1)
+                        .withShadows(8));
+    }
+
+    private static FrameInput input(LitScene lit, RenderSettings settings) {
+        return World.of(lit.scene().withSettings(settings), lit.images()).snapshot();
+    }
+}

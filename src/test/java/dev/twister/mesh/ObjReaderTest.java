@@ -1,0 +1,106 @@
+package dev.twister.mesh;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.scene.Material;
+import dev.twister.scene.Rgb;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class ObjReaderTest {
+    private static final String SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+    @TempDir
+    Path folder;
+
+    static Stream<Arguments> materials() {
+        Rgb white = new Rgb(1, 1, 1);
+        Rgb red = new Rgb(1, 0, 0);
+        return Stream.of(
+                Arguments.of("Kd 0.5 0.25 2", Material.DEFAULT.withColor(new Rgb(0.5, 0.25, 1))),
+                Arguments.of("Kd 0.5", Material.DEFAULT.withColor(new Rgb(0.5, 0.5, 0.5))),
+                Arguments.of(
+                        "Kd 1 0 0\nKs 1 1 1\nNs 100",
+                        Material.DEFAULT.withColor(red).withReflectivity(5)),
+                Arguments.of("Kd 1 0 0\nKs 0.5 1 0\nNs 50\nillum 1", Material.DEFAULT.withColor(red)),
+                Arguments.of("Ks 0.5 0.25 0\nillum 3", Material.DEFAULT.withReflectivity(64)),
+                Arguments.of("Kd 0 0 0\nNi 1.33\nillum 7", new Material(white, 0, 0, 1, 1.33, Optional.empty())),
+                Arguments.of(
+                        "Kd 0 0 0\nTf 1 0 0\nd 0.25\nillum 4", new Material(red, 0, 0, 0.75, 1.5, Optional.empty())),
+                Arguments.of("Kd 1 0 0\nTr 0.25", new Material(red, 0, 0, 0.25, 1, Optional.empty())),
+                Arguments.of("Kd 1 0 0\nd 1\nTr 1", Material.DEFAULT.withColor(red)),
+                Arguments.of(
+                        "Pm 1\nPr 0.5", Material.DEFAULT.withReflectivity(48).withRoughness(0.5)));
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("materials")
+    void readsMaterials(String fields, Material expected) throws IOException {
+        Files.writeString(folder.resolve("a b.mtl"), "newmtl other\nKd 0 1 0\nnewmtl m\n" + fields + "\n");
+        MeshFile file = Reading.read(folder, "a.obj", "mtllib a b.mtl\nusemtl m\n" + SQUARE + "f 1 2 3\n");
+        assertThat(file.parts()).containsExactly(new MeshPart("m", 0, Affine.IDENTITY, expected));
+    }
+
+    @Test
+    void findsTexturesBesideTheFile() throws IOException {
+        Files.createDirectory(folder.resolve("wood"));
+        Files.write(folder.resolve("wood").resolve("oak 1.png"), new byte[] {(byte) 0x89, 'P', 'N', 'G', 13, 10});
+        Files.writeString(
+                folder.resolve("a.mtl"),
+                "newmtl a\nmap_Kd -s 1 1 1 -clamp on wood\\oak 1.png\nnewmtl b\nmap_Kd none.png\n");
+        List<String> warnings = new ArrayList<>();
+        String text = "mtllib a.mtl\n" + SQUARE + "vt 0 0\nvt 1 0.25\nusemtl a\nf 1/1 2/2 3/2\nusemtl b\nf 1 3 4\n";
+        MeshFile file = Reading.read(folder, "a.obj", text.getBytes(StandardCharsets.UTF_8), 0, warnings);
+        assertThat(file.parts().get(0).material().texture()).contains(folder.resolve("wood/oak 1.png"));
+        assertThat(file.parts().get(1).material().texture()).isEmpty();
+        assertThat(file.meshes().get(0).textureCoordinates()).contains(1f, 0.75f);
+        assertThat(file.meshes().get(1).textureCoordinates()).isEmpty();
+        assertThat(warnings).anyMatch(warning -> warning.contains("none.png: file not found"));
+    }
+
+    @Test
+    void makesAPartOfEachMaterial() {
+        String text = SQUARE + "usemtl a\nf 1 2 3\nusemtl b\nf 1 3 4\nusemtl a\nf 2 3 4\n";
+        MeshFile file = Reading.read(folder, "a.obj", text);
+        assertThat(file.parts()).extracting(MeshPart::name).containsExactly("a", "b");
+        assertThat(file.meshes()).extracting(TriangleMesh::triangles).containsExactly(2, 1);
+    }
+
+    @Test
+    void countsDegenerateTriangles() {
+        MeshFile file = Reading.read(folder, "a.obj", SQUARE + "v 0.5 0.5 0\nf 1 5 3\nf 1 1 2\nf 1 2 3 4\n");
+        assertThat(file.degenerateTriangles()).isEqualTo(2);
+        assertThat(file.meshes().getFirst().triangles()).isEqualTo(2);
+    }
+
+    @Test
+    void givesCornersWithoutNormalsThatOfTheTriangle() {
+        MeshFile file = Reading.read(folder, "a.obj", SQUARE + "vn 0 3 4\nvn nan 0 1\nf 1//1 2//2 3\n");
+        assertThat(file.meshes().getFirst().normals()).containsExactly(0, 0.6f, -0.8f, 0, 0, -1, 0, 0, -1);
+    }
+
+    @Test
+    void leavesOutNormalsThatAreNotThere() {
+        MeshFile file = Reading.read(folder, "a.obj", SQUARE + "f 1/1/1 2/0/0 3/-1/-1\n");
+        assertThat(file.meshes().getFirst().normals()).isEmpty();
+        assertThat(file.meshes().getFirst().textureCoordinates()).isEmpty();
+    }
+
+    @Test
+    void joinsLinesThatEndInABackslash() {
+        assertThat(Reading.read(folder, "a.obj", "v 0 0 0\r\nv 1 \\\r\n 0 0\r\nv 0 1 0\r\nf 1 \\\r\n2 3 # end\r\n")
+                        .shownTriangles())
+                .isEqualTo(1);
+    }
+}
