@@ -152,7 +152,7 @@ class RoomsTest {
     @Test
     void worldKnowsTheKernelsNumbersOnly() {
         DescribedPredicate<JavaClass> allowed = resideOutsideOfPackage("dev.twister..")
-                .or(resideInAnyPackage("dev.twister.world", "dev.twister.scene", "dev.twister.sky"))
+                .or(resideInAnyPackage("dev.twister.world", "dev.twister.scene", "dev.twister.sky", "dev.twister.mesh"))
                 .or(belongToAnyOf(Aspect.class, Layout.class, Tone.class));
         classes()
                 .that()

@@ -41,6 +41,7 @@ public final class JvmKernel {
                     bodies.places(),
                     bodies.looks(),
                     bodies.hierarchy(),
+                    bodies.meshes(),
                     panorama.texels(),
                     panorama.dimensions(),
                     view.shadowDisc(),
@@ -48,6 +49,7 @@ public final class JvmKernel {
                     path,
                     scratch,
                     search,
+                    bodies.firstMesh(),
                     materials,
                     aspect,
                     output);
@@ -63,6 +65,7 @@ public final class JvmKernel {
                 input.bodies().places(),
                 input.bodies().looks(),
                 input.bodies().hierarchy(),
+                input.bodies().meshes(),
                 input.bodyCount(),
                 input.panorama().texels(),
                 input.panorama().dimensions(),
@@ -70,6 +73,7 @@ public final class JvmKernel {
                 input.view().pixelSamples(),
                 scratch,
                 HitSearch.of(input),
+                input.bodies().firstMesh(),
                 input.bodies().materials(),
                 Aspect.FULL);
     }

@@ -90,9 +90,11 @@ final class PathRecorder {
                 bodies.places(),
                 bodies.looks(),
                 bodies.hierarchy(),
+                bodies.meshes(),
                 input.bodyCount(),
                 scratch,
                 HitSearch.of(input),
+                bodies.firstMesh(),
                 bodies.materials(),
                 Aspect.FULL);
     }

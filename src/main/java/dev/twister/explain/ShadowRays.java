@@ -50,7 +50,9 @@ final class ShadowRays {
                 input.view().shadowDisc(),
                 bodies.hierarchy(),
                 Layout.root(input.bodyCount()),
+                bodies.meshes(),
                 scratch,
+                bodies.firstMesh(),
                 bodies.materials());
         float[] way = way(sample);
         Vector3 origin = bodies.origin();
@@ -82,15 +84,18 @@ final class ShadowRays {
             ray[Layout.DIRECTION + axis] = way[axis] / length;
         }
         ray[Layout.LEAVING] = own;
+        ray[Layout.LEAVING_TRIANGLE] = path[Layout.LEAVING_TRIANGLE];
         Bodies bodies = input.bodies();
         int body = Hit.find(
                 ray,
                 bodies.places(),
                 bodies.looks(),
                 bodies.hierarchy(),
+                bodies.meshes(),
                 input.bodyCount(),
                 scratch,
                 HitSearch.of(input),
+                bodies.firstMesh(),
                 bodies.materials(),
                 Aspect.FULL);
         boolean between = body >= Layout.PLANE && ray[Layout.DISTANCE] < length;

@@ -34,8 +34,11 @@ final class SurfaceRecorder {
                 properties,
                 bodies.places(),
                 bodies.looks(),
+                bodies.hierarchy(),
+                bodies.meshes(),
                 input.panorama().texels(),
                 input.panorama().dimensions(),
+                bodies.firstMesh(),
                 bodies.materials());
         visible = Path.visible(
                 path,
@@ -45,9 +48,11 @@ final class SurfaceRecorder {
                 bodies.places(),
                 bodies.looks(),
                 bodies.hierarchy(),
+                bodies.meshes(),
                 input.bodyCount(),
                 input.view().shadowDisc(),
                 scratch,
+                bodies.firstMesh(),
                 bodies.materials(),
                 Aspect.FULL);
         before = path.clone();

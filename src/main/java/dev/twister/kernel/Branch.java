@@ -155,6 +155,7 @@ public final class Branch {
         }
         ray[first + Layout.LEAVING] = body;
         ray[first + Layout.INSIDE] = inside;
+        ray[first + Layout.LEAVING_TRIANGLE] = path[Layout.LEAVING_TRIANGLE];
     }
 
     /** A part of the light as a rough surface passes it on; nothing goes to the wrong side. */

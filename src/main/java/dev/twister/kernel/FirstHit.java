@@ -11,6 +11,7 @@ final class FirstHit {
      * @param bodies how many there are
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
      * @param search {@link Hit#ALL} or {@link Hit#WALK}
+     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      * @param materials {@link Material#PLAIN} or {@link Material#ANY}
      * @param aspect one of {@link Aspect}'s that end at the first hit
      */
@@ -20,15 +21,18 @@ final class FirstHit {
             float[] places,
             float[] looks,
             float[] hierarchy,
+            float[] meshes,
             int bodies,
             float[] sky,
             int[] skyDimensions,
             float[] shadowDisc,
             float[] scratch,
             int search,
+            int firstMesh,
             int materials,
             int aspect) {
-        int body = Hit.find(path, places, looks, hierarchy, bodies, scratch, search, materials, aspect);
+        int body =
+                Hit.find(path, places, looks, hierarchy, meshes, bodies, scratch, search, firstMesh, materials, aspect);
         int sees = (body == Layout.NOTHING ? 1 : 0) & (aspect <= Aspect.HIGHLIGHTS ? 1 : 0);
         if (sees != 0) {
             Sky.add(path, sky, skyDimensions, properties);
@@ -40,7 +44,18 @@ final class FirstHit {
         float green = number;
         float blue = number;
         if (body >= Layout.LIGHT) {
-            Path.meet(path, body, properties, places, looks, sky, skyDimensions, materials);
+            Path.meet(
+                    path,
+                    body,
+                    properties,
+                    places,
+                    looks,
+                    hierarchy,
+                    meshes,
+                    sky,
+                    skyDimensions,
+                    firstMesh,
+                    materials);
             float lit = 1f;
             float specular = 0f;
             if (body >= Layout.PLANE) {
@@ -59,7 +74,9 @@ final class FirstHit {
                             shadowDisc,
                             hierarchy,
                             Layout.root(bodies),
+                            meshes,
                             scratch,
+                            firstMesh,
                             materials,
                             aspect);
                 }

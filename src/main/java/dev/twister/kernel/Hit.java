@@ -11,15 +11,18 @@ public final class Hit {
 
     /**
      * The closest body in front of the path's ray, the lower index on a tie; {@link Layout#NOTHING} where there is none.
-     * The body that the ray leaves is ignored. Writes the distance in meters to {@link Layout#DISTANCE}.
+     * The body that the ray leaves is ignored, of a
+     * mesh the triangle. Writes the distance in meters to {@link Layout#DISTANCE}.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param places {@link Layout#PLACE_STRIDE} floats a body
      * @param looks {@link Layout#LOOK_STRIDE} floats a body
      * @param hierarchy over the spheres
-     * @param bodies how many there are
+     * @param meshes {@link Layout}'s, with their part of the hierarchy
+     * @param bodies how many there are without meshes
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
      * @param search {@link #ALL} or {@link #WALK}
+     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      * @param materials {@link Material#PLAIN} or {@link Material#ANY}
      * @param aspect one of {@link Aspect}'s
      */
@@ -28,14 +31,19 @@ public final class Hit {
             float[] places,
             float[] looks,
             float[] hierarchy,
+            float[] meshes,
             int bodies,
             float[] scratch,
             int search,
+            int firstMesh,
             int materials,
             int aspect) {
         int body = amongFirst(path, places, looks, search == WALK ? Layout.FIRST_SPHERE : bodies, materials, aspect);
         if (search == WALK) {
             body = onWalk(path, body, looks, hierarchy, Layout.root(bodies), scratch, materials, aspect);
+        }
+        if (firstMesh > Layout.NO_MESHES) {
+            body = MeshHit.find(path, body, hierarchy, meshes, firstMesh, scratch, aspect);
         }
         return body;
     }

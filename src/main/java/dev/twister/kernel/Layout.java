@@ -9,7 +9,7 @@ public final class Layout {
     public static final int FIRST_ROW = 2;
     public static final int ROWS = 3;
 
-    /** How many bodies there are: light, plane and spheres. */
+    /** How many bodies there are without meshes: light, plane and spheres. */
     public static final int BODIES = 4;
 
     public static final int DIMENSIONS_LENGTH = 5;
@@ -80,7 +80,16 @@ public final class Layout {
     /** What a closest hit is where nothing is hit. */
     public static final int NOTHING = -1;
 
-    /** {@code float[] places}, {@value #PLACE_STRIDE} floats a body: the center, then a sphere's radius or the plane's side. */
+    /**
+     * Value of the argument {@code firstMesh} where there are no meshes; else it is the first mesh's body: meshes come
+     * after all spheres that may come to be.
+     */
+    public static final int NO_MESHES = 0;
+
+    /**
+     * {@code float[] places}, {@value #PLACE_STRIDE} floats a body: the center, then a sphere's radius or the plane's side. A
+     * mesh has those of a sphere around it.
+     */
     public static final int PLACE_SIZE = 3;
 
     public static final int PLACE_STRIDE = 4;
@@ -134,11 +143,46 @@ public final class Layout {
     /** Where in the array the node's first sphere is, or its first child; the second child follows the first. */
     public static final int NODE_LINK = 6;
 
-    /** How many spheres are in the leaf; less than 0 where the node has children. */
+    /** How many spheres (or meshes, or triangles) are in the leaf; less than 0 where the node has children. */
     public static final int NODE_SPHERES = 7;
 
     /** From one node to the next. */
     public static final int NODE_STRIDE = 8;
+
+    /**
+     * After the spheres' part, {@link #instances}: how many nodes there are over the meshes, those nodes, the first the
+     * root, then the meshes as instances of {@code meshes}, in the order of the leaves. Links are numbers of nodes and
+     * instances. An instance: rows of three coefficients and an offset that take a point of the world to the mesh's own
+     * coordinates, and back.
+     */
+    public static final int INSTANCE_TO_MESH = 0;
+
+    public static final int INSTANCE_TO_WORLD = 12;
+
+    /** The body. */
+    public static final int INSTANCE_BODY = 24;
+
+    /** Where in {@code meshes} the mesh starts, by {@value #MESH_ALIGNMENT}, so that a float has it exactly. */
+    public static final int INSTANCE_MESH = 25;
+
+    /** How many nodes and triangles the mesh has, vertices with normals, and vertices with places in a texture. */
+    public static final int INSTANCE_NODES = 26;
+
+    public static final int INSTANCE_TRIANGLES = 27;
+    public static final int INSTANCE_NORMALS = 28;
+    public static final int INSTANCE_TEXTURE_PLACES = 29;
+    public static final int INSTANCE_STRIDE = 30;
+
+    /**
+     * {@code float[] meshes}, one mesh after the other, however many bodies show it: nodes as in {@code hierarchy}, the
+     * root first, with numbers of nodes and triangles as links; triangles in the order of the leaves; then, where there
+     * are any, the vertices' unit normals, and their places in the texture (u, v). A triangle: its corners, then
+     * their vertices.
+     */
+    public static final int MESH_ALIGNMENT = 256;
+
+    public static final int TRIANGLE_VERTICES = 9;
+    public static final int TRIANGLE_STRIDE = 12;
 
     /** What stands for no node. */
     public static final int NO_NODE = -1;
@@ -169,9 +213,14 @@ public final class Layout {
     public static final int MOST_WAITING_RAYS = 10;
 
     /** A waiting ray: the first floats of its path, and how many surfaces it has left. */
-    public static final int RAY_BOUNCE = 11;
+    public static final int RAY_BOUNCE = 12;
 
-    public static final int RAY_STRIDE = 12;
+    public static final int RAY_STRIDE = 13;
+
+    /** Where meshes are walked through, their nodes to come back to: a ray's use the place of a shadow's candidates. */
+    public static final int SCRATCH_RAY_NODES = 0;
+
+    public static final int SCRATCH_SHADOW_NODES = SCRATCH_STACK + MOST_ANCESTORS;
 
     /** How long the scratch is where all materials are {@link Material#PLAIN}. */
     public static final int PLAIN_SCRATCH_LENGTH = SCRATCH_TRANSMISSIONS;
@@ -180,7 +229,7 @@ public final class Layout {
 
     /**
      * {@code float[] path}, a thread's own: the ray, the body that it leaves and whether it goes on inside that body
-     * (1, else 0), what part of the radiance found from here on reaches the pixel, for each channel, and the radiance
+     * (1, else 0), its triangle, what part of the radiance found from here on reaches the pixel, for each channel, and the radiance
      * so far.
      */
     public static final int ORIGIN = 0;
@@ -188,59 +237,85 @@ public final class Layout {
     public static final int DIRECTION = 3;
     public static final int LEAVING = 6;
     public static final int INSIDE = 7;
-    public static final int THROUGHPUT = 8;
-    public static final int RADIANCE = 11;
+
+    /** The triangle of the body that the ray leaves, where that is a mesh. */
+    public static final int LEAVING_TRIANGLE = 8;
+
+    public static final int THROUGHPUT = 9;
+    public static final int RADIANCE = 12;
 
     /** Column and row of the pixel in the whole picture, and where in {@code pixelSamples} its sample is. */
-    public static final int PIXEL_COLUMN = 14;
+    public static final int PIXEL_COLUMN = 15;
 
-    public static final int PIXEL_ROW = 15;
-    public static final int PIXEL_SAMPLE = 16;
+    public static final int PIXEL_ROW = 16;
+    public static final int PIXEL_SAMPLE = 17;
 
     /** What the ray meets: how far away, where, which way the surface faces, and what it is made of. */
-    public static final int DISTANCE = 17;
+    public static final int DISTANCE = 18;
 
-    public static final int POINT = 18;
-    public static final int NORMAL = 21;
-    public static final int ALBEDO = 24;
-    public static final int REFLECTIVITY = 27;
+    public static final int POINT = 19;
+    public static final int NORMAL = 22;
+    public static final int ALBEDO = 25;
+    public static final int REFLECTIVITY = 28;
 
     /** The light's center, seen from the point: a unit vector, the distance, and the cosine against the normal. */
-    public static final int TO_LIGHT = 28;
+    public static final int TO_LIGHT = 29;
 
-    public static final int LIGHT_DISTANCE = 31;
-    public static final int NORMAL_DOT_LIGHT = 32;
+    public static final int LIGHT_DISTANCE = 32;
+    public static final int NORMAL_DOT_LIGHT = 33;
 
     /** The axes U (its x is 0) and W of the light's disc, and tangent and secant of its half angle as the point sees it. */
-    public static final int DISC_U_Y = 33;
+    public static final int DISC_U_Y = 34;
 
-    public static final int DISC_U_Z = 34;
-    public static final int DISC_W = 35;
-    public static final int DISC_TANGENT = 38;
-    public static final int DISC_SECANT = 39;
+    public static final int DISC_U_Z = 35;
+    public static final int DISC_W = 36;
+    public static final int DISC_TANGENT = 39;
+    public static final int DISC_SECANT = 40;
 
     /** How long the path is where all materials are {@link Material#PLAIN}, and nothing is counted. */
-    public static final int PLAIN_PATH_LENGTH = 40;
+    public static final int PLAIN_PATH_LENGTH = 41;
 
     /** Whether the ray comes from inside the body (1, else 0), and the rest of what it is made of. */
-    public static final int FROM_INSIDE = 40;
+    public static final int FROM_INSIDE = 41;
 
-    public static final int ROUGHNESS = 41;
-    public static final int TRANSMISSION = 42;
-    public static final int IOR = 43;
+    public static final int ROUGHNESS = 42;
+    public static final int TRANSMISSION = 43;
+    public static final int IOR = 44;
 
     /** The normal of the surface's facet that reflects and refracts, turned against the ray. */
-    public static final int FACET = 44;
+    public static final int FACET = 45;
 
     /** What {@link Aspect} counts, of all samples together. */
-    public static final int COUNT = 47;
+    public static final int COUNT = 48;
 
-    public static final int PATH_LENGTH = 48;
+    /** Which instance and which of its triangles the ray meets. */
+    public static final int INSTANCE = 49;
+
+    public static final int TRIANGLE = 50;
+
+    /** The unit normal of the triangle's face, on the side from which its corners turn to the left. */
+    public static final int FACE = 51;
+
+    /** The point's place in the mesh's texture: u, v. */
+    public static final int TEXTURE_PLACE = 54;
+
+    public static final int PATH_LENGTH = 56;
 
     /** The largest reflectivity, at which a body is a perfect mirror. */
     public static final float MAX_REFLECTIVITY = 128f;
 
     private Layout() {}
+
+    /** How long the spheres' part of the hierarchy is where there is room for so many bodies without meshes. */
+    public static int spheresLength(int room) {
+        int spheres = room - FIRST_SPHERE;
+        return root(room) + NODE_STRIDE * (spheres > 0 ? 2 * spheres - 1 : 1);
+    }
+
+    /** Where in the hierarchy the meshes' part begins. */
+    static int instances(int firstMesh) {
+        return spheresLength(firstMesh);
+    }
 
     /** Where the root is in the hierarchy of a scene of so many bodies: after the spheres. */
     public static int root(int bodies) {

@@ -20,11 +20,12 @@ public final class Material {
      * alone.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
-     * @param body the plane or a sphere
+     * @param body any but the light
      * @param looks {@link Layout#LOOK_STRIDE} floats a body
      * @param properties {@link Layout#PROPERTIES_LENGTH} floats
      * @param sky the panorama's texels, then those of the textures
      * @param skyDimensions with those of the textures
+     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      * @param materials {@link #PLAIN} or {@link #ANY}
      */
     public static void find(
@@ -34,6 +35,7 @@ public final class Material {
             float[] properties,
             float[] sky,
             int[] skyDimensions,
+            int firstMesh,
             int materials) {
         int look = Layout.LOOK_STRIDE * body;
         float red = looks[look];
@@ -55,7 +57,7 @@ public final class Material {
             path[Layout.IOR] = looks[look + Layout.LOOK_IOR];
             int texture = (int) looks[look + Layout.LOOK_TEXTURE];
             if (texture > 0) {
-                Texture.multiply(path, body, texture, sky, skyDimensions);
+                Texture.multiply(path, body, texture, sky, skyDimensions, firstMesh);
             }
         }
     }

@@ -13,6 +13,7 @@ public final class Path {
      * @param bodies how many there are
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
      * @param search {@link Hit#ALL} or {@link Hit#WALK}
+     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      * @param materials {@link Material#PLAIN} or {@link Material#ANY}
      * @param aspect {@link Aspect#FULL}, or what is counted in {@link Layout#COUNT} beside
      */
@@ -23,6 +24,7 @@ public final class Path {
             float[] places,
             float[] looks,
             float[] hierarchy,
+            float[] meshes,
             int bodies,
             float[] sky,
             int[] skyDimensions,
@@ -30,16 +32,29 @@ public final class Path {
             float[] pixelSamples,
             float[] scratch,
             int search,
+            int firstMesh,
             int materials,
             int aspect) {
         int bounce = firstBounce;
         int waiting = 0;
         int goesOn = 1;
         while (goesOn != 0) {
-            int body = Hit.find(path, places, looks, hierarchy, bodies, scratch, search, materials, aspect);
+            int body = Hit.find(
+                    path, places, looks, hierarchy, meshes, bodies, scratch, search, firstMesh, materials, aspect);
             goesOn = 0;
             if (body >= Layout.PLANE) {
-                meet(path, body, properties, places, looks, sky, skyDimensions, materials);
+                meet(
+                        path,
+                        body,
+                        properties,
+                        places,
+                        looks,
+                        hierarchy,
+                        meshes,
+                        sky,
+                        skyDimensions,
+                        firstMesh,
+                        materials);
                 float visible = visible(
                         path,
                         body,
@@ -48,9 +63,11 @@ public final class Path {
                         places,
                         looks,
                         hierarchy,
+                        meshes,
                         bodies,
                         shadowDisc,
                         scratch,
+                        firstMesh,
                         materials,
                         aspect);
                 waiting = scatter(
@@ -89,13 +106,16 @@ public final class Path {
             float[] properties,
             float[] places,
             float[] looks,
+            float[] hierarchy,
+            float[] meshes,
             float[] sky,
             int[] skyDimensions,
+            int firstMesh,
             int materials) {
-        Surface.find(path, body, places);
-        Material.find(path, body, looks, properties, sky, skyDimensions, materials);
+        Surface.find(path, body, places, hierarchy, meshes, firstMesh);
+        Material.find(path, body, looks, properties, sky, skyDimensions, firstMesh, materials);
         if (materials == Material.ANY) {
-            Surface.face(path, body);
+            Surface.face(path, body, firstMesh);
         }
         Light.aim(path, places);
     }
@@ -109,9 +129,11 @@ public final class Path {
             float[] places,
             float[] looks,
             float[] hierarchy,
+            float[] meshes,
             int bodies,
             float[] shadowDisc,
             float[] scratch,
+            int firstMesh,
             int materials,
             int aspect) {
         float visible = 1f;
@@ -125,7 +147,9 @@ public final class Path {
                     shadowDisc,
                     hierarchy,
                     Layout.root(bodies),
+                    meshes,
                     scratch,
+                    firstMesh,
                     materials,
                     aspect);
         }

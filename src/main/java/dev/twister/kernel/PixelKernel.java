@@ -17,10 +17,11 @@ public final class PixelKernel {
      * @param pixels {@code int[width * rows]} where the output is ARGB, else any
      * @param radiance {@code float[3 * width * rows]} where the output is LINEAR, else any
      * @param path {@link Layout#PATH_LENGTH} floats of this thread's own; {@link Layout#PLAIN_PATH_LENGTH} do for plain
-     *     materials where nothing is counted
+     *     materials where nothing is counted and there are no meshes
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats of this thread's own; {@link Layout#PLAIN_SCRATCH_LENGTH} do
-     *     for plain materials
+     *     for plain materials without meshes
      * @param search {@link Hit#ALL} or {@link Hit#WALK}
+     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      * @param materials {@link Material#PLAIN} or {@link Material#ANY}
      * @param aspect one of {@link Aspect}'s
      * @param output {@link #ARGB} or {@link #LINEAR}
@@ -36,6 +37,7 @@ public final class PixelKernel {
             float[] places,
             float[] looks,
             float[] hierarchy,
+            float[] meshes,
             float[] sky,
             int[] skyDimensions,
             float[] shadowDisc,
@@ -43,6 +45,7 @@ public final class PixelKernel {
             float[] path,
             float[] scratch,
             int search,
+            int firstMesh,
             int materials,
             int aspect,
             int output) {
@@ -59,6 +62,7 @@ public final class PixelKernel {
                     places,
                     looks,
                     hierarchy,
+                    meshes,
                     dimensions[Layout.BODIES],
                     sky,
                     skyDimensions,
@@ -66,6 +70,7 @@ public final class PixelKernel {
                     pixelSamples,
                     scratch,
                     search,
+                    firstMesh,
                     materials,
                     aspect);
         }
@@ -103,6 +108,7 @@ public final class PixelKernel {
             float[] places,
             float[] looks,
             float[] hierarchy,
+            float[] meshes,
             int bodies,
             float[] sky,
             int[] skyDimensions,
@@ -110,6 +116,7 @@ public final class PixelKernel {
             float[] pixelSamples,
             float[] scratch,
             int search,
+            int firstMesh,
             int materials,
             int aspect) {
         if (Aspect.endsAtFirstHit(aspect) != 0) {
@@ -119,12 +126,14 @@ public final class PixelKernel {
                     places,
                     looks,
                     hierarchy,
+                    meshes,
                     bodies,
                     sky,
                     skyDimensions,
                     shadowDisc,
                     scratch,
                     search,
+                    firstMesh,
                     materials,
                     aspect);
         } else {
@@ -135,6 +144,7 @@ public final class PixelKernel {
                     places,
                     looks,
                     hierarchy,
+                    meshes,
                     bodies,
                     sky,
                     skyDimensions,
@@ -142,6 +152,7 @@ public final class PixelKernel {
                     pixelSamples,
                     scratch,
                     search,
+                    firstMesh,
                     materials,
                     aspect);
         }

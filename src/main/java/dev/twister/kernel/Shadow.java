@@ -34,8 +34,9 @@ public final class Shadow {
     private Shadow() {}
 
     /**
-     * S in [0, 1] at {@link Layout#POINT}: 1 - blocked / samples, where a body that transmits blocks but a part; 1
-     * where S would change nothing, as the light is behind the surface or adds less than the ambient light.
+     * S in [0, 1] at {@link Layout#POINT}: 1 - blocked / samples, where a body that transmits blocks but a part; 0
+     * where a mesh's face looks away from the light; 1 where S would change nothing, as the light is behind the surface
+     * or adds less than the ambient light.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param own the body that the point lies on
@@ -45,7 +46,9 @@ public final class Shadow {
      * @param shadowDisc the unit sunflower, {@code float[2 * samples]}
      * @param hierarchy over the spheres
      * @param root where in the hierarchy its root is, see {@link Layout#root}
+     * @param meshes {@link Layout}'s, with their part of the hierarchy
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
+     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      * @param materials {@link Material#PLAIN} or {@link Material#ANY}
      * @param aspect one of {@link Aspect}'s; where it is the shadow, S is found where it would change nothing too
      */
@@ -58,23 +61,34 @@ public final class Shadow {
             float[] shadowDisc,
             float[] hierarchy,
             int root,
+            float[] meshes,
             float[] scratch,
+            int firstMesh,
             int materials,
             int aspect) {
         float visible = 1f;
-        if (((aspect == Aspect.SHADOW ? 1 : 0) | matters(path, properties)) != 0) {
+        if (Surface.isMesh(own, firstMesh) != 0) {
+            visible = MeshSurface.looksAway(path) != 0 ? 0f : 1f;
+        }
+        int matters = (aspect == Aspect.SHADOW ? 1 : 0) | matters(path, properties);
+        if ((matters & (visible > 0f ? 1 : 0)) != 0) {
             int samples = (int) properties[Layout.SHADOW_SAMPLES];
             float discRadius = 2f * places[Layout.PLACE_STRIDE * Layout.LIGHT + Layout.PLACE_SIZE];
             float sampleScale = face(path, discRadius, samples, shadowDisc);
             int plane = PlaneShadow.mayBlock(path, own, discRadius, places);
             int count = candidates(path, own, looks, hierarchy, root, scratch, materials, aspect);
             visible = count == ALL_HIDDEN ? 0f : 1f;
-            int inDoubt = (count > 0 ? 1 : 0) | ((count == 0 ? 1 : 0) & plane);
+            int mesh = 0;
+            if (firstMesh > Layout.NO_MESHES) {
+                mesh = MeshShadow.mayBlock(path, hierarchy, firstMesh, scratch, aspect);
+            }
+            int inDoubt = (count > 0 ? 1 : 0) | ((count == 0 ? 1 : 0) & (plane | mesh));
             if (inDoubt != 0) {
                 float blocked = blocked(
                         path,
                         own,
                         plane,
+                        mesh,
                         count,
                         samples,
                         sampleScale,
@@ -83,7 +97,9 @@ public final class Shadow {
                         shadowDisc,
                         hierarchy,
                         root,
+                        meshes,
                         scratch,
+                        firstMesh,
                         materials,
                         aspect);
                 visible = 1f - blocked / samples;
@@ -129,14 +145,17 @@ public final class Shadow {
     }
 
     /**
-     * How many samples are blocked, by the plane, by the candidates in the scratch or, where there are more, by any sphere.
+     * How many samples are blocked, by the plane, by the candidates in the scratch or, where there are more, by any sphere,
+     * or by meshes.
      *
      * @param plane whether it may block any
+     * @param mesh whether one may
      */
     private static float blocked(
             float[] path,
             int own,
             int plane,
+            int mesh,
             int count,
             int samples,
             float sampleScale,
@@ -145,12 +164,14 @@ public final class Shadow {
             float[] shadowDisc,
             float[] hierarchy,
             int root,
+            float[] meshes,
             float[] scratch,
+            int firstMesh,
             int materials,
             int aspect) {
         float distance = path[Layout.LIGHT_DISTANCE];
         int remembered = Math.min(count, Layout.MOST_CANDIDATES);
-        int alone = ((count == 1 ? 1 : 0) & (1 - plane)) != 0 ? liesBetween(scratch, distance) : 0;
+        int alone = ((count == 1 ? 1 : 0) & (1 - (plane | mesh))) != 0 ? liesBetween(scratch, distance) : 0;
         float blocked = alone != 0
                 ? blockedByOne(scratch, shadowDisc, sampleScale, samples)
                         * (1f - rememberedTransmission(scratch, 0, materials))
@@ -187,6 +208,13 @@ public final class Shadow {
             if (forgotten != 0) {
                 light = pastPlane
                         * ShadowRay.light(path, own, x, y, looks, hierarchy, root, scratch, materials, aspect);
+            }
+            if (firstMesh > Layout.NO_MESHES) {
+                if ((mesh & (light > 0f ? 1 : 0)) != 0) {
+                    light = light
+                            * MeshShadow.light(
+                                    path, own, x, y, looks, hierarchy, meshes, firstMesh, scratch, materials, aspect);
+                }
             }
             blocked = blocked + (1f - light);
         }

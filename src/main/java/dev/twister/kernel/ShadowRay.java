@@ -10,6 +10,7 @@ public final class ShadowRay {
      *
      * @param sample in [0, shadow samples)
      * @param own the body that the point lies on
+     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      */
     public static float light(
             float[] path,
@@ -21,7 +22,9 @@ public final class ShadowRay {
             float[] shadowDisc,
             float[] hierarchy,
             int root,
+            float[] meshes,
             float[] scratch,
+            int firstMesh,
             int materials) {
         float discRadius = 2f * places[Layout.PLACE_STRIDE * Layout.LIGHT + Layout.PLACE_SIZE];
         float scale = Shadow.face(path, discRadius, (int) properties[Layout.SHADOW_SAMPLES], shadowDisc);
@@ -29,7 +32,16 @@ public final class ShadowRay {
         float y = shadowDisc[2 * sample + 1] * scale;
         int blocked = PlaneShadow.mayBlock(path, own, discRadius, places) & PlaneShadow.blocks(path, x, y, places);
         float pastPlane = blocked != 0 ? Shadow.transmission(looks, Layout.PLANE, materials) : 1f;
-        return pastPlane * light(path, own, x, y, looks, hierarchy, root, scratch, materials, Aspect.FULL);
+        float light = pastPlane * light(path, own, x, y, looks, hierarchy, root, scratch, materials, Aspect.FULL);
+        if (firstMesh > Layout.NO_MESHES) {
+            light = light
+                    * MeshShadow.light(
+                            path, own, x, y, looks, hierarchy, meshes, firstMesh, scratch, materials, Aspect.FULL);
+        }
+        if (Surface.isMesh(own, firstMesh) != 0) {
+            light = MeshSurface.looksAway(path) != 0 ? 0f : light;
+        }
+        return light;
     }
 
     /**

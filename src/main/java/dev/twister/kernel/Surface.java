@@ -5,29 +5,49 @@ public final class Surface {
     private Surface() {}
 
     /**
-     * Turns the normal of a sphere against a ray that comes from inside, as it can where the sphere transmits.
+     * Says whether the ray comes from inside, as it can where the body transmits, and turns a sphere's normal against it
+     * then; a mesh's is turned already.
      *
      * @param path {@link Layout#PATH_LENGTH} floats, after {@link #find} and {@link Material#find}
-     * @param body the plane or a sphere
+     * @param body any but the light
+     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      */
-    static void face(float[] path, int body) {
+    static void face(float[] path, int body, int firstMesh) {
+        int mesh = isMesh(body, firstMesh);
+        int outward = mesh != 0 ? Layout.FACE : Layout.NORMAL;
         int transmits = (body == Layout.PLANE ? 0 : 1) & (path[Layout.TRANSMISSION] > 0f ? 1 : 0);
-        int inside = transmits & (Facet.directionDot(path, Layout.NORMAL) > 0f ? 1 : 0);
+        int inside = transmits & (Facet.directionDot(path, outward) > 0f ? 1 : 0);
         path[Layout.FROM_INSIDE] = inside;
+        int turned = inside & (1 - mesh);
         for (int axis = 0; axis < 3; axis++) {
-            path[Layout.NORMAL + axis] = inside != 0 ? -path[Layout.NORMAL + axis] : path[Layout.NORMAL + axis];
+            path[Layout.NORMAL + axis] = turned != 0 ? -path[Layout.NORMAL + axis] : path[Layout.NORMAL + axis];
         }
     }
 
     /**
      * Writes the point and the unit normal where the path's ray meets the body at {@link Layout#DISTANCE}. A sphere's
-     * point lies on it to the last digits; the plane's normal is (0, 1, 0), seen from either side.
+     * point lies on it to the last digits; the plane's normal is (0, 1, 0), seen from either side; of a mesh, see
+     * {@link MeshSurface#find}.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
-     * @param body the plane or a sphere
+     * @param body that {@link Hit#find} has found
      * @param places {@link Layout#PLACE_STRIDE} floats a body
+     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      */
-    public static void find(float[] path, int body, float[] places) {
+    public static void find(float[] path, int body, float[] places, float[] hierarchy, float[] meshes, int firstMesh) {
+        if (isMesh(body, firstMesh) != 0) {
+            MeshSurface.find(path, hierarchy, meshes, firstMesh);
+        } else {
+            findOnPlaneOrSphere(path, body, places);
+        }
+    }
+
+    /** 1 where the body is a mesh, else 0. */
+    static int isMesh(int body, int firstMesh) {
+        return (firstMesh > Layout.NO_MESHES ? 1 : 0) & (body >= firstMesh ? 1 : 0);
+    }
+
+    private static void findOnPlaneOrSphere(float[] path, int body, float[] places) {
         float distance = path[Layout.DISTANCE];
         float pointX = path[Layout.ORIGIN] + distance * path[Layout.DIRECTION];
         float pointY = path[Layout.ORIGIN + 1] + distance * path[Layout.DIRECTION + 1];

@@ -6,15 +6,17 @@ public final class Texture {
 
     /**
      * Multiplies the albedo at {@link Layout#POINT}. A sphere's picture goes around it once, so that writing reads from
-     * outside; the plane's repeats every meter, its upper edge away from a camera that looks along z.
+     * outside; the plane's repeats every meter, its upper edge away from a camera that looks along z; a mesh's is at
+     * {@link Layout#TEXTURE_PLACE}, repeating.
      *
      * @param path {@link Layout#PATH_LENGTH} floats, its normal outward
-     * @param body the plane or a sphere
+     * @param body any but the light
      * @param texture its number, from 1 on
      * @param sky the panorama's texels, then those of the textures
      * @param skyDimensions with those of the textures
+     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      */
-    static void multiply(float[] path, int body, int texture, float[] sky, int[] skyDimensions) {
+    static void multiply(float[] path, int body, int texture, float[] sky, int[] skyDimensions, int firstMesh) {
         int at = Layout.SKY_DIMENSIONS_LENGTH + Layout.TEXTURE_STRIDE * (texture - 1);
         int start = skyDimensions[at + Layout.TEXTURE_START];
         int width = skyDimensions[at + Layout.TEXTURE_WIDTH];
@@ -23,11 +25,16 @@ public final class Texture {
         float normalY = path[Layout.NORMAL + 1];
         float normalZ = path[Layout.NORMAL + 2];
         int plane = body == Layout.PLANE ? 1 : 0;
-        float column =
-                plane != 0 ? fraction(path[Layout.POINT]) * width - 0.5f : Sky.column(normalX, -normalZ, 0f, width);
-        float row = plane != 0
-                ? fraction(-path[Layout.POINT + 2]) * height - 0.5f
-                : Sky.row(normalX, normalY, normalZ, height);
+        int mesh = Surface.isMesh(body, firstMesh);
+        float u = path[Layout.POINT];
+        float v = -path[Layout.POINT + 2];
+        if (mesh != 0) {
+            u = path[Layout.TEXTURE_PLACE];
+            v = path[Layout.TEXTURE_PLACE + 1];
+        }
+        int repeats = plane | mesh;
+        float column = repeats != 0 ? fraction(u) * width - 0.5f : Sky.column(normalX, -normalZ, 0f, width);
+        float row = repeats != 0 ? fraction(v) * height - 0.5f : Sky.row(normalX, normalY, normalZ, height);
         for (int channel = 0; channel < 3; channel++) {
             path[Layout.ALBEDO + channel] =
                     path[Layout.ALBEDO + channel] * color(sky, start, width, height, column, row, channel);

@@ -27,7 +27,7 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
         return view.dimensions()[Layout.ROWS];
     }
 
-    /** Light, plane and spheres together, as many as are there now. */
+    /** Light, plane and spheres together, as many as are there now, without meshes. */
     public int bodyCount() {
         return view.dimensions()[Layout.BODIES];
     }

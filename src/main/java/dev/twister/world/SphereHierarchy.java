@@ -25,8 +25,7 @@ public final class SphereHierarchy {
 
     /** How many floats a hierarchy has where there is room for so many bodies. */
     public static int length(int room) {
-        int spheres = room - Layout.FIRST_SPHERE;
-        return Layout.root(room) + Layout.NODE_STRIDE * Math.max(1, 2 * spheres - 1);
+        return Layout.spheresLength(room);
     }
 
     /**
@@ -37,8 +36,21 @@ public final class SphereHierarchy {
      * @param bodies how many are there now, light and plane included
      */
     public static float[] of(float[] places, int bodies) {
+        return of(places, bodies, places.length / Layout.PLACE_STRIDE, new float[0]);
+    }
+
+    /**
+     * The same, and the meshes' part after it.
+     *
+     * @param room how many of the bodies there may come to be without meshes
+     * @param instances {@link InstanceTable}'s
+     */
+    static float[] of(float[] places, int bodies, int room, float[] instances) {
         int spheres = bodies - Layout.FIRST_SPHERE;
-        return of(places, bodies, spheres < FEWEST_SPHERES ? FEWEST_SPHERES : MOST_IN_LEAF);
+        float[] hierarchy = new float[Layout.spheresLength(room) + instances.length];
+        System.arraycopy(instances, 0, hierarchy, Layout.spheresLength(room), instances.length);
+        fill(hierarchy, places, bodies, spheres < FEWEST_SPHERES ? FEWEST_SPHERES : MOST_IN_LEAF);
+        return hierarchy;
     }
 
     /**
@@ -47,7 +59,12 @@ public final class SphereHierarchy {
      * @param mostInLeaf at least 1
      */
     public static float[] of(float[] places, int bodies, int mostInLeaf) {
-        float[] hierarchy = new float[length(places.length / Layout.PLACE_STRIDE)];
+        float[] hierarchy = new float[Layout.spheresLength(places.length / Layout.PLACE_STRIDE)];
+        fill(hierarchy, places, bodies, mostInLeaf);
+        return hierarchy;
+    }
+
+    private static void fill(float[] hierarchy, float[] places, int bodies, int mostInLeaf) {
         int spheres = bodies - Layout.FIRST_SPHERE;
         int root = Layout.root(bodies);
         if (spheres >= FEWEST_FOR_CELLS) {
@@ -59,7 +76,6 @@ public final class SphereHierarchy {
             }
             new Subtree(hierarchy, root, root + Layout.NODE_STRIDE, 0, root, 0, mostInLeaf).invoke();
         }
-        return hierarchy;
     }
 
     /** Writes a sphere as {@link Layout} has it. */

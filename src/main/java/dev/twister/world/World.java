@@ -23,6 +23,9 @@ public final class World {
     private final Vector3 origin;
     private final Panorama panorama;
     private final float[] looks;
+    private final float[] meshes;
+    private final float[] instances;
+    private final int room;
     private final int materials;
     private final Rgb planeOddColor;
     private final double ambient;
@@ -37,13 +40,16 @@ public final class World {
     private float[] shadowDisc;
     private float[] pixelSamples;
 
-    private World(Scene scene, SceneImages images) {
+    private World(Scene scene, SceneImages images, SceneMeshes sceneMeshes) {
         origin = originOf(scene);
         List<Sphere> spheres = scene.allSpheres();
         bodies = Layout.FIRST_SPHERE + scene.spheres().size();
-        int room = Layout.FIRST_SPHERE + spheres.size();
-        places = new float[Layout.PLACE_STRIDE * room];
-        looks = new float[Layout.LOOK_STRIDE * room];
+        room = Layout.FIRST_SPHERE + spheres.size();
+        meshes = sceneMeshes.floats();
+        List<MeshBody> meshBodies = MeshBody.of(scene, sceneMeshes, origin);
+        instances = InstanceTable.of(meshBodies, meshes, room);
+        places = new float[Layout.PLACE_STRIDE * (room + meshBodies.size())];
+        looks = new float[Layout.LOOK_STRIDE * (room + meshBodies.size())];
         Light light = scene.light();
         put(Layout.LIGHT, light.position(), light.radius(), Material.DEFAULT.withColor(light.color()), 0);
         Plane plane = scene.plane();
@@ -54,6 +60,12 @@ public final class World {
         for (Sphere sphere : spheres) {
             Material material = sphere.material();
             put(body++, sphere.position(), sphere.radius(), material, texels.number(material));
+        }
+        for (MeshBody mesh : meshBodies) {
+            Material material = mesh.material();
+            MeshBox box = MeshBox.of(mesh, meshes);
+            putPlace(body, box.center(), box.radius());
+            putLooks(body++, material, texels.number(material));
         }
         materials = Bodies.materials(looks);
         planeOddColor = plane.oddColor();
@@ -74,7 +86,16 @@ public final class World {
 
     /** The same, of a scene with textures. */
     public static World of(Scene scene, SceneImages images) {
-        return new World(scene, images);
+        return of(scene, images, SceneMeshes.NONE);
+    }
+
+    /**
+     * The same, of a scene with meshes.
+     *
+     * @throws IllegalArgumentException where a texture or a mesh of the scene's is not among these
+     */
+    public static World of(Scene scene, SceneImages images, SceneMeshes meshes) {
+        return new World(scene, images, meshes);
     }
 
     /** The {@link #origin} of every world of a scene. */
@@ -115,7 +136,7 @@ public final class World {
     }
 
     /**
-     * Moves the bodies.
+     * Moves the bodies, but not the meshes.
      *
      * @param positions {@code float[3 * room]}: the centers of the light, the plane and all spheres, poured or not,
      *     seen from the {@link #origin}
@@ -123,7 +144,6 @@ public final class World {
      * @throws IllegalArgumentException where the length is another one, or there cannot be so many bodies
      */
     public void setBodyPositions(float[] positions, int newBodies) {
-        int room = places.length / Layout.PLACE_STRIDE;
         if (positions.length != 3 * room) {
             throw new IllegalArgumentException(positions.length + " coordinates for " + room + " bodies");
         }
@@ -144,10 +164,11 @@ public final class World {
      */
     public FrameInput snapshot() {
         if (!hierarchyHolds) {
-            hierarchy = SphereHierarchy.of(places, bodies);
+            hierarchy = SphereHierarchy.of(places, bodies, room, instances);
             hierarchyHolds = true;
         }
-        Bodies moved = new Bodies(places, looks, hierarchy, materials, origin);
+        int firstMesh = instances.length > 0 ? room : Layout.NO_MESHES;
+        Bodies moved = new Bodies(places, looks, hierarchy, meshes, room, firstMesh, materials, origin);
         Camera seen = camera.withPosition(moved.seen(camera.position()));
         return new FrameInput(
                 new View(dimensions(), CameraBasis.of(seen), properties(), shadowDisc, pixelSamples, Aspect.FULL),
@@ -181,11 +202,22 @@ public final class World {
     }
 
     private void put(int body, Vector3 position, double size, Material material, int texture) {
+        putPlace(
+                body,
+                new Vector3(position.x() - origin.x(), position.y() - origin.y(), position.z() - origin.z()),
+                size);
+        putLooks(body, material, texture);
+    }
+
+    private void putPlace(int body, Vector3 seen, double size) {
         int place = Layout.PLACE_STRIDE * body;
-        places[place] = (float) (position.x() - origin.x());
-        places[place + 1] = (float) (position.y() - origin.y());
-        places[place + 2] = (float) (position.z() - origin.z());
+        places[place] = (float) seen.x();
+        places[place + 1] = (float) seen.y();
+        places[place + 2] = (float) seen.z();
         places[place + Layout.PLACE_SIZE] = (float) size;
+    }
+
+    private void putLooks(int body, Material material, int texture) {
         int look = Layout.LOOK_STRIDE * body;
         putColor(looks, look, material.color());
         float reflectivity = (float) material.reflectivity();

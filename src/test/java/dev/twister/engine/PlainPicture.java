@@ -66,9 +66,11 @@ public final class PlainPicture {
                     places,
                     looks,
                     input.bodies().hierarchy(),
+                    input.bodies().meshes(),
                     input.bodyCount(),
                     new float[0],
                     Hit.ALL,
+                    Layout.NO_MESHES,
                     Material.PLAIN,
                     Aspect.FULL);
             goesOn = body >= Layout.PLANE;
@@ -77,7 +79,13 @@ public final class PlainPicture {
             } else if (body == Layout.LIGHT) {
                 Light.add(path, looks);
             } else {
-                Surface.find(path, body, places);
+                Surface.find(
+                        path,
+                        body,
+                        places,
+                        input.bodies().hierarchy(),
+                        input.bodies().meshes(),
+                        Layout.NO_MESHES);
                 Material.find(
                         path,
                         body,
@@ -85,6 +93,7 @@ public final class PlainPicture {
                         properties,
                         input.panorama().texels(),
                         input.panorama().dimensions(),
+                        Layout.NO_MESHES,
                         Material.PLAIN);
                 Light.aim(path, places);
                 float visible = PlainShadow.visible(path, body, input.shadowSamples(), places, input.bodyCount());

@@ -55,9 +55,11 @@ class HitTest {
                 PLACES,
                 new float[0],
                 hierarchy,
+                new float[0],
                 BODIES,
                 new float[Layout.SCRATCH_LENGTH],
                 search,
+                Layout.NO_MESHES,
                 Material.PLAIN,
                 Aspect.FULL);
     }

@@ -175,7 +175,9 @@ class ShadowTest {
                 sunflower(samples),
                 SphereHierarchy.of(places, bodies(places), mostInLeaf),
                 Layout.root(bodies(places)),
+                new float[0],
                 new float[Layout.SCRATCH_LENGTH],
+                Layout.NO_MESHES,
                 Material.PLAIN,
                 Aspect.FULL);
     }

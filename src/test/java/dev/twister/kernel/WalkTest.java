@@ -39,11 +39,31 @@ class WalkTest {
             float[] path = Paths.ray(origin, direction, leaving);
             boolean transmits = leaving > 0 && looks[Layout.LOOK_STRIDE * leaving + Layout.LOOK_TRANSMISSION] > 0;
             path[Layout.INSIDE] = transmits && random.nextBoolean() ? 1 : 0;
-            int expected =
-                    Hit.find(path, crowd.places(), looks, hierarchy, bodies, scratch, Hit.ALL, materials, Aspect.FULL);
+            int expected = Hit.find(
+                    path,
+                    crowd.places(),
+                    looks,
+                    hierarchy,
+                    new float[0],
+                    bodies,
+                    scratch,
+                    Hit.ALL,
+                    Layout.NO_MESHES,
+                    materials,
+                    Aspect.FULL);
             float distance = path[Layout.DISTANCE];
-            int actual =
-                    Hit.find(path, crowd.places(), looks, hierarchy, bodies, scratch, Hit.WALK, materials, Aspect.FULL);
+            int actual = Hit.find(
+                    path,
+                    crowd.places(),
+                    looks,
+                    hierarchy,
+                    new float[0],
+                    bodies,
+                    scratch,
+                    Hit.WALK,
+                    Layout.NO_MESHES,
+                    materials,
+                    Aspect.FULL);
             assertThat(path[Layout.DISTANCE]).isEqualTo(distance);
             assertThat(actual).as("ray %d of seed %d", count, seed).isEqualTo(expected);
         }
@@ -76,9 +96,33 @@ class WalkTest {
             float[] properties = Paths.properties(SAMPLES);
             int root = Layout.root(bodies);
             float walked = Shadow.visible(
-                    path, own, properties, places, looks, disc, hierarchy, root, scratch, materials, Aspect.FULL);
+                    path,
+                    own,
+                    properties,
+                    places,
+                    looks,
+                    disc,
+                    hierarchy,
+                    root,
+                    new float[0],
+                    scratch,
+                    Layout.NO_MESHES,
+                    materials,
+                    Aspect.FULL);
             float plain = Shadow.visible(
-                    path, own, properties, places, looks, disc, oneLeaf, root, scratch, materials, Aspect.FULL);
+                    path,
+                    own,
+                    properties,
+                    places,
+                    looks,
+                    disc,
+                    oneLeaf,
+                    root,
+                    new float[0],
+                    scratch,
+                    Layout.NO_MESHES,
+                    materials,
+                    Aspect.FULL);
             // Products of the same factors in another order.
             assertThat(walked)
                     .as("point %d of seed %d", count, seed)

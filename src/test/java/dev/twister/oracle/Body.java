@@ -1,7 +1,7 @@
 package dev.twister.oracle;
 
 /** What a ray can meet. */
-sealed interface Body permits SphereBody, PlaneBody {
+sealed interface Body permits SphereBody, PlaneBody, TriangleBody {
     /** What {@link #distance} is where the ray does not meet the body. */
     double MISS = Double.POSITIVE_INFINITY;
 
@@ -12,6 +12,11 @@ sealed interface Body permits SphereBody, PlaneBody {
 
     /** Outward; the plane's points up. */
     Vector normal(Vector point);
+
+    /** The normal that a ray sees, which comes from outside or meets a triangle. */
+    default Vector normal(Ray ray, Vector point) {
+        return normal(point);
+    }
 
     /** Whether a ray meets the surface at that normal from inside. */
     boolean isMetFromInside(Ray ray, Vector normal);

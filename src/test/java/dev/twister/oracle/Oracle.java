@@ -5,6 +5,7 @@ import dev.twister.scene.Scene;
 import dev.twister.sky.Skybox;
 import dev.twister.world.Picture;
 import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -31,6 +32,7 @@ public final class Oracle {
 
     private final Scene rounded;
     private final SceneImages images;
+    private final SceneMeshes meshes;
     private final OracleTracer tracer;
     private final OracleCamera camera;
     private final OracleTone tone;
@@ -47,10 +49,11 @@ public final class Oracle {
         Scene scene = litScene.scene();
         rounded = FloatScene.of(scene);
         images = litScene.images();
+        meshes = litScene.meshes();
         width = scene.settings().width();
         height = scene.settings().height();
         samplesPerPixel = scene.settings().samplesPerPixel();
-        tracer = new OracleTracer(rounded, images, Rounding.NONE);
+        tracer = new OracleTracer(rounded, images, meshes, Rounding.NONE);
         camera = new OracleCamera(rounded.camera(), width, height);
         tone = new OracleTone(scene.settings());
         moves = new RayMoves();
@@ -129,7 +132,7 @@ public final class Oracle {
                 Vector tilt =
                         new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).times(TILT);
                 double cut = 1 + Math.signum(lift) * CUT;
-                tracers.add(new OracleTracer(grown, images, new Rounding(lift, tilt, cut)));
+                tracers.add(new OracleTracer(grown, images, meshes, new Rounding(lift, tilt, cut)));
             }
         }
         return tracers;

@@ -1,6 +1,8 @@
 package dev.twister.oracle;
 
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 
 /** The visible part of the light: each of the sunflower's points, and what the bodies in its way let pass. */
 final class OracleShadow {
@@ -16,9 +18,12 @@ final class OracleShadow {
         this.samples = samples;
     }
 
-    /** S in [0, 1]. */
-    double visible(Vector point, Body own) {
+    /** S in [0, 1] at a point that a ray has met. */
+    double visible(Vector point, Body own, Ray ray) {
         Vector axis = light.center().minus(point).normalized();
+        if (own instanceof TriangleBody triangle && triangle.facing(ray).dot(axis) <= 0) {
+            return 0;
+        }
         boolean alongX = axis.y() == 0 && axis.z() == 0;
         Vector discU =
                 axis.cross(alongX ? new Vector(0, 1, 0) : new Vector(1, 0, 0)).normalized();
@@ -41,12 +46,14 @@ final class OracleShadow {
         Ray shadowRay = new Ray(point, toSample.normalized());
         double distance = toSample.length();
         double passed = 1;
+        Set<Integer> metMeshes = new HashSet<>();
         for (Body body : bodies) {
             boolean meets = switch (body) {
                 case PlaneBody plane -> plane.separates(point, sample);
                 case SphereBody sphere -> sphere != light && sphere.distance(shadowRay) < distance;
+                case TriangleBody triangle -> triangle.distance(shadowRay) < distance;
             };
-            if (meets && body != own) {
+            if (meets && body != own && (!(body instanceof TriangleBody mesh) || metMeshes.add(mesh.number()))) {
                 passed *= body.material().transmission();
             }
         }

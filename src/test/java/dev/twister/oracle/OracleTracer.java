@@ -1,15 +1,22 @@
 package dev.twister.oracle;
 
+import dev.twister.mesh.Affine;
+import dev.twister.mesh.MeshPart;
+import dev.twister.mesh.MeshPlacement;
+import dev.twister.mesh.TriangleMesh;
 import dev.twister.scene.Light;
 import dev.twister.scene.Material;
+import dev.twister.scene.Mesh;
 import dev.twister.scene.Plane;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.world.Picture;
 import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.atomic.LongAdder;
 
 /** The color that a ray sees, by recursion. */
@@ -42,7 +49,7 @@ final class OracleTracer {
         }
     }
 
-    OracleTracer(Scene scene, SceneImages images, Rounding rounding) {
+    OracleTracer(Scene scene, SceneImages images, SceneMeshes meshes, Rounding rounding) {
         this.rounding = rounding;
         Light sceneLight = scene.light();
         light = new SphereBody(
@@ -56,6 +63,21 @@ final class OracleTracer {
         for (Sphere sphere : scene.spheres()) {
             bodies.add(new SphereBody(
                     vector(sphere.position()), sphere.radius(), OracleMaterial.of(sphere.material(), images)));
+        }
+        int number = bodies.size();
+        for (Mesh mesh : scene.meshes()) {
+            Affine placement = MeshPlacement.of(mesh);
+            for (MeshPart part : meshes.file(mesh).parts()) {
+                TriangleMesh triangles = meshes.file(mesh).meshes().get(part.mesh());
+                Material material = mesh.material().orElse(part.material());
+                OracleMaterial made = OracleMaterial.of(
+                        triangles.textureCoordinates().length == 0 ? material.withTexture(Optional.empty()) : material,
+                        images);
+                for (int triangle = 0; triangle < triangles.triangles(); triangle++) {
+                    bodies.add(TriangleBody.of(number, triangles, triangle, placement.of(part.placement()), made));
+                }
+                number++;
+            }
         }
         shadow = new OracleShadow(bodies, light, scene.settings().shadowSamples());
         sky = new OracleSky(images.sky(), scene.skyRotationDegrees(), scene.skyStrength());
@@ -98,8 +120,8 @@ final class OracleTracer {
                 body == light ? albedo : diffuse.plus(light.material().color().times(highlight(place, toLight, 1)));
             case NORMAL -> new Color(0.5 + 0.5 * normal.x(), 0.5 + 0.5 * normal.y(), 0.5 + 0.5 * normal.z());
             case DEPTH -> ALL.times(body.distance(ray));
-            case BODY -> ALL.times(bodies.indexOf(body));
-            case SHADOW -> ALL.times(body == light ? 1 : shadow.visible(place.point(), body));
+            case BODY -> ALL.times(body instanceof TriangleBody triangle ? triangle.number() : bodies.indexOf(body));
+            case SHADOW -> ALL.times(body == light ? 1 : shadow.visible(place.point(), body, ray));
             default -> throw new IllegalArgumentException(picture.id());
         };
     }
@@ -126,7 +148,7 @@ final class OracleTracer {
         double transmission = bounce < bounceLimit ? material.transmission() : 0;
         Vector toLight = light.center().minus(place.point()).normalized();
         double normalDotLight = place.normal().dot(toLight);
-        double visible = shadow.visible(place.point(), body);
+        double visible = shadow.visible(place.point(), body, ray);
         double lit = Math.max(ambient, Math.max(0, normalDotLight) * visible);
         Color color = albedo.times((1 - mirror) * (1 - transmission) * lit)
                 .plus(light.material().color().times(highlight(place, toLight, visible)));
@@ -191,12 +213,13 @@ final class OracleTracer {
     }
 
     private Place place(Ray ray, Body body, Vector surfacePoint) {
-        Vector outward = body.normal(surfacePoint);
+        Vector outward = body.normal(ray, surfacePoint);
         boolean fromInside = body.isMetFromInside(ray, outward);
+        boolean turns = fromInside && body instanceof SphereBody;
         Vector point = body instanceof SphereBody sphere
                 ? surfacePoint.plus(outward.times(rounding.lift() * sphere.radius()))
                 : surfacePoint;
-        return new Place(ray, body, point, fromInside ? outward.times(-1) : outward, fromInside);
+        return new Place(ray, body, point, turns ? outward.times(-1) : outward, fromInside);
     }
 
     /** The normal that reflects and refracts. */

@@ -22,7 +22,7 @@ public final class Pictures {
 
     /** The same of a scene with textures. */
     public static int[] argb(String engine, LitScene scene) {
-        return argb(engine, World.of(scene.scene(), scene.images()).snapshot());
+        return argb(engine, scene.world().snapshot());
     }
 
     /** The band's pixels as 0xAARRGGBB. */
@@ -42,7 +42,7 @@ public final class Pictures {
 
     /** The same of a scene with textures. */
     public static float[] radiance(String engine, LitScene scene) {
-        return radiance(engine, World.of(scene.scene(), scene.images()).snapshot());
+        return radiance(engine, scene.world().snapshot());
     }
 
     /** The band's linear radiance. */

@@ -61,7 +61,7 @@ public final class RandomMaterials {
                 new SceneImages(plain.sky(), textures));
     }
 
-    private static Material material(Random random, Material plain) {
+    static Material material(Random random, Material plain) {
         Material material = switch (random.nextInt(4)) {
             case 0 -> plain;
             case 1 -> glass(random, plain).withTransmission(1).withReflectivity(0);
@@ -120,7 +120,8 @@ public final class RandomMaterials {
                         .withFocusDistance(RandomScenes.between(random, 0.3, 15));
     }
 
-    private static RenderSettings settings(RenderSettings plain, int spheres) {
+    /** With few enough pixels for so many spheres, or triangles. */
+    static RenderSettings settings(RenderSettings plain, int spheres) {
         int shadowSamples = Math.min(plain.shadowSamples(), 40);
         double branches = Math.min(1 << plain.bounces(), 60);
         double testsAPixel = plain.samplesPerPixel() * branches * (2 + spheres) * (shadowSamples + 1);

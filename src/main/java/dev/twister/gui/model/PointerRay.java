@@ -32,9 +32,11 @@ record PointerRay(float[] path, int body, Bodies bodies) {
                 input.bodies().places(),
                 input.bodies().looks(),
                 input.bodies().hierarchy(),
+                input.bodies().meshes(),
                 input.bodyCount(),
                 new float[Layout.SCRATCH_LENGTH],
                 HitSearch.of(input),
+                input.bodies().firstMesh(),
                 input.bodies().materials(),
                 Aspect.FULL);
         return new PointerRay(path, body, input.bodies());

@@ -23,8 +23,8 @@ import uk.ac.manchester.tornado.api.enums.TornadoDeviceType;
 import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
 
 /**
- * The kernel compiled for one device and one size of picture, with its buffers there. The skybox goes to the device once,
- * and so do the looks of a crowd of bodies; camera, properties, places, the looks of a few bodies and the small sample
+ * The kernel compiled for one device and one size of picture, with its buffers there. The skybox and the triangles go to
+ * the device once, and so do the looks of a crowd of bodies; camera, properties, places, the looks of a few bodies and the small sample
  * tables go each frame; only pixels come back.
  */
 final class DevicePlan implements AutoCloseable {
@@ -75,8 +75,9 @@ final class DevicePlan implements AutoCloseable {
         hierarchy = input.bodies().hierarchy().clone();
         float[] sky = input.panorama().texels();
         int[] skyDimensions = input.panorama().dimensions();
+        float[] meshes = input.bodies().meshes();
         TaskGraph graph = new TaskGraph(GRAPH)
-                .transferToDevice(DataTransferMode.FIRST_EXECUTION, pixels, radiance, sky, skyDimensions)
+                .transferToDevice(DataTransferMode.FIRST_EXECUTION, pixels, radiance, sky, skyDimensions, meshes)
                 .transferToDevice(
                         sendsLooks() ? DataTransferMode.EVERY_EXECUTION : DataTransferMode.FIRST_EXECUTION, looks)
                 .transferToDevice(
@@ -99,6 +100,7 @@ final class DevicePlan implements AutoCloseable {
                         places,
                         looks,
                         hierarchy,
+                        meshes,
                         sky,
                         skyDimensions,
                         shadowDisc,
@@ -106,6 +108,7 @@ final class DevicePlan implements AutoCloseable {
                         input.width(),
                         input.rows(),
                         HitSearch.of(input),
+                        input.bodies().firstMesh(),
                         input.bodies().materials(),
                         input.aspect(),
                         linear ? PixelKernel.LINEAR : PixelKernel.ARGB)
@@ -126,6 +129,10 @@ final class DevicePlan implements AutoCloseable {
                 && input.rows() == fixed.rows()
                 && frame.isLinear() == linear
                 && input.bodies().room() == fixed.bodies().room()
+                && input.bodies().places().length == fixed.bodies().places().length
+                && input.bodies().hierarchy().length == fixed.bodies().hierarchy().length
+                && input.bodies().firstMesh() == fixed.bodies().firstMesh()
+                && input.bodies().meshes() == fixed.bodies().meshes()
                 && HitSearch.of(input) == HitSearch.of(fixed)
                 && input.bodies().materials() == fixed.bodies().materials()
                 && input.aspect() == fixed.aspect()

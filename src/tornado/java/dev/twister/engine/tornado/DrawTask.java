@@ -1,10 +1,10 @@
 package dev.twister.engine.tornado;
 
-import uk.ac.manchester.tornado.api.common.TornadoFunctions.Task18;
+import uk.ac.manchester.tornado.api.common.TornadoFunctions.Task20;
 
 /** A kernel with {@link TornadoKernel#draw}'s arguments, as TornadoVM's task graphs take it. */
 public interface DrawTask
-        extends Task18<
+        extends Task20<
                 int[],
                 float[],
                 int[],
@@ -14,9 +14,11 @@ public interface DrawTask
                 float[],
                 float[],
                 float[],
+                float[],
                 int[],
                 float[],
                 float[],
+                Integer,
                 Integer,
                 Integer,
                 Integer,

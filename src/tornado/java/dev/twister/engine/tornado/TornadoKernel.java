@@ -25,6 +25,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
      * @param pixels {@code int[width * rows]} where the output is ARGB, else one int
      * @param radiance {@code float[3 * width * rows]} where the output is LINEAR, else one float
      * @param search one of {@link dev.twister.kernel.Hit}'s
+     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      * @param materials one of {@link Material}'s
      * @param aspect one of {@link Aspect}'s
      * @param output one of {@link PixelKernel}'s
@@ -38,6 +39,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
             float[] places,
             float[] looks,
             float[] hierarchy,
+            float[] meshes,
             float[] sky,
             int[] skyDimensions,
             float[] shadowDisc,
@@ -45,15 +47,17 @@ public final class TornadoKernel implements Supplier<DrawTask> {
             int width,
             int rows,
             int search,
+            int firstMesh,
             int materials,
             int aspect,
             int output) {
         for (@Parallel int row = 0; row < rows; row++) {
             for (@Parallel int column = 0; column < width; column++) {
+                int isPlain = (materials == Material.PLAIN ? 1 : 0) & (firstMesh == Layout.NO_MESHES ? 1 : 0);
                 int plainPath = Aspect.isCount(aspect) == 0 ? Layout.PLAIN_PATH_LENGTH : Layout.PATH_LENGTH;
-                float[] path = new float[materials == Material.PLAIN ? plainPath : Layout.PATH_LENGTH];
+                float[] path = new float[isPlain != 0 ? plainPath : Layout.PATH_LENGTH];
                 int plainScratch = search == Hit.ALL ? FEW_SCRATCH : Layout.PLAIN_SCRATCH_LENGTH;
-                float[] scratch = new float[materials == Material.PLAIN ? plainScratch : Layout.SCRATCH_LENGTH];
+                float[] scratch = new float[isPlain != 0 ? plainScratch : Layout.SCRATCH_LENGTH];
                 PixelKernel.draw(
                         column,
                         row,
@@ -65,6 +69,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
                         places,
                         looks,
                         hierarchy,
+                        meshes,
                         sky,
                         skyDimensions,
                         shadowDisc,
@@ -72,6 +77,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
                         path,
                         scratch,
                         search,
+                        firstMesh,
                         materials,
                         aspect,
                         output);

@@ -127,7 +127,17 @@ public final class HelperKernels implements Supplier<HelperTasks> {
                 path[Layout.INSIDE] = transmission > 0f ? 1f : 0f;
             }
             out[2 * i] = Hit.find(
-                    path, places, looks, hierarchy, (int) in[8 * i + 7], scratch, Hit.ALL, Material.ANY, Aspect.FULL);
+                    path,
+                    places,
+                    looks,
+                    hierarchy,
+                    hierarchy,
+                    (int) in[8 * i + 7],
+                    scratch,
+                    Hit.ALL,
+                    Layout.NO_MESHES,
+                    Material.ANY,
+                    Aspect.FULL);
             out[2 * i + 1] = path[Layout.DISTANCE];
         }
     }
@@ -150,7 +160,17 @@ public final class HelperKernels implements Supplier<HelperTasks> {
                 path[Layout.INSIDE] = transmission > 0f ? 1f : 0f;
             }
             out[2 * i] = Hit.find(
-                    path, places, looks, hierarchy, (int) in[8 * i + 7], scratch, Hit.WALK, Material.ANY, Aspect.FULL);
+                    path,
+                    places,
+                    looks,
+                    hierarchy,
+                    hierarchy,
+                    (int) in[8 * i + 7],
+                    scratch,
+                    Hit.WALK,
+                    Layout.NO_MESHES,
+                    Material.ANY,
+                    Aspect.FULL);
             out[2 * i + 1] = path[Layout.DISTANCE];
         }
     }
@@ -249,7 +269,9 @@ public final class HelperKernels implements Supplier<HelperTasks> {
                     disc,
                     hierarchy,
                     (int) in[11 * i + 10],
+                    hierarchy,
                     scratch,
+                    Layout.NO_MESHES,
                     Material.ANY,
                     Aspect.FULL);
         }

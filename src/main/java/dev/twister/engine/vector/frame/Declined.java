@@ -54,6 +54,7 @@ public final class Declined {
         frame = input.aspect() != Aspect.FULL
                 || toneMap < Tone.CLAMP
                 || toneMap > Tone.ACES
+                || input.bodies().firstMesh() != Layout.NO_MESHES
                 || occluders.count > MOST_OCCLUDERS
                 || input.view().camera()[Layout.CAMERA_APERTURE] > 0
                 || isCameraInside(input)

@@ -1,0 +1,115 @@
+package dev.twister.kernel;
+
+/**
+ * Where a ray meets a triangle, from either side, watertight: of triangles that share an edge, no ray passes between
+ * (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", 2013). Its corners are seen from the ray's origin
+ * and sheared so that the ray runs along an axis; both triangles of an edge then have the same two products, so that
+ * their signs never disagree, and a point on the edge is inside both. The direction need not be a unit vector:
+ * distances are in its lengths.
+ */
+public final class Triangle {
+    private Triangle() {}
+
+    /** The axis along which a direction is longest: 0 for x, 1 for y, 2 for z. */
+    public static int longestAxis(float x, float y, float z) {
+        float alongX = Math.abs(x);
+        float alongY = Math.abs(y);
+        float alongZ = Math.abs(z);
+        int crossAxis = alongX > alongY ? 0 : 1;
+        float crossLength = alongX > alongY ? alongX : alongY;
+        return alongZ > crossLength ? 2 : crossAxis;
+    }
+
+    /** The axis after another, z before x. */
+    public static int after(int axis) {
+        return axis == 2 ? 0 : axis + 1;
+    }
+
+    /** A coordinate by its axis. */
+    public static float along(int axis, float x, float y, float z) {
+        float xOrY = axis == 0 ? x : y;
+        return axis == 2 ? z : xOrY;
+    }
+
+    /**
+     * How many lengths of the direction the triangle is away; {@link Intersection#MISS} where the ray passes it, or where
+     * it is not in front.
+     *
+     * @param at where in {@code meshes} the triangle is
+     * @param axis {@link #longestAxis} of the direction
+     * @param first coordinate of the ray's origin along {@link #after} that axis
+     * @param second along the axis after that
+     * @param third along the longest axis
+     * @param shearFirst the direction's first coordinate by its longest
+     * @param shearSecond the direction's second by its longest
+     * @param inverse of the direction's longest coordinate
+     */
+    public static float distance(
+            float[] meshes,
+            int at,
+            int axis,
+            float first,
+            float second,
+            float third,
+            float shearFirst,
+            float shearSecond,
+            float inverse) {
+        int axisFirst = after(axis);
+        int axisSecond = after(axisFirst);
+        float depthA = meshes[at + axis] - third;
+        float depthB = meshes[at + 3 + axis] - third;
+        float depthC = meshes[at + 6 + axis] - third;
+        float firstA = meshes[at + axisFirst] - first - shearFirst * depthA;
+        float firstB = meshes[at + 3 + axisFirst] - first - shearFirst * depthB;
+        float firstC = meshes[at + 6 + axisFirst] - first - shearFirst * depthC;
+        float secondA = meshes[at + axisSecond] - second - shearSecond * depthA;
+        float secondB = meshes[at + 3 + axisSecond] - second - shearSecond * depthB;
+        float secondC = meshes[at + 6 + axisSecond] - second - shearSecond * depthC;
+        float a = firstC * secondB - secondC * firstB;
+        float b = firstA * secondC - secondA * firstC;
+        float c = firstB * secondA - secondB * firstA;
+        int below = (a < 0f ? 1 : 0) | (b < 0f ? 1 : 0) | (c < 0f ? 1 : 0);
+        int above = (a > 0f ? 1 : 0) | (b > 0f ? 1 : 0) | (c > 0f ? 1 : 0);
+        float sum = a + b + c;
+        float distance = Intersection.MISS;
+        if (((1 - (below & above)) & (sum != 0f ? 1 : 0)) != 0) {
+            float along = (a * depthA + b * depthB + c * depthC) / sum * inverse;
+            distance = along > 0f ? along : Intersection.MISS;
+        }
+        return distance;
+    }
+
+    /**
+     * Which part of the point where the ray meets the triangle is a corner's, in [0, 1]; the parts of all three add up to
+     * 1.
+     *
+     * @param corner 0, 1 or 2
+     */
+    static float part(
+            float[] meshes,
+            int at,
+            int corner,
+            int axis,
+            float first,
+            float second,
+            float third,
+            float shearFirst,
+            float shearSecond) {
+        int axisFirst = after(axis);
+        int axisSecond = after(axisFirst);
+        float depthA = meshes[at + axis] - third;
+        float depthB = meshes[at + 3 + axis] - third;
+        float depthC = meshes[at + 6 + axis] - third;
+        float firstA = meshes[at + axisFirst] - first - shearFirst * depthA;
+        float firstB = meshes[at + 3 + axisFirst] - first - shearFirst * depthB;
+        float firstC = meshes[at + 6 + axisFirst] - first - shearFirst * depthC;
+        float secondA = meshes[at + axisSecond] - second - shearSecond * depthA;
+        float secondB = meshes[at + 3 + axisSecond] - second - shearSecond * depthB;
+        float secondC = meshes[at + 6 + axisSecond] - second - shearSecond * depthC;
+        float a = firstC * secondB - secondC * firstB;
+        float b = firstA * secondC - secondA * firstC;
+        float c = firstB * secondA - secondB * firstA;
+        float aOrB = corner == 0 ? a : b;
+        return (corner == 2 ? c : aOrB) / (a + b + c);
+    }
+}

@@ -1,0 +1,35 @@
+package dev.twister.mesh;
+
+import dev.twister.scene.Mesh;
+import dev.twister.scene.Vector3;
+
+/** Where a scene puts a mesh. */
+public final class MeshPlacement {
+    private MeshPlacement() {}
+
+    /** From the file's coordinates to the scene's: scaled, rolled about z (positive from x to y), pitched, turned, moved. */
+    public static Affine of(Mesh mesh) {
+        double pitch = Math.toRadians(mesh.rotation().x());
+        double yaw = Math.toRadians(mesh.rotation().y());
+        double roll = Math.toRadians(mesh.rotation().z());
+        Vector3 zero = new Vector3(0, 0, 0);
+        Affine rolled = new Affine(
+                new Vector3(Math.cos(roll), Math.sin(roll), 0),
+                new Vector3(-Math.sin(roll), Math.cos(roll), 0),
+                new Vector3(0, 0, 1),
+                zero);
+        Affine pitched = new Affine(
+                new Vector3(1, 0, 0),
+                new Vector3(0, Math.cos(pitch), Math.sin(pitch)),
+                new Vector3(0, -Math.sin(pitch), Math.cos(pitch)),
+                zero);
+        Affine turned = new Affine(
+                new Vector3(Math.cos(yaw), 0, -Math.sin(yaw)),
+                new Vector3(0, 1, 0),
+                new Vector3(Math.sin(yaw), 0, Math.cos(yaw)),
+                mesh.position());
+        double scale = mesh.scale();
+        Affine scaled = new Affine(new Vector3(scale, 0, 0), new Vector3(0, scale, 0), new Vector3(0, 0, scale), zero);
+        return turned.of(pitched).of(rolled).of(scaled);
+    }
+}

@@ -1,0 +1,162 @@
+package dev.twister.world;
+
+import dev.twister.kernel.Layout;
+import java.util.Arrays;
+import java.util.concurrent.RecursiveAction;
+
+/**
+ * Builds a bounding volume hierarchy over boxes as {@link SphereHierarchy} does over spheres: split where the surface
+ * area heuristic says, tried at the borders of equal bins, on all cores. Links are numbers of nodes and of boxes.
+ */
+final class BoxTree extends RecursiveAction {
+    private static final long serialVersionUID = 1;
+
+    private static final int FEWEST_FOR_A_THREAD = 8192;
+
+    /** From so many ancestors on, boxes are split in the middle: 2^24 of them stay within the kernel's stack. */
+    private static final int MOST_UNEVEN_ANCESTORS = Layout.MOST_ANCESTORS - 24;
+
+    @SuppressWarnings("serial") // never written
+    private final Bins bins = new Bins();
+
+    @SuppressWarnings("serial") // never written
+    private final Bounds bounds = new Bounds();
+
+    private final float[] boxes;
+    private final int[] order;
+    private final float[] nodes;
+    private final int node;
+    private final int room;
+    private final int from;
+    private final int to;
+    private final int ancestors;
+    private final int mostInLeaf;
+
+    private BoxTree(
+            float[] boxes,
+            int[] order,
+            float[] nodes,
+            int node,
+            int room,
+            int from,
+            int to,
+            int ancestors,
+            int mostInLeaf) {
+        this.boxes = boxes;
+        this.order = order;
+        this.nodes = nodes;
+        this.node = node;
+        this.room = room;
+        this.from = from;
+        this.to = to;
+        this.ancestors = ancestors;
+        this.mostInLeaf = mostInLeaf;
+    }
+
+    /**
+     * The nodes, the root first.
+     *
+     * @param boxes {@code float[6 * boxes]}, at least one: low x, y, z and high x, y, z; ordered as the leaves are
+     * @param order {@code int[boxes]}: filled with the boxes' numbers in the order of the leaves
+     * @param mostInLeaf at least 1
+     */
+    static float[] nodes(float[] boxes, int[] order, int mostInLeaf) {
+        Arrays.setAll(order, box -> box);
+        float[] spread = new float[Layout.NODE_STRIDE * (2 * order.length - 1)];
+        new BoxTree(boxes, order, spread, 0, 1, 0, order.length, 0, mostInLeaf).invoke();
+        float[] nodes = new float[spread.length];
+        System.arraycopy(spread, 0, nodes, 0, Layout.NODE_STRIDE);
+        int count = gather(spread, 0, nodes, 0, 1);
+        return Arrays.copyOf(nodes, Layout.NODE_STRIDE * count);
+    }
+
+    /** Copies what is below a node that was copied, without gaps; returns how many nodes there are then. */
+    private static int gather(float[] spread, int node, float[] nodes, int copy, int count) {
+        if (spread[Layout.NODE_STRIDE * node + Layout.NODE_SPHERES] >= 0) {
+            return count;
+        }
+        int child = (int) spread[Layout.NODE_STRIDE * node + Layout.NODE_LINK];
+        System.arraycopy(spread, Layout.NODE_STRIDE * child, nodes, Layout.NODE_STRIDE * count, 2 * Layout.NODE_STRIDE);
+        nodes[Layout.NODE_STRIDE * copy + Layout.NODE_LINK] = count;
+        int first = gather(spread, child, nodes, count, count + 2);
+        return gather(spread, child + 1, nodes, count + 1, first);
+    }
+
+    @Override
+    protected void compute() {
+        grow(node, room, from, to, ancestors);
+    }
+
+    /**
+     * The nodes over the boxes at {@code [start, end)}: the topmost one, and behind {@code free} room for the others.
+     */
+    private void grow(int at, int free, int start, int end, int above) {
+        bounds.clear();
+        for (int box = start; box < end; box++) {
+            bounds.add(boxes, 6 * box);
+        }
+        int place = Layout.NODE_STRIDE * at;
+        bounds.write(nodes, place);
+        if (end - start <= mostInLeaf) {
+            nodes[place + Layout.NODE_LINK] = start;
+            nodes[place + Layout.NODE_SPHERES] = end - start;
+        } else {
+            int middle = split(start, end, above);
+            nodes[place + Layout.NODE_LINK] = free;
+            nodes[place + Layout.NODE_SPHERES] = -1;
+            int firstRoom = free + 2;
+            int secondRoom = firstRoom + 2 * (middle - start - 1);
+            if (Math.min(middle - start, end - middle) >= FEWEST_FOR_A_THREAD) {
+                BoxTree other =
+                        new BoxTree(boxes, order, nodes, free + 1, secondRoom, middle, end, above + 1, mostInLeaf);
+                other.fork();
+                grow(free, firstRoom, start, middle, above + 1);
+                other.join();
+            } else {
+                grow(free, firstRoom, start, middle, above + 1);
+                grow(free + 1, secondRoom, middle, end, above + 1);
+            }
+        }
+    }
+
+    /** Orders the boxes in two parts; returns where the second begins. */
+    private int split(int start, int end, int above) {
+        int axis = bounds.longestAxis();
+        float low = bounds.first(axis);
+        float high = bounds.last(axis);
+        int middle = (start + end) / 2;
+        if (Bounds.areApart(low, high) && above < MOST_UNEVEN_ANCESTORS) {
+            bins.start(end - start, low, high);
+            for (int box = start; box < end; box++) {
+                bins.add(binOf(box, axis), 1, boxes, 6 * box);
+            }
+            int border = bins.findBorder();
+            middle = start;
+            int tail = end - 1;
+            while (middle <= tail) {
+                if (binOf(middle, axis) < border) {
+                    middle++;
+                } else {
+                    swap(middle, tail);
+                    tail--;
+                }
+            }
+        }
+        return middle;
+    }
+
+    private int binOf(int box, int axis) {
+        return bins.bin(Bounds.middle(boxes, 6 * box + axis));
+    }
+
+    private void swap(int one, int other) {
+        for (int i = 0; i < 6; i++) {
+            float side = boxes[6 * one + i];
+            boxes[6 * one + i] = boxes[6 * other + i];
+            boxes[6 * other + i] = side;
+        }
+        int number = order[one];
+        order[one] = order[other];
+        order[other] = number;
+    }
+}

@@ -1,0 +1,82 @@
+package dev.twister.world;
+
+import dev.twister.kernel.Layout;
+import dev.twister.mesh.Affine;
+import dev.twister.scene.Vector3;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The meshes' part of the hierarchy, see {@link Layout}: the nodes over them, and where each is. */
+final class InstanceTable {
+    private final float[] meshes;
+    private final List<Integer> bodies = new ArrayList<>();
+    private final List<MeshBody> shown = new ArrayList<>();
+    private final List<Affine> inverses = new ArrayList<>();
+
+    /** @param meshes {@link SceneMeshes#floats} */
+    private InstanceTable(float[] meshes) {
+        this.meshes = meshes;
+    }
+
+    /**
+     * The table of the bodies that can be seen: a mesh that its placement makes flat has no inside and no inverse. Empty
+     * where there are none.
+     *
+     * @param firstMesh the first one's body
+     */
+    static float[] of(List<MeshBody> bodies, float[] meshes, int firstMesh) {
+        InstanceTable table = new InstanceTable(meshes);
+        for (int i = 0; i < bodies.size(); i++) {
+            table.add(bodies.get(i), firstMesh + i);
+        }
+        return table.shown.isEmpty() ? new float[0] : table.floats();
+    }
+
+    private void add(MeshBody body, int number) {
+        Affine inverse = Inverse.of(body.placement());
+        if (!body.place().isEmpty() && Inverse.isFinite(inverse)) {
+            bodies.add(number);
+            shown.add(body);
+            inverses.add(inverse);
+        }
+    }
+
+    private float[] floats() {
+        float[] boxes = new float[6 * shown.size()];
+        for (int i = 0; i < shown.size(); i++) {
+            MeshBox.of(shown.get(i), meshes).write(boxes, 6 * i);
+        }
+        int[] order = new int[shown.size()];
+        float[] nodes = BoxTree.nodes(boxes, order, 1);
+        float[] floats = new float[1 + nodes.length + Layout.INSTANCE_STRIDE * order.length];
+        floats[0] = nodes.length / Layout.NODE_STRIDE;
+        System.arraycopy(nodes, 0, floats, 1, nodes.length);
+        int at = 1 + nodes.length;
+        for (int instance : order) {
+            write(floats, at, instance);
+            at += Layout.INSTANCE_STRIDE;
+        }
+        return floats;
+    }
+
+    private void write(float[] floats, int at, int instance) {
+        write(floats, at + Layout.INSTANCE_TO_MESH, inverses.get(instance));
+        write(floats, at + Layout.INSTANCE_TO_WORLD, shown.get(instance).placement());
+        MeshPlace place = shown.get(instance).place();
+        floats[at + Layout.INSTANCE_BODY] = bodies.get(instance);
+        floats[at + Layout.INSTANCE_MESH] = place.start() / Layout.MESH_ALIGNMENT;
+        floats[at + Layout.INSTANCE_NODES] = place.nodes();
+        floats[at + Layout.INSTANCE_TRIANGLES] = place.triangles();
+        floats[at + Layout.INSTANCE_NORMALS] = place.normals();
+        floats[at + Layout.INSTANCE_TEXTURE_PLACES] = place.texturePlaces();
+    }
+
+    private static void write(float[] floats, int at, Affine affine) {
+        Vector3[] columns = {affine.axisX(), affine.axisY(), affine.axisZ(), affine.origin()};
+        for (int column = 0; column < columns.length; column++) {
+            floats[at + column] = (float) columns[column].x();
+            floats[at + 4 + column] = (float) columns[column].y();
+            floats[at + 8 + column] = (float) columns[column].z();
+        }
+    }
+}

@@ -1,0 +1,38 @@
+package dev.twister.world;
+
+import dev.twister.mesh.Affine;
+import dev.twister.mesh.MeshPart;
+import dev.twister.mesh.MeshPlacement;
+import dev.twister.scene.Material;
+import dev.twister.scene.Mesh;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A part of a mesh file in the scene: one body.
+ *
+ * @param placement from the mesh's coordinates to the world's
+ */
+record MeshBody(Affine placement, Material material, MeshPlace place) {
+    /** All of a scene, in its meshes' order, each mesh's parts in its file's. */
+    static List<MeshBody> of(Scene scene, SceneMeshes meshes, Vector3 origin) {
+        List<MeshBody> bodies = new ArrayList<>();
+        for (Mesh mesh : scene.meshes()) {
+            Vector3 position = mesh.position();
+            Affine placement = MeshPlacement.of(mesh.withPosition(
+                    new Vector3(position.x() - origin.x(), position.y() - origin.y(), position.z() - origin.z())));
+            for (MeshPart part : meshes.file(mesh).parts()) {
+                MeshPlace place = meshes.place(mesh, part.mesh());
+                Material material = mesh.material().orElse(part.material());
+                bodies.add(new MeshBody(
+                        placement.of(part.placement()),
+                        place.texturePlaces() > 0 ? material : material.withTexture(Optional.empty()),
+                        place));
+            }
+        }
+        return bodies;
+    }
+}

@@ -1,0 +1,54 @@
+package dev.twister.world;
+
+import dev.twister.kernel.Layout;
+import dev.twister.scene.Vector3;
+
+/** The box about a mesh body, along the world's axes. */
+record MeshBox(Vector3 low, Vector3 high) {
+    private static final int CORNERS = 8;
+
+    /** About the placed corners of the box that the mesh has in its own coordinates. */
+    static MeshBox of(MeshBody body, float[] meshes) {
+        Vector3 low = new Vector3(Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE);
+        Vector3 high = new Vector3(-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE);
+        int root = body.place().start();
+        for (int corner = 0; corner < CORNERS; corner++) {
+            Vector3 point = body.placement()
+                    .point(new Vector3(
+                            side(meshes, root, 0, corner & 1),
+                            side(meshes, root, 1, corner & 2),
+                            side(meshes, root, 2, corner & 4)));
+            low = new Vector3(Math.min(low.x(), point.x()), Math.min(low.y(), point.y()), Math.min(low.z(), point.z()));
+            high = new Vector3(
+                    Math.max(high.x(), point.x()), Math.max(high.y(), point.y()), Math.max(high.z(), point.z()));
+        }
+        return new MeshBox(low, high);
+    }
+
+    private static double side(float[] meshes, int root, int axis, int isHigh) {
+        double half = meshes[root + Layout.NODE_HALF + axis];
+        return meshes[root + Layout.NODE_CENTER + axis] + (isHigh == 0 ? -half : half);
+    }
+
+    void write(float[] boxes, int at) {
+        boxes[at] = Math.nextDown((float) low.x());
+        boxes[at + 1] = Math.nextDown((float) low.y());
+        boxes[at + 2] = Math.nextDown((float) low.z());
+        boxes[at + 3] = Math.nextUp((float) high.x());
+        boxes[at + 4] = Math.nextUp((float) high.y());
+        boxes[at + 5] = Math.nextUp((float) high.z());
+    }
+
+    Vector3 center() {
+        return new Vector3((low.x() + high.x()) / 2, (low.y() + high.y()) / 2, (low.z() + high.z()) / 2);
+    }
+
+    /** Of the sphere around it. */
+    double radius() {
+        return Math.sqrt(square(high.x() - low.x()) + square(high.y() - low.y()) + square(high.z() - low.z())) / 2;
+    }
+
+    private static double square(double x) {
+        return x * x;
+    }
+}

@@ -1,0 +1,76 @@
+package dev.twister.world;
+
+import dev.twister.kernel.Layout;
+import dev.twister.mesh.TriangleMesh;
+
+/**
+ * A mesh as the kernel reads it, see {@link Layout}.
+ *
+ * @param nodes how many
+ * @param triangles how many
+ * @param normals how many vertices have one: all or none
+ * @param texturePlaces how many vertices have one: all or none
+ * @param floats a multiple of {@link Layout#MESH_ALIGNMENT}
+ */
+@SuppressWarnings("ArrayRecordComponent") // never compared
+record MeshGeometry(int nodes, int triangles, int normals, int texturePlaces, float[] floats) {
+    /** Testing so many triangles takes about as long as testing two boxes and what is left in them. */
+    private static final int MOST_IN_LEAF = 4;
+
+    static MeshGeometry of(TriangleMesh mesh) {
+        return of(mesh, MOST_IN_LEAF);
+    }
+
+    /**
+     * The same, with leaves of another size.
+     *
+     * @param mesh of at least one triangle
+     */
+    static MeshGeometry of(TriangleMesh mesh, int mostInLeaf) {
+        float[] boxes = boxes(mesh);
+        int[] order = new int[mesh.triangles()];
+        float[] nodes = BoxTree.nodes(boxes, order, mostInLeaf);
+        long length = nodes.length
+                + (long) Layout.TRIANGLE_STRIDE * order.length
+                + mesh.normals().length
+                + mesh.textureCoordinates().length;
+        long aligned = (length + Layout.MESH_ALIGNMENT - 1) / Layout.MESH_ALIGNMENT * Layout.MESH_ALIGNMENT;
+        float[] floats = new float[Math.toIntExact(aligned)];
+        System.arraycopy(nodes, 0, floats, 0, nodes.length);
+        int at = nodes.length;
+        for (int triangle : order) {
+            for (int corner = 0; corner < 3; corner++) {
+                int vertex = mesh.corners()[3 * triangle + corner];
+                System.arraycopy(mesh.positions(), 3 * vertex, floats, at + 3 * corner, 3);
+                floats[at + Layout.TRIANGLE_VERTICES + corner] = vertex;
+            }
+            at += Layout.TRIANGLE_STRIDE;
+        }
+        System.arraycopy(mesh.normals(), 0, floats, at, mesh.normals().length);
+        at += mesh.normals().length;
+        System.arraycopy(mesh.textureCoordinates(), 0, floats, at, mesh.textureCoordinates().length);
+        return new MeshGeometry(
+                nodes.length / Layout.NODE_STRIDE,
+                order.length,
+                mesh.normals().length / 3,
+                mesh.textureCoordinates().length / 2,
+                floats);
+    }
+
+    private static float[] boxes(TriangleMesh mesh) {
+        float[] boxes = new float[6 * mesh.triangles()];
+        for (int triangle = 0; triangle < mesh.triangles(); triangle++) {
+            int a = 3 * mesh.corners()[3 * triangle];
+            int b = 3 * mesh.corners()[3 * triangle + 1];
+            int c = 3 * mesh.corners()[3 * triangle + 2];
+            for (int axis = 0; axis < 3; axis++) {
+                float first = mesh.positions()[a + axis];
+                float second = mesh.positions()[b + axis];
+                float third = mesh.positions()[c + axis];
+                boxes[6 * triangle + axis] = Math.min(Math.min(first, second), third);
+                boxes[6 * triangle + 3 + axis] = Math.max(Math.max(first, second), third);
+            }
+        }
+        return boxes;
+    }
+}

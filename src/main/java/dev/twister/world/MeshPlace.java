@@ -1,0 +1,31 @@
+package dev.twister.world;
+
+import dev.twister.kernel.Layout;
+import java.util.Arrays;
+
+/**
+ * Where a mesh is among all, see {@link Layout}.
+ *
+ * @param start its first float
+ * @param length how many floats it has
+ */
+record MeshPlace(int start, int length, int nodes, int triangles, int normals, int texturePlaces) {
+    static MeshPlace of(int start, MeshGeometry geometry) {
+        return new MeshPlace(
+                start,
+                geometry.floats().length,
+                geometry.nodes(),
+                geometry.triangles(),
+                geometry.normals(),
+                geometry.texturePlaces());
+    }
+
+    MeshGeometry geometry(float[] all) {
+        return new MeshGeometry(
+                nodes, triangles, normals, texturePlaces, Arrays.copyOfRange(all, start, start + length));
+    }
+
+    boolean isEmpty() {
+        return triangles == 0;
+    }
+}

@@ -1,0 +1,147 @@
+package dev.twister.world;
+
+import dev.twister.kernel.Layout;
+import dev.twister.mesh.MeshException;
+import dev.twister.mesh.MeshFile;
+import dev.twister.scene.Mesh;
+import dev.twister.scene.Scene;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+
+/**
+ * The meshes that a scene names, each file once, with a hierarchy over the triangles of each mesh in it. A world of the
+ * same scene with its meshes elsewhere has the same ones.
+ */
+public final class SceneMeshes {
+    /** Of a scene without meshes. */
+    public static final SceneMeshes NONE = new SceneMeshes(new float[1], Map.of());
+
+    private final float[] floats;
+    private final Map<Source, Loaded> loadedBySource;
+
+    /** What is read: normals that a file leaves out depend on the angle. */
+    public record Source(Path file, double smoothDegrees) {
+        static Source of(Mesh mesh) {
+            return new Source(mesh.file(), mesh.smoothDegrees());
+        }
+    }
+
+    /**
+     * A file and where its meshes are.
+     *
+     * @param places one for each of the file's meshes
+     */
+    private record Loaded(MeshFile file, List<MeshPlace> places) {}
+
+    private SceneMeshes(float[] floats, Map<Source, Loaded> loadedBySource) {
+        this.floats = floats;
+        this.loadedBySource = loadedBySource;
+    }
+
+    /**
+     * A scene's meshes.
+     *
+     * @param reader reads a file, as {@code MeshReader.read} does
+     * @throws MeshException where the reader does; the message says where the scene file names the file; and where all
+     *     together are more than an array holds
+     */
+    public static SceneMeshes of(Scene scene, Function<Source, MeshFile> reader) {
+        return NONE.changedTo(scene, reader);
+    }
+
+    /**
+     * The meshes of another scene; those that are here already are not read again.
+     *
+     * @throws MeshException as {@link #of} does
+     */
+    public SceneMeshes changedTo(Scene scene, Function<Source, MeshFile> reader) {
+        Map<Source, MeshFile> files = new LinkedHashMap<>();
+        for (int i = 0; i < scene.meshes().size(); i++) {
+            Source source = Source.of(scene.meshes().get(i));
+            if (!files.containsKey(source)) {
+                files.put(source, file(source, "meshes[" + i + "].file", reader));
+            }
+        }
+        return files.keySet().equals(loadedBySource.keySet()) ? this : with(files);
+    }
+
+    private MeshFile file(Source source, String place, Function<Source, MeshFile> reader) {
+        if (loadedBySource.containsKey(source)) {
+            return loadedBySource.get(source).file();
+        }
+        try {
+            return reader.apply(source);
+        } catch (MeshException problem) {
+            throw new MeshException(place + ": " + problem.getMessage(), problem);
+        }
+    }
+
+    private SceneMeshes with(Map<Source, MeshFile> files) {
+        List<float[]> parts = new ArrayList<>();
+        Map<Source, Loaded> loaded = new LinkedHashMap<>();
+        int start = 0;
+        for (Map.Entry<Source, MeshFile> entry : files.entrySet()) {
+            Loaded before = loadedBySource.get(entry.getKey());
+            MeshFile file = entry.getValue();
+            List<MeshPlace> places = new ArrayList<>();
+            for (int mesh = 0; mesh < file.meshes().size(); mesh++) {
+                MeshGeometry geometry = before == null
+                        ? MeshGeometry.of(file.meshes().get(mesh))
+                        : before.places().get(mesh).geometry(floats);
+                places.add(MeshPlace.of(start, geometry));
+                parts.add(geometry.floats());
+                start = checked(start + (long) geometry.floats().length);
+            }
+            loaded.put(entry.getKey(), new Loaded(file, places));
+        }
+        return new SceneMeshes(joined(parts, start), loaded);
+    }
+
+    private static int checked(long length) {
+        if (length > Integer.MAX_VALUE - Long.BYTES) {
+            throw new MeshException("the meshes have too many triangles together: an array holds "
+                    + Integer.MAX_VALUE / Layout.TRIANGLE_STRIDE + " at most");
+        }
+        return (int) length;
+    }
+
+    private static float[] joined(List<float[]> parts, int length) {
+        if (parts.size() == 1) {
+            return parts.getFirst();
+        }
+        float[] joined = new float[Math.max(1, length)];
+        int at = 0;
+        for (float[] part : parts) {
+            System.arraycopy(part, 0, joined, at, part.length);
+            at += part.length;
+        }
+        return joined;
+    }
+
+    /** All of them as {@link Layout} has them; the same array as long as they are the same. */
+    float[] floats() {
+        return floats;
+    }
+
+    /** What a mesh's file holds. */
+    public MeshFile file(Mesh mesh) {
+        return loaded(mesh).file();
+    }
+
+    /** Where a mesh of its file is. */
+    MeshPlace place(Mesh mesh, int number) {
+        return loaded(mesh).places().get(number);
+    }
+
+    private Loaded loaded(Mesh mesh) {
+        Loaded loaded = loadedBySource.get(Source.of(mesh));
+        if (loaded == null) {
+            throw new IllegalArgumentException("the mesh " + mesh.file() + " was not read");
+        }
+        return loaded;
+    }
+}

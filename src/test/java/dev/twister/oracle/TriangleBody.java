@@ -1,0 +1,141 @@
+package dev.twister.oracle;
+
+import dev.twister.mesh.Affine;
+import dev.twister.mesh.TriangleMesh;
+import dev.twister.scene.Vector3;
+import java.util.Optional;
+
+/**
+ * One triangle of a mesh, in the scene's coordinates.
+ *
+ * @param number the mesh's body
+ * @param corners its normals and places in the texture too
+ */
+@SuppressWarnings("ArrayRecordComponent") // never compared
+record TriangleBody(int number, Corner[] corners, boolean mirrored, OracleMaterial material) implements Body {
+    /** A corner with its shading normal, where the mesh has them, and its place in the texture. */
+    record Corner(Vector place, Optional<Vector> normal, double u, double v) {}
+
+    static TriangleBody of(int number, TriangleMesh mesh, int triangle, Affine placement, OracleMaterial material) {
+        Corner[] corners = new Corner[3];
+        for (int i = 0; i < 3; i++) {
+            corners[i] = corner(mesh, mesh.corners()[3 * triangle + i], placement);
+        }
+        return new TriangleBody(number, corners, isMirrored(placement), material);
+    }
+
+    private static Corner corner(TriangleMesh mesh, int vertex, Affine placement) {
+        float[] uv = mesh.textureCoordinates();
+        return new Corner(
+                vector(placement.point(at(mesh.positions(), vertex))),
+                mesh.normals().length == 0
+                        ? Optional.empty()
+                        : Optional.of(turned(at(mesh.normals(), vertex), placement)),
+                uv.length == 0 ? 0 : uv[2 * vertex],
+                uv.length == 0 ? 0 : uv[2 * vertex + 1]);
+    }
+
+    private static Vector3 at(float[] vectors, int vertex) {
+        return new Vector3(vectors[3 * vertex], vectors[3 * vertex + 1], vectors[3 * vertex + 2]);
+    }
+
+    /** A normal in the scene: perpendicular to what it was perpendicular to; not yet a unit vector. */
+    private static Vector turned(Vector3 normal, Affine placement) {
+        Vector x = vector(placement.axisX());
+        Vector y = vector(placement.axisY());
+        Vector z = vector(placement.axisZ());
+        Vector turned = y.cross(z)
+                .times(normal.x())
+                .plus(z.cross(x).times(normal.y()))
+                .plus(x.cross(y).times(normal.z()));
+        return turned.times(1 / x.dot(y.cross(z)));
+    }
+
+    private static boolean isMirrored(Affine placement) {
+        return vector(placement.axisX()).dot(vector(placement.axisY()).cross(vector(placement.axisZ()))) < 0;
+    }
+
+    private static Vector vector(Vector3 vector) {
+        return new Vector(vector.x(), vector.y(), vector.z());
+    }
+
+    private Vector edge(int corner) {
+        return corners[corner].place().minus(corners[0].place());
+    }
+
+    /** Outward, as the corners run; not a unit vector. */
+    private Vector face() {
+        return edge(1).cross(edge(2)).times(mirrored ? -1 : 1);
+    }
+
+    /** On the side from which a ray comes. */
+    Vector facing(Ray ray) {
+        return ray.direction().dot(face()) > 0 ? face().times(-1) : face();
+    }
+
+    /** From either side (Moeller and Trumbore 1997). */
+    @Override
+    public double distance(Ray ray) {
+        Vector across = ray.direction().cross(edge(2));
+        double determinant = edge(1).dot(across);
+        Vector fromCorner = ray.origin().minus(corners[0].place());
+        double b = fromCorner.dot(across) / determinant;
+        Vector along = fromCorner.cross(edge(1));
+        double c = ray.direction().dot(along) / determinant;
+        double distance = edge(2).dot(along) / determinant;
+        return b >= 0 && c >= 0 && b + c <= 1 && distance > 0 ? distance : MISS;
+    }
+
+    /** Itself is never met again. */
+    @Override
+    public double distanceInside(Ray ray) {
+        return MISS;
+    }
+
+    /** What part of a point of the triangle is a corner's, the second or the third. */
+    private double part(Vector point, int corner) {
+        Vector face = edge(1).cross(edge(2));
+        Vector away = point.minus(corners[0].place());
+        Vector product = corner == 1 ? away.cross(edge(2)) : edge(1).cross(away);
+        return product.dot(face) / face.dot(face);
+    }
+
+    private double between(Vector point, double a, double b, double c) {
+        return a + part(point, 1) * (b - a) + part(point, 2) * (c - a);
+    }
+
+    @Override
+    public Vector normal(Vector point) {
+        return corners[0].normal().isEmpty() ? face().normalized() : interpolated(point);
+    }
+
+    private Vector interpolated(Vector point) {
+        Vector a = corners[0].normal().orElseThrow();
+        Vector b = corners[1].normal().orElseThrow();
+        Vector c = corners[2].normal().orElseThrow();
+        return new Vector(
+                        between(point, a.x(), b.x(), c.x()),
+                        between(point, a.y(), b.y(), c.y()),
+                        between(point, a.z(), b.z(), c.z()))
+                .normalized();
+    }
+
+    @Override
+    public Vector normal(Ray ray, Vector point) {
+        Vector normal = normal(point);
+        return normal.dot(facing(ray)) < 0 ? normal.times(-1) : normal;
+    }
+
+    @Override
+    public boolean isMetFromInside(Ray ray, Vector normal) {
+        return material.transmits() && ray.direction().dot(face()) > 0;
+    }
+
+    @Override
+    public Color albedo(Vector point) {
+        return material.textured(
+                material.color(),
+                between(point, corners[0].u(), corners[1].u(), corners[2].u()),
+                between(point, corners[0].v(), corners[1].v(), corners[2].v()));
+    }
+}
