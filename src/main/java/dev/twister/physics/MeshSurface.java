@@ -1,5 +1,14 @@
 package dev.twister.physics;
 
+import dev.twister.mesh.Affine;
+import dev.twister.mesh.MeshFile;
+import dev.twister.mesh.MeshPart;
+import dev.twister.mesh.MeshPlacement;
+import dev.twister.mesh.TriangleMesh;
+import dev.twister.scene.Mesh;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
+import dev.twister.world.SceneMeshes;
 import java.util.Arrays;
 import java.util.function.IntConsumer;
 
@@ -46,6 +55,45 @@ final class MeshSurface {
         int leaves = Integer.highestOneBit(Math.max(1, 2 * Math.ceilDiv(triangles, LEAF) - 1));
         boxes = new double[BOX * (2 * leaves - 1)];
         build(0, 0, triangles);
+    }
+
+    /**
+     * The meshes of a scene, where they are.
+     *
+     * @throws IllegalArgumentException where one of them is not among those that were read
+     */
+    static MeshSurface of(Scene scene, SceneMeshes meshes) {
+        long triangles = scene.meshes().stream()
+                .mapToLong(mesh -> meshes.file(mesh).shownTriangles())
+                .sum();
+        double[] corners = new double[Math.toIntExact(9 * triangles)];
+        int end = 0;
+        for (Mesh mesh : scene.meshes()) {
+            MeshFile file = meshes.file(mesh);
+            Affine placement = MeshPlacement.of(mesh);
+            for (MeshPart part : file.parts()) {
+                end = place(file.meshes().get(part.mesh()), placement.of(part.placement()), corners, end);
+            }
+        }
+        return end == 0 ? EMPTY : new MeshSurface(Arrays.copyOf(corners, end));
+    }
+
+    /** Writes the triangles that have an area there; returns where they end. */
+    private static int place(TriangleMesh mesh, Affine placement, double[] corners, int start) {
+        float[] positions = mesh.positions();
+        int end = start;
+        for (int corner = 0; corner < mesh.corners().length; corner++) {
+            int vertex = 3 * mesh.corners()[corner];
+            Vector3 place =
+                    placement.point(new Vector3(positions[vertex], positions[vertex + 1], positions[vertex + 2]));
+            corners[end++] = place.x();
+            corners[end++] = place.y();
+            corners[end++] = place.z();
+            if (corner % 3 == 2 && !TriangleContact.hasArea(corners, end - 9)) {
+                end -= 9;
+            }
+        }
+        return end;
     }
 
     int triangles() {

@@ -2,11 +2,14 @@ package dev.twister.physics;
 
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Light;
+import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
@@ -89,17 +92,28 @@ public final class Simulation implements AutoCloseable {
     }
 
     /** The scene at time 0, to be moved by all of the machine's cores. */
+    public static Simulation of(Scene scene, SceneMeshes meshes) {
+        return of(scene, meshes, Runtime.getRuntime().availableProcessors());
+    }
+
+    /**
+     * A scene without meshes at time 0.
+     *
+     * @throws IllegalArgumentException where it has some
+     */
     public static Simulation of(Scene scene) {
-        return of(scene, Runtime.getRuntime().availableProcessors());
+        return of(scene, SceneMeshes.NONE);
     }
 
     /**
      * The scene at time 0.
      *
+     * @param meshes that the scene names
      * @param threads how many work, 1 or more; small scenes are moved by one
+     * @throws IllegalArgumentException where one of the scene's meshes is not among them
      */
-    public static Simulation of(Scene scene, int threads) {
-        return of(scene, MeshSurface.EMPTY, threads);
+    public static Simulation of(Scene scene, SceneMeshes meshes, int threads) {
+        return new Simulation(scene, MeshSurface.of(scene, meshes), threads);
     }
 
     static Simulation of(Scene scene, MeshSurface mesh, int threads) {
@@ -111,18 +125,33 @@ public final class Simulation implements AutoCloseable {
      * otherwise another one, and this one is closed. A sphere that is in both scenes ({@link SameSpheres}) and was not put
      * elsewhere by the edit keeps its place and its speed, and so does what was poured, where the pour is the same one. A
      * sphere that is new or was put elsewhere starts there at rest. Those that slept wake: what they rest on may be gone.
+     *
+     * @param meshes that the edited scene names
      */
-    public Simulation goOnIn(Scene edited) {
-        if (movesAlike(scene, edited)) {
+    public Simulation goOnIn(Scene edited, SceneMeshes meshes) {
+        boolean sameMeshes = haveMeshesAlike(scene, edited);
+        if (sameMeshes && movesAlike(scene, edited)) {
             scene = edited;
             // Where it is not solid it may be elsewhere, and nothing moves otherwise for that.
             bodies.putLight(edited.light());
             return this;
         }
-        Simulation next = new Simulation(edited, surroundings.mesh(), threads);
+        MeshSurface mesh = sameMeshes ? surroundings.mesh() : MeshSurface.of(edited, meshes);
+        Simulation next = new Simulation(edited, mesh, threads);
         next.takeOver(this);
         close();
         return next;
+    }
+
+    /** Whatever they are made of. */
+    private static boolean haveMeshesAlike(Scene one, Scene other) {
+        return places(one).equals(places(other));
+    }
+
+    private static List<Mesh> places(Scene scene) {
+        return scene.meshes().stream()
+                .map(mesh -> mesh.withMaterial(Optional.empty()))
+                .toList();
     }
 
     private static boolean movesAlike(Scene one, Scene other) {

@@ -48,6 +48,20 @@ final class TriangleContact {
         normalZ = crossZ * inverse;
     }
 
+    /** Whether the triangle whose corners begin there has an area; placed flat, it may have none. */
+    static boolean hasArea(double[] corners, int at) {
+        double abX = corners[at + 3] - corners[at];
+        double abY = corners[at + 4] - corners[at + 1];
+        double abZ = corners[at + 5] - corners[at + 2];
+        double acX = corners[at + 6] - corners[at];
+        double acY = corners[at + 7] - corners[at + 1];
+        double acZ = corners[at + 8] - corners[at + 2];
+        double crossX = abY * acZ - abZ * acY;
+        double crossY = abZ * acX - abX * acZ;
+        double crossZ = abX * acY - abY * acX;
+        return crossX * crossX + crossY * crossY + crossZ * crossZ >= Double.MIN_NORMAL;
+    }
+
     private double edge(int number) {
         return corners[at + number] - corners[at + number % 3];
     }

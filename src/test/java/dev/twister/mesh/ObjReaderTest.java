@@ -99,7 +99,8 @@ class ObjReaderTest {
 
     @Test
     void startsAfterAByteOrderMark() {
-        assertThat(Reading.read(folder, "a.obj", "\ufeff" + SQUARE + "f 1 2 3\n").shownTriangles())
+        assertThat(Reading.read(folder, "a.obj", "\ufeff" + SQUARE + "f 1 2 3\n")
+                        .shownTriangles())
                 .isEqualTo(1);
     }
 

@@ -10,6 +10,7 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.world.SceneMeshes;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -34,9 +35,9 @@ class EditedMotionTest {
 
     /** After half a second of the one scene, half a second of the other; and that in one go where the edit is none. */
     private static float[] positions(Scene scene, UnaryOperator<Scene> edit) {
-        Simulation simulation = Simulation.of(scene, 2);
+        Simulation simulation = Simulation.of(scene, SceneMeshes.NONE, 2);
         Motion.run(simulation, SECONDS);
-        Simulation next = simulation.goOnIn(edit.apply(scene));
+        Simulation next = simulation.goOnIn(edit.apply(scene), SceneMeshes.NONE);
         Motion.run(next, SECONDS);
         float[] positions = next.positions();
         next.close();
@@ -67,7 +68,7 @@ class EditedMotionTest {
         Simulation simulation = Simulation.of(FALLING);
         Motion.run(simulation, SECONDS);
         double height = Motion.place(simulation, 1, 1);
-        try (Simulation next = simulation.goOnIn(FALLING.withPhysics(Motion.WEIGHTLESS))) {
+        try (Simulation next = simulation.goOnIn(FALLING.withPhysics(Motion.WEIGHTLESS), SceneMeshes.NONE)) {
             assertThat(Motion.place(next, 1, 1)).isEqualTo(height);
             assertThat(next.velocity(1, 1)).isCloseTo(-SPEED, within(1e-9));
             Motion.run(next, 0.25);
@@ -83,7 +84,7 @@ class EditedMotionTest {
         List<Sphere> spheres = new ArrayList<>(FALLING.spheres());
         spheres.remove(0);
         spheres.add(Motion.sphere(6, 5, 0, 0.5));
-        try (Simulation next = simulation.goOnIn(FALLING.withSpheres(spheres))) {
+        try (Simulation next = simulation.goOnIn(FALLING.withSpheres(spheres), SceneMeshes.NONE)) {
             assertThat(Motion.place(next, 1, 1)).isEqualTo(height);
             assertThat(next.velocity(1, 1)).isCloseTo(-SPEED, within(1e-9));
             assertThat(Motion.place(next, 3, 1)).isEqualTo(5);
@@ -98,8 +99,8 @@ class EditedMotionTest {
         Motion.run(simulation, SECONDS);
         int there = simulation.bodies();
         float[] before = simulation.positions();
-        try (Simulation next =
-                simulation.goOnIn(scene.withPhysics(Physics.DEFAULT.withGravity(new Vector3(0, -3, 0))))) {
+        try (Simulation next = simulation.goOnIn(
+                scene.withPhysics(Physics.DEFAULT.withGravity(new Vector3(0, -3, 0))), SceneMeshes.NONE)) {
             assertThat(there).isGreaterThan(200);
             assertThat(next.bodies()).isEqualTo(there);
             assertThat(next.positions()).startsWith(before);
@@ -115,7 +116,7 @@ class EditedMotionTest {
         spheres.set(1, Motion.sphere(0, 5, 2, 0.5));
         Simulation simulation = Simulation.of(FALLING);
         Motion.run(simulation, SECONDS);
-        try (Simulation next = simulation.goOnIn(FALLING.withSpheres(spheres))) {
+        try (Simulation next = simulation.goOnIn(FALLING.withSpheres(spheres), SceneMeshes.NONE)) {
             assertThat(Motion.place(next, 2, 1)).isEqualTo(5);
             assertThat(Motion.speed(next, 2)).isZero();
             assertThat(next.velocity(1, 1)).isCloseTo(-SPEED, within(1e-9));
@@ -132,10 +133,10 @@ class EditedMotionTest {
         double poured = Motion.place(simulation, 4, 1);
         Scene without = scene.withSpheres(
                 List.of(scene.spheres().get(0), scene.spheres().get(2)));
-        Simulation fewer = simulation.goOnIn(without);
+        Simulation fewer = simulation.goOnIn(without, SceneMeshes.NONE);
         assertThat(Motion.place(fewer, 2, 1)).isEqualTo(third);
         assertThat(Motion.place(fewer, 3, 1)).isEqualTo(poured);
-        try (Simulation more = fewer.goOnIn(scene)) {
+        try (Simulation more = fewer.goOnIn(scene, SceneMeshes.NONE)) {
             assertThat(Motion.place(more, 2, 1)).isEqualTo(9);
             assertThat(Motion.place(more, 3, 1)).isEqualTo(third);
             assertThat(more.velocity(3, 1)).isCloseTo(-SPEED, within(1e-9));
@@ -149,8 +150,8 @@ class EditedMotionTest {
         Simulation simulation = Simulation.of(scene);
         Motion.run(simulation, 6);
         float[] before = simulation.positions();
-        try (Simulation next =
-                simulation.goOnIn(scene.withPhysics(Physics.DEFAULT.withGravity(new Vector3(0, -9, 0))))) {
+        try (Simulation next = simulation.goOnIn(
+                scene.withPhysics(Physics.DEFAULT.withGravity(new Vector3(0, -9, 0))), SceneMeshes.NONE)) {
             double farthest = 0;
             Set<Integer> moved = new HashSet<>();
             for (int step = 0; step < 120; step++) {

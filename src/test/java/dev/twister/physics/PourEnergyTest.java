@@ -1,5 +1,6 @@
 package dev.twister.physics;
 
+import dev.twister.world.SceneMeshes;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -15,7 +16,7 @@ class PourEnergyTest {
     @ParameterizedTest
     @ValueSource(ints = {109, 120})
     void whatWakesUnderAHeavySphereGivesItNoEnergy(int seed) {
-        try (Simulation simulation = Simulation.of(Motion.pourOfAThousand(seed), 1)) {
+        try (Simulation simulation = Simulation.of(Motion.pourOfAThousand(seed), SceneMeshes.NONE, 1)) {
             Motion.runWithoutGain(simulation, 1260, 0, 0, MOST_GAIN);
         }
     }

@@ -8,6 +8,7 @@ import dev.twister.scene.Pour;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.world.SceneMeshes;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -62,7 +63,7 @@ class RestTest {
                 .withSpeed(3)
                 .withRadii(0.07, 0.13);
         Scene scene = Motion.scene(Physics.DEFAULT, 8, List.of()).withPour(pour);
-        try (Simulation simulation = Simulation.of(scene, 1)) {
+        try (Simulation simulation = Simulation.of(scene, SceneMeshes.NONE, 1)) {
             Motion.run(simulation, 12);
 
             assertThat(Motion.sleepers(simulation)).isEqualTo(1000);

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneGenerator;
 import dev.twister.scene.SceneReader;
+import dev.twister.world.SceneMeshes;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -80,8 +81,8 @@ class ShippedMotionTest {
     @Test
     void aHundredThousandMoveAlikeOnOneThreadAndOnTwo() {
         Scene scene = SceneGenerator.spheres(CROWD, 5, Path.of("skyboxes", "day.hdr"));
-        try (Simulation one = Simulation.of(scene, 1);
-                Simulation two = Simulation.of(scene, 2)) {
+        try (Simulation one = Simulation.of(scene, SceneMeshes.NONE, 1);
+                Simulation two = Simulation.of(scene, SceneMeshes.NONE, 2)) {
             float[] start = one.positions();
             Motion.run(one, CROWD_STEPS * Simulation.STEP_SECONDS);
             Motion.run(two, CROWD_STEPS * Simulation.STEP_SECONDS);

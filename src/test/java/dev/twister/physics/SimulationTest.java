@@ -10,6 +10,7 @@ import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
 import dev.twister.world.Positions;
+import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.util.ArrayList;
 import java.util.List;
@@ -37,7 +38,7 @@ class SimulationTest {
         List<Sphere> spheres = new ArrayList<>();
         spheres.add(Motion.sphere(0.3, 1, 0, 1));
         Scene scene = Motion.scene(Physics.DEFAULT, 9, spheres).withPour(POUR);
-        try (Simulation simulation = Simulation.of(scene, threads)) {
+        try (Simulation simulation = Simulation.of(scene, SceneMeshes.NONE, threads)) {
             Motion.run(simulation, 2.5);
             return simulation.positions();
         }
@@ -89,7 +90,7 @@ class SimulationTest {
     void whatIsPouredComesAtItsTime() {
         Scene scene = Motion.scene(Physics.DEFAULT, 9, List.of(Motion.sphere(0, 1, 0, 1)))
                 .withPour(POUR);
-        try (Simulation simulation = Simulation.of(scene, 1)) {
+        try (Simulation simulation = Simulation.of(scene, SceneMeshes.NONE, 1)) {
             assertThat(simulation.bodies()).isEqualTo(3);
             Motion.run(simulation, 0.1);
             assertThat(simulation.bodies()).isEqualTo(3 + 150);

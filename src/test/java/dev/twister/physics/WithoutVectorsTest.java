@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.ChildJvm;
 import dev.twister.scene.Physics;
 import dev.twister.scene.Sphere;
+import dev.twister.world.SceneMeshes;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -34,7 +35,8 @@ class WithoutVectorsTest {
                     spheres.add(Motion.sphere(x, 2, z, 0.3));
                 }
             }
-            try (Simulation simulation = Simulation.of(Motion.scene(Physics.DEFAULT, 200, spheres), 1)) {
+            try (Simulation simulation =
+                    Simulation.of(Motion.scene(Physics.DEFAULT, 200, spheres), SceneMeshes.NONE, 1)) {
                 double before = Motion.place(simulation, 1, 1);
                 Motion.run(simulation, 0.1);
                 System.out.println(Motion.place(simulation, 1, 1) < before ? "fell" : "stayed");

@@ -2,6 +2,7 @@ package dev.twister.gui.drawing;
 
 import dev.twister.physics.Simulation;
 import dev.twister.scene.Scene;
+import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.util.Optional;
 
@@ -37,7 +38,7 @@ final class MovingBodies implements AutoCloseable {
             steps = 0;
             wasRunning = false;
         } else if (!seen.equals(Optional.of(scene))) {
-            simulation = simulation.map(old -> old.goOnIn(scene));
+            simulation = simulation.map(old -> old.goOnIn(scene, SceneMeshes.NONE));
             placed = Optional.empty();
         }
         seen = Optional.of(scene);
