@@ -3,6 +3,7 @@ package dev.twister.mesh;
 import dev.twister.files.SystemReason;
 import dev.twister.scene.Material;
 import java.io.IOException;
+import java.nio.channels.ClosedByInterruptException;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -38,6 +39,8 @@ public final class MeshReader {
             try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
                 return read(file, Bytes.of(file, channel), smoothDegrees, new Warnings(name, warnings));
             }
+        } catch (ClosedByInterruptException canceled) {
+            throw new MeshException(name + ": reading was canceled", canceled);
         } catch (IOException problem) {
             throw new MeshException(name + ": " + SystemReason.of(problem), problem);
         }

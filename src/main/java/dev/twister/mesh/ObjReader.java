@@ -44,6 +44,7 @@ final class ObjReader {
     }
 
     MeshFile read() throws IOException {
+        text.skipByteOrderMark();
         while (!text.atEnd()) {
             if (!text.atLineEnd()) {
                 readLine(text.word());

@@ -50,14 +50,10 @@ final class StlReader {
     }
 
     private boolean isText() throws IOException {
-        if (!bytes.startsWith("solid")) {
-            return false;
-        }
         int count = (int) Math.min(TEXT_START, bytes.length());
-        String start = new String(bytes.copy(0, count), StandardCharsets.ISO_8859_1);
-        return bytes.length() < TRIANGLES_AT
-                || start.toLowerCase(Locale.ROOT).contains("facet")
-                || start.contains("endsolid");
+        String start = new String(bytes.copy(0, count), StandardCharsets.ISO_8859_1).toLowerCase(Locale.ROOT);
+        return start.stripLeading().startsWith("solid")
+                && (bytes.length() < TRIANGLES_AT || start.contains("facet") || start.contains("endsolid"));
     }
 
     private void readBinary() throws IOException {

@@ -28,6 +28,13 @@ final class TextCursor {
         this.bytes = bytes;
     }
 
+    /** Over the mark that some programs put before UTF-8. */
+    void skipByteOrderMark() throws IOException {
+        if (bytes.startsWith("\u00ef\u00bb\u00bf")) {
+            position = 3;
+        }
+    }
+
     long position() {
         return position;
     }

@@ -98,6 +98,13 @@ class ObjReaderTest {
     }
 
     @Test
+    void startsAfterAByteOrderMark() {
+        assertThat(Reading.read(folder, "a.obj", "\ufeff" + SQUARE + "f 1 2 3\n")
+                        .shownTriangles())
+                .isEqualTo(1);
+    }
+
+    @Test
     void joinsLinesThatEndInABackslash() {
         assertThat(Reading.read(folder, "a.obj", "v 0 0 0\r\nv 1 \\\r\n 0 0\r\nv 0 1 0\r\nf 1 \\\r\n2 3 # end\r\n")
                         .shownTriangles())

@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.data.Offset.offset;
 
 import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
@@ -27,6 +29,11 @@ class SameShapeTest {
                 Arguments.of("little.ply", MeshFiles.ply(ByteOrder.LITTLE_ENDIAN)),
                 Arguments.of("big.ply", MeshFiles.ply(ByteOrder.BIG_ENDIAN)),
                 Arguments.of("text.stl", MeshFiles.stlText()),
+                Arguments.of(
+                        "upper.stl",
+                        new String(MeshFiles.stlText(), StandardCharsets.US_ASCII)
+                                .toUpperCase(Locale.ROOT)
+                                .getBytes(StandardCharsets.US_ASCII)),
                 Arguments.of("binary.stl", MeshFiles.stlBinary()),
                 Arguments.of("box.gltf", MeshFiles.gltf()),
                 Arguments.of("box.glb", MeshFiles.glb()));
