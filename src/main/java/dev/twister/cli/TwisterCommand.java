@@ -15,6 +15,8 @@ import picocli.CommandLine.ScopeType;
         subcommands = {
             GuiCommand.class,
             RenderCommand.class,
+            ExplainCommand.class,
+            FiguresCommand.class,
             BenchmarkCommand.class,
             DevicesCommand.class,
             SkyCommand.class,
