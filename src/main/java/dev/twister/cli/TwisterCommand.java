@@ -16,6 +16,8 @@ import picocli.CommandLine.ScopeType;
             GuiCommand.class,
             RenderCommand.class,
             SimulateCommand.class,
+            ExplainCommand.class,
+            FiguresCommand.class,
             BenchmarkCommand.class,
             DevicesCommand.class,
             SkyCommand.class,
