@@ -16,6 +16,8 @@ import picocli.CommandLine.ScopeType;
             GuiCommand.class,
             RenderCommand.class,
             SimulateCommand.class,
+            JoinCommand.class,
+            FilmCommand.class,
             BenchmarkCommand.class,
             DevicesCommand.class,
             SkyCommand.class,
