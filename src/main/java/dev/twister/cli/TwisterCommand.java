@@ -18,6 +18,8 @@ import picocli.CommandLine.ScopeType;
             SimulateCommand.class,
             ExplainCommand.class,
             FiguresCommand.class,
+            JoinCommand.class,
+            FilmCommand.class,
             BenchmarkCommand.class,
             DevicesCommand.class,
             SkyCommand.class,
