@@ -1,11 +1,60 @@
 package dev.twister.bench;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Base64;
 import java.util.List;
 import java.util.stream.Collectors;
 
 /** Pieces of HTML; whatever is not made here is text and is escaped. */
 final class HtmlText {
+    private static final String STYLE = "paper.css";
+
     private HtmlText() {}
+
+    /**
+     * A whole page with its style in it.
+     *
+     * @param title for the browser's window; text, as the heading and the lead are
+     * @param content HTML
+     */
+    static String page(String title, String heading, String lead, String content) throws IOException {
+        return """
+                <!DOCTYPE html>
+                <html lang="en">
+                <head>
+                <meta charset="utf-8">
+                <meta name="viewport" content="width=device-width, initial-scale=1">
+                <title>%s</title>
+                <style>
+                %s</style>
+                </head>
+                <body>
+                <main>
+                <h1>%s</h1>
+                <p class="lead">%s</p>
+                %s</main>
+                </body>
+                </html>
+                """.formatted(escaped(title), style(), escaped(heading), escaped(lead), content);
+    }
+
+    /** An image each of its own, because the names within one SVG document would be taken for those of another. */
+    static String image(String description, String type, byte[] content, int width, int height) {
+        return "<img alt=\"" + escaped(description) + "\" width=\"" + width + "\" height=\"" + height
+                + "\" src=\"data:image/" + type + ";base64,"
+                + Base64.getEncoder().encodeToString(content) + "\">";
+    }
+
+    private static String style() throws IOException {
+        try (InputStream stream = HtmlText.class.getResourceAsStream(STYLE)) {
+            if (stream == null) {
+                throw new IOException("Twister's own " + STYLE + " is missing from its jar");
+            }
+            return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+        }
+    }
 
     static String escaped(String text) {
         return text.replace("&", "&amp;")

@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 
 /** Writes the paper's evaluation into a folder: the pictures, the plots, and the page that shows everything. */
@@ -48,10 +49,12 @@ public final class PaperFolder {
      *
      * @param folder must be there
      * @param srgb whether the pictures are sRGB-encoded
+     * @param figures the paper's rendered figures, for the page
      * @return the page
      * @throws IOException as {@link WholeFile#write}, or where this system has no fonts to draw plots with
      */
-    public static Path write(BenchmarkReport report, Path folder, boolean srgb) throws IOException {
+    public static Path write(BenchmarkReport report, Path folder, boolean srgb, List<RenderedFigure> figures)
+            throws IOException {
         Map<Setting, byte[]> pictures = new HashMap<>();
         for (Map.Entry<Setting, Frame> picture : report.pictures().entrySet()) {
             Setting setting = picture.getKey();
@@ -72,7 +75,7 @@ public final class PaperFolder {
             writeText(folder.resolve(plot.getKey() + PLOT_ENDING), plot.getValue());
         }
         Path page = folder.resolve(PAGE);
-        writeText(page, PaperPage.of(report, plots, pictures));
+        writeText(page, PaperPage.of(report, plots, pictures, figures));
         return page;
     }
 

@@ -1,26 +1,29 @@
 package dev.twister.bench;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.util.Base64;
 import java.util.Comparator;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
 /** The evaluation for a person: one HTML page with everything in it, which leads to no other file. */
 final class PaperPage {
-    private static final String STYLE = "paper.css";
-
     private final BenchmarkReport report;
     private final Map<String, String> plots;
     private final Map<Setting, byte[]> pictures;
+    private final List<RenderedFigure> figures;
 
-    private PaperPage(BenchmarkReport report, Map<String, String> plots, Map<Setting, byte[]> pictures) {
+    private PaperPage(
+            BenchmarkReport report,
+            Map<String, String> plots,
+            Map<Setting, byte[]> pictures,
+            List<RenderedFigure> figures) {
         this.report = report;
         this.plots = plots;
         this.pictures = pictures;
+        this.figures = figures;
     }
 
     /**
@@ -28,34 +31,32 @@ final class PaperPage {
      *
      * @param plots SVG documents by their names
      * @param pictures what the reference drew, as PNG files' content
+     * @param figures the paper's rendered figures
      */
-    static String of(BenchmarkReport report, Map<String, String> plots, Map<Setting, byte[]> pictures)
+    static String of(
+            BenchmarkReport report,
+            Map<String, String> plots,
+            Map<Setting, byte[]> pictures,
+            List<RenderedFigure> figures)
             throws IOException {
-        return new PaperPage(report, plots, pictures).text(style());
+        return new PaperPage(report, plots, pictures, figures).text();
     }
 
-    private String text(String style) {
-        return """
-                <!DOCTYPE html>
-                <html lang="en">
-                <head>
-                <meta charset="utf-8">
-                <meta name="viewport" content="width=device-width, initial-scale=1">
-                <title>Twister: the paper's evaluation on this machine</title>
-                <style>
-                %s</style>
-                </head>
-                <body>
-                <main>
-                <h1>The paper's evaluation, here</h1>
-                <p class="lead">%s</p>
-                %s</main>
-                </body>
-                </html>
-                """.formatted(
-                        style,
-                        HtmlText.escaped(lead()),
-                        String.join("\n", problems(), sizes(), shadows(), bounces(), speedup(), drawn(), about()));
+    private String text() throws IOException {
+        return HtmlText.page(
+                "Twister: the paper's evaluation on this machine",
+                "The paper's evaluation, here",
+                lead(),
+                String.join(
+                        "\n",
+                        problems(),
+                        sizes(),
+                        shadows(),
+                        bounces(),
+                        speedup(),
+                        drawn(),
+                        FiguresPage.sections(figures),
+                        about()));
     }
 
     private String lead() {
@@ -131,7 +132,7 @@ final class PaperPage {
         String figures = report.plan().shown().stream()
                 .filter(pictures::containsKey)
                 .map(setting -> "<figure>"
-                        + image(
+                        + HtmlText.image(
                                 "The scene as drawn",
                                 "png",
                                 pictures.get(setting),
@@ -151,7 +152,7 @@ final class PaperPage {
     private String plot(String name, String caption) {
         return Optional.ofNullable(plots.get(name))
                 .map(svg -> "<figure>"
-                        + image(
+                        + HtmlText.image(
                                 caption,
                                 "svg+xml",
                                 svg.getBytes(StandardCharsets.UTF_8),
@@ -161,23 +162,7 @@ final class PaperPage {
                 .orElse("");
     }
 
-    /** An image each of its own, because the names within one SVG document would be taken for those of another. */
-    private static String image(String description, String type, byte[] content, int width, int height) {
-        return "<img alt=\"" + HtmlText.escaped(description) + "\" width=\"" + width + "\" height=\"" + height
-                + "\" src=\"data:image/" + type + ";base64,"
-                + Base64.getEncoder().encodeToString(content) + "\">";
-    }
-
     private static String section(String title, String first, String second) {
         return "<section>\n<h2>" + HtmlText.escaped(title) + "</h2>\n" + first + second + "</section>\n";
-    }
-
-    private static String style() throws IOException {
-        try (InputStream stream = PaperPage.class.getResourceAsStream(STYLE)) {
-            if (stream == null) {
-                throw new IOException("Twister's own " + STYLE + " is missing from its jar");
-            }
-            return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
-        }
     }
 }

@@ -14,6 +14,9 @@ final class BandedDrawing {
     /** Enough for every core to have some. */
     private static final int MIN_ROWS = 64;
 
+    /** Engines draw in squares of as many pixels; those of bands that begin elsewhere would be rounded differently. */
+    private static final int SQUARE = 16;
+
     private static final int CHANNELS = 3;
 
     private BandedDrawing() {}
@@ -27,28 +30,39 @@ final class BandedDrawing {
      */
     record Drawn(Frame frame, int fewestSamples, int mostSamples) {}
 
-    /** Draws the whole picture. */
+    /** Draws the rows of the picture that the input has, each with the bits that it has in the whole picture. */
     static Drawn draw(Engine engine, FrameInput input, Sampling sampling, boolean linear, PrintWriter err) {
-        Frame whole = linear
-                ? Frame.ofRadiance(input.width(), input.height())
-                : Frame.ofPixels(input.width(), input.height());
+        int first = input.firstRow() / SQUARE * SQUARE;
+        int end = Math.min(input.height(), Math.ceilDiv(input.firstRow() + input.rows(), SQUARE) * SQUARE);
+        if (end - first == input.rows()) {
+            return drawSquares(engine, input, sampling, linear, err);
+        }
+        Drawn squares = drawSquares(engine, input.band(first, end - first), sampling, linear, err);
+        Frame rows = squares.frame().rows(input.firstRow() - first, input.rows());
+        return new Drawn(rows, squares.fewestSamples(), squares.mostSamples());
+    }
+
+    private static Drawn drawSquares(
+            Engine engine, FrameInput input, Sampling sampling, boolean linear, PrintWriter err) {
+        int height = input.rows();
+        Frame whole = linear ? Frame.ofRadiance(input.width(), height) : Frame.ofPixels(input.width(), height);
         int rowsPerBand = rowsPerBand(input, sampling.usual());
-        if (rowsPerBand >= input.height()) {
+        if (rowsPerBand >= height) {
             int samples = sampling.draw(engine, input, whole);
             return new Drawn(whole, samples, samples);
         }
         int fewest = sampling.samples();
         int most = 0;
-        int bands = Math.ceilDiv(input.height(), rowsPerBand);
+        int bands = Math.ceilDiv(height, rowsPerBand);
         FrameTimes times = FrameTimes.NONE;
         Frame band = whole.ofRows(rowsPerBand);
         try (ProgressLine progress = ProgressLine.start(err, engine.id(), bands)) {
-            for (int first = 0; first < input.height(); first += rowsPerBand) {
-                int rows = Math.min(rowsPerBand, input.height() - first);
+            for (int first = 0; first < height; first += rowsPerBand) {
+                int rows = Math.min(rowsPerBand, height - first);
                 if (rows != band.height()) {
                     band = whole.ofRows(rows);
                 }
-                int samples = sampling.draw(engine, input.band(first, rows), band);
+                int samples = sampling.draw(engine, input.band(input.firstRow() + first, rows), band);
                 fewest = Math.min(fewest, samples);
                 most = Math.max(most, samples);
                 whole.put(band, first);
@@ -66,7 +80,7 @@ final class BandedDrawing {
     }
 
     private static int rowsPerBand(FrameInput input, int samplesPerPixel) {
-        long rows = Math.max(MIN_ROWS, RAYS_PER_BAND / ((long) input.width() * samplesPerPixel));
-        return (int) Math.min(rows, input.height());
+        long rows = Math.max(MIN_ROWS, RAYS_PER_BAND / ((long) input.width() * samplesPerPixel)) / SQUARE * SQUARE;
+        return (int) Math.min(rows, input.rows());
     }
 }

@@ -10,6 +10,7 @@ import dev.twister.bench.PaperFolder;
 import dev.twister.bench.PaperPlan;
 import dev.twister.bench.ReportTable;
 import dev.twister.engine.EngineOffer;
+import dev.twister.engine.JvmEngines;
 import dev.twister.image.PictureSize;
 import dev.twister.physics.Simulation;
 import dev.twister.scene.Scene;
@@ -194,7 +195,8 @@ final class BenchmarkCommand implements Callable<Integer> {
         BenchmarkReport report = run(plan, scene, files);
         files.write(report);
         PrintWriter out = spec.commandLine().getOut();
-        out.println(PaperFolder.write(report, folder, scene.settings().srgb()) + ": "
+        out.println(PaperFolder.write(report, folder, scene.settings().srgb(), PaperFigures.render(JvmEngines.PARALLEL))
+                + ": "
                 + report.engines().size() + " engines at " + plan.settings().size()
                 + " settings; beside it JSON, CSV, plots and pictures");
         report.problems().forEach(problem -> out.println("FAILED: " + problem));

@@ -15,7 +15,7 @@ final class Home {
         return folder().resolve("skyboxes");
     }
 
-    private static Path folder() {
+    static Path folder() {
         return Path.of(Optional.ofNullable(System.getenv("TWISTER_HOME")).orElse(""));
     }
 }

@@ -7,7 +7,6 @@ import picocli.CommandLine.Option;
 
 /** Whether bodies move, and when they are looked at. */
 final class MotionOptions {
-    private static final int MAX_FRAMES = 1_000_000;
     private static final double MAX_RATE = 1000;
     private static final double MAX_START_SECONDS = 86_400;
 
@@ -16,7 +15,7 @@ final class MotionOptions {
             description = "Let the bodies move as the scene's physics has it, and come what the scene pours.")
     private boolean physics;
 
-    @Option(names = "--fps", paramLabel = "R", description = "Frames for each simulated second; 60 where not said.")
+    @Option(names = "--fps", paramLabel = "R", description = "Frames per second of the film (default: 60).")
     private Optional<Double> rate = Optional.empty();
 
     @Option(
@@ -31,18 +30,21 @@ final class MotionOptions {
 
     /** Refuses what makes no sense without motion. */
     void check() {
-        check("--fps and --start", rate.isPresent() || start.isPresent());
+        if (isTimeGiven() && !physics) {
+            throw new BadInputException("--fps and --start go with --physics only: without it nothing moves");
+        }
+        secondsPerFrame();
+        startSeconds();
     }
 
-    /** The same where a number of frames is of the motion too. */
-    void check(Optional<Integer> frames) {
-        check("--frames, --fps and --start", rate.isPresent() || start.isPresent() || frames.isPresent());
-        frames.ifPresent(count -> Ranges.check("--frames", count, 1, MAX_FRAMES));
+    boolean isTimeGiven() {
+        return rate.isPresent() || start.isPresent();
     }
 
-    private void check(String options, boolean given) {
-        if (given && !physics) {
-            throw new BadInputException(options + " go with --physics only: without it nothing moves");
+    /** Refuses a start where only the camera moves. */
+    void checkStart() {
+        if (start.isPresent() && !physics) {
+            throw new BadInputException("--start goes with --physics only; use --frames to begin a film later");
         }
         secondsPerFrame();
         startSeconds();

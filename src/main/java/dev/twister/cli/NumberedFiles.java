@@ -1,7 +1,13 @@
 package dev.twister.cli;
 
+import java.io.IOException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -26,12 +32,22 @@ final class NumberedFiles {
     }
 
     /**
-     * Names for so many files.
+     * Names for frames. Those of a part of a film have the same digits as all others' of the film.
      *
      * @param file has an ending
-     * @throws BadInputException where the name has two places for a number
+     * @throws BadInputException where the name has two places for a number, or too few digits for the film's part
      */
-    static NumberedFiles of(Path file, int count) {
+    static NumberedFiles of(Path file, FrameRange frames) {
+        NumberedFiles files = of(file, frames.counted() ? frames.count() : 1);
+        int needed = Integer.toString(frames.last()).length();
+        if (!frames.counted() && files.digits > 1 && needed > files.digits) {
+            throw new BadInputException("--output is " + file + ", but the number of frame " + frames.last() + " needs "
+                    + needed + " digits; write " + "#".repeat(needed) + " or more in its place");
+        }
+        return files;
+    }
+
+    private static NumberedFiles of(Path file, int count) {
         String name = file.getFileName().toString();
         Matcher place = PLACE.matcher(name);
         if (!place.find()) {
@@ -58,5 +74,31 @@ final class NumberedFiles {
     /** The file of a number, from 0; larger numbers than its place takes make the name longer. */
     Path file(int number) {
         return file.resolveSibling(start + String.format(Locale.ROOT, "%0" + digits + "d", number) + end);
+    }
+
+    /**
+     * Those that are there, by their numbers.
+     *
+     * @throws IOException where their folder cannot be read
+     */
+    SortedMap<Integer, Path> existing() throws IOException {
+        Pattern name = Pattern.compile(Pattern.quote(start) + "(\\d{1,9})" + Pattern.quote(end));
+        SortedMap<Integer, Path> files = new TreeMap<>();
+        Path folder = Optional.ofNullable(file.getParent()).orElse(Path.of(""));
+        if (!Files.isDirectory(folder)) {
+            throw new BadInputException("there is no folder " + folder);
+        }
+        try (DirectoryStream<Path> all = Files.newDirectoryStream(folder)) {
+            for (Path each : all) {
+                Matcher number = name.matcher(each.getFileName().toString());
+                if (number.matches()) {
+                    Path expected = file(Integer.parseInt(number.group(1)));
+                    if (expected.getFileName().equals(each.getFileName())) {
+                        files.put(Integer.parseInt(number.group(1)), expected);
+                    }
+                }
+            }
+        }
+        return files;
     }
 }

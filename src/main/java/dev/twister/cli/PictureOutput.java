@@ -2,9 +2,13 @@ package dev.twister.cli;
 
 import dev.twister.files.PrintableText;
 import dev.twister.image.ExrChannel;
+import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrWriter;
 import dev.twister.image.HdrWriter;
+import dev.twister.image.PictureNotes;
 import dev.twister.image.PngWriter;
+import dev.twister.image.Provenance;
+import dev.twister.world.FrameInput;
 import dev.twister.world.Picture;
 import java.io.BufferedOutputStream;
 import java.io.Console;
@@ -28,44 +32,51 @@ final class PictureOutput {
 
     private final Path output;
     private final Optional<NumberedFiles> numbered;
-    private final int count;
-    private final boolean overwrite;
+    private final FrameRange frames;
+    private final boolean replaces;
 
-    private PictureOutput(Path output, Optional<NumberedFiles> numbered, int count, boolean overwrite) {
+    private PictureOutput(Path output, Optional<NumberedFiles> numbered, FrameRange frames, boolean replaces) {
         this.output = output;
         this.numbered = numbered;
-        this.count = count;
-        this.overwrite = overwrite;
+        this.frames = frames;
+        this.replaces = replaces;
     }
 
     /**
      * Looks where pictures are to go before they are drawn.
      *
-     * @param frames how many, where they are numbered
-     * @param overwrite whether those may replace frames of an earlier run
+     * @param frames where they are numbered
+     * @param replaces whether those may replace frames of an earlier run
      * @param views how many pictures go into each file
      * @throws BadInputException where they cannot go there
      */
-    static PictureOutput of(Path output, Optional<Integer> frames, boolean overwrite, int views) {
-        if (overwrite && frames.isEmpty()) {
-            throw new BadInputException("--overwrite requires --frames; a single picture always replaces its file");
-        }
+    static PictureOutput of(Path output, Optional<FrameRange> frames, boolean replaces, int views) {
         if (views > 1 && !OutputFile.endsIn(output, EXR)) {
             throw new BadInputException(OPTION + " is " + output + ", but --view has " + views
                     + " names, which only an " + EXR + " file can hold; give one name, or another file");
         }
         if (output.equals(STANDARD_OUTPUT)) {
             checkNoTerminal();
-            return new PictureOutput(output, Optional.empty(), frames.orElse(1), overwrite);
+            return new PictureOutput(output, Optional.empty(), frames.orElse(FrameRange.ofCount(1)), replaces);
         }
         if (Stream.of(PNG, HDR, EXR).noneMatch(ending -> OutputFile.endsIn(output, ending))) {
             throw new BadInputException(OPTION + " is " + output + ", but must end in " + PNG + ", " + HDR + " or "
-                    + EXR + ", or be - for a PNG");
+                    + EXR + " (.mp4 or .apng for a film), or be - for a PNG");
         }
         PictureOutput pictures = new PictureOutput(
-                output, frames.map(count -> NumberedFiles.of(output, count)), frames.orElse(1), overwrite);
-        OutputFile.check(OPTION, pictures.file(0));
+                output,
+                frames.map(range -> NumberedFiles.of(output, range)),
+                frames.orElse(FrameRange.ofCount(1)),
+                replaces);
+        OutputFile.check(OPTION, pictures.file(pictures.frames.first()));
         return pictures;
+    }
+
+    /** Looks at the folder of an output before anything else is read. */
+    static void checkPlace(Path output) {
+        if (Stream.of(PNG, HDR, EXR).anyMatch(ending -> OutputFile.endsIn(output, ending))) {
+            OutputFile.check(OPTION, output);
+        }
     }
 
     private static void checkNoTerminal() {
@@ -85,12 +96,13 @@ final class PictureOutput {
         if (isStandardOutput()) {
             return;
         }
-        for (int number = 0; number < count; number++) {
+        for (int number : frames.numbers().toArray()) {
             Path file = file(number);
             OutputFile.checkKeeps(OPTION, file, inputs);
-            if (numbered.isPresent() && !overwrite && Files.exists(file)) {
+            if (numbered.isPresent() && !replaces && Files.exists(file)) {
                 throw new BadInputException(file
-                        + " already exists; use --overwrite to replace the frames of an earlier run, or another name");
+                        + " already exists; use --overwrite to replace the frames of an earlier run, --skip-existing to keep"
+                        + " them, or another name");
             }
         }
     }
@@ -121,37 +133,50 @@ final class PictureOutput {
         if (isStandardOutput()) {
             return "standard output";
         }
-        String first = PrintableText.line(file(0).toString());
+        String first = PrintableText.line(file(frames.first()).toString());
         return numbered.isEmpty()
                 ? first
-                : first + " to " + PrintableText.line(file(count - 1).toString());
+                : first + " to " + PrintableText.line(file(frames.last()).toString());
     }
 
     /**
-     * Writes the pictures of a number, from 0.
+     * Whether the file of a number is there, whole, and made from the same.
+     *
+     * @param input the whole picture, or the part that the file must have
+     */
+    boolean has(int number, Provenance made, FrameInput input) {
+        return !isStandardOutput()
+                && PictureNotes.of(file(number), input.firstRow(), input.rows()).equals(Optional.of(made));
+    }
+
+    /**
+     * Writes the pictures of a number.
      *
      * @param drawn one, or more into an .exr file
-     * @param srgb whether pixels of colors are sRGB-encoded
+     * @param input what they were drawn from, the whole picture or a part
+     * @param made told in the file
      */
-    void write(int number, List<DrawnPicture> drawn, boolean srgb) throws IOException {
+    void write(int number, List<DrawnPicture> drawn, FrameInput input, Provenance made) throws IOException {
         DrawnPicture first = drawn.getFirst();
         int width = first.frame().width();
         int height = first.frame().height();
         // Numbers are shown as they are, without a mark that has viewers turn linear light into sRGB.
-        boolean encoded = srgb || !first.picture().isColor();
+        boolean encoded = input.srgb() || !first.picture().isColor();
         if (isStandardOutput()) {
             // Not System.out, which keeps errors to itself; it is not closed, as others may be written to it.
             OutputStream out = new FileOutputStream(FileDescriptor.out);
-            PngWriter.write(new BufferedOutputStream(out), width, height, first.pixels(), encoded);
+            PngWriter.write(new BufferedOutputStream(out), width, height, first.pixels(), encoded, made);
         } else if (isExr()) {
             List<ExrChannel> channels = drawn.stream()
                     .flatMap(picture -> picture.channels(drawn.size() == 1).stream())
                     .toList();
-            ExrWriter.write(file(number), width, height, channels);
+            ExrWriter.write(
+                    file(number),
+                    new ExrPicture(width, input.height(), input.firstRow(), input.rows(), channels, Optional.of(made)));
         } else if (isLinear()) {
-            HdrWriter.write(file(number), width, height, first.frame().radiance());
+            HdrWriter.write(file(number), width, height, first.frame().radiance(), made);
         } else {
-            PngWriter.write(file(number), width, height, first.pixels(), encoded);
+            PngWriter.write(file(number), width, height, first.pixels(), encoded, made);
         }
     }
 

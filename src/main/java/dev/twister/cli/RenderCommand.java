@@ -1,25 +1,29 @@
 package dev.twister.cli;
 
-import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
 import dev.twister.engine.auto.FastestEngine;
+import dev.twister.files.PrintableText;
+import dev.twister.film.FilmFormat;
 import dev.twister.image.PictureSize;
+import dev.twister.image.Provenance;
+import dev.twister.motion.MotionFile;
 import dev.twister.physics.Simulation;
+import dev.twister.scene.Camera;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
+import dev.twister.world.SceneImages;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.DoubleFunction;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -43,10 +47,14 @@ import picocli.CommandLine.Spec;
             "  twister render benchmark -o diffuse.png --stage diffuse",
             "  twister render benchmark -o shot.exr --view beauty,normal,depth,albedo",
             "  twister render pour-1000 -o pour-####.png --physics --frames 600 --fps 30",
-            "  twister render pour-1000 -o heap.png --physics --start 12"
+            "  twister render pour-1000 -o heap.png --physics --start 12",
+            "  twister render pour-1000 -o 'shot/f-####.png' --motion pour.motion --frames 240-299 --skip-existing",
+            "  twister render benchmark -o turn.mp4 --turntable 10",
+            "  twister render metals -o tile-2.exr --size 4k --samples 256 --tile 2/7"
         })
 final class RenderCommand implements Callable<Integer> {
     private static final double NANOS_PER_MILLI = 1e6;
+    private static final int MOST_WRITERS = 4;
 
     @Spec
     private CommandSpec spec;
@@ -61,7 +69,9 @@ final class RenderCommand implements Callable<Integer> {
             names = {"-o", "--output"},
             required = true,
             paramLabel = "FILE",
-            description = "The picture: .png, or .hdr or .exr for linear radiance; - writes a PNG to standard output.")
+            description =
+                    "The picture: .png, or .hdr or .exr for linear radiance; - writes a PNG to standard output. A film of"
+                            + " frames: .mp4 (needs ffmpeg) or .apng.")
     private Path output;
 
     @Option(
@@ -100,117 +110,218 @@ final class RenderCommand implements Callable<Integer> {
     @Mixin
     private MotionOptions motion;
 
-    @Option(
-            names = "--frames",
-            paramLabel = "N",
-            description = "With --physics: render N frames to FILE-0000.png, FILE-0001.png, ...;"
-                    + " %%04d or #### in FILE is the place of the number.")
-    private Optional<Integer> frames = Optional.empty();
+    @Mixin
+    private FilmOptions film;
 
-    @Option(names = "--overwrite", description = "With --frames: replace the frames of an earlier run.")
-    private boolean overwrite;
+    @Mixin
+    private PartOptions part;
+
+    @Mixin
+    private ProgressOptions progress;
 
     @Override
     public Integer call() throws IOException {
-        motion.check(frames);
+        film.check(motion);
         samples.check(picture.pictures());
-        PictureOutput pictures =
-                PictureOutput.of(output, frames, overwrite, picture.pictures().size());
+        part.check(output, samples);
+        PictureOutput.checkPlace(output);
         Path file = SceneFiles.find(sceneName);
         Scene scene = sky.over(SceneReader.read(file));
-        pictures.checkKeeps(SkyFiles.inputs(file, scene));
-        RenderSettings settings = settings(scene.settings());
-        PictureMemory.check(
-                new PictureSize(settings.width(), settings.height()), pictures.bytesPerPixel(picture.pictures()));
-        World world = World.of(scene, SkyFiles.readAll(scene, spec.commandLine().getErr()));
-        world.setCamera(camera.over(scene.camera()));
-        world.setSettings(settings);
-        if (motion.isOn()) {
-            drawMoving(scene, world, pictures);
-        } else {
-            draw(world, pictures);
+        Optional<MotionFile> recorded = film.open(scene);
+        try {
+            render(file, scene, recorded);
+        } finally {
+            if (recorded.isPresent()) {
+                recorded.get().close();
+            }
         }
         return Main.OK;
     }
 
-    private void drawMoving(Scene scene, World world, PictureOutput pictures) throws IOException {
-        // A typing error in the name should not come out after minutes of motion.
-        Engines.offer(engineId).check();
-        try (Simulation simulation = Simulation.of(scene)) {
-            motion.begin(simulation, spec.commandLine().getErr());
-            simulation.place(world);
-            if (frames.isEmpty()) {
-                draw(world, pictures);
+    private void render(Path file, Scene scene, Optional<MotionFile> recorded) throws IOException {
+        Camera from = camera.over(scene.camera());
+        Optional<FrameRange> frames = film.frames(from, motion, recorded, FilmFile.isFilm(output));
+        if (frames.isEmpty()) {
+            film.checkSingle();
+        }
+        RenderSettings settings = settings(scene.settings());
+        part.check(settings.height());
+        if (FilmFile.isFilm(output)) {
+            checkFilm();
+            FilmFile written = FilmFile.of(
+                    output,
+                    System.getenv().getOrDefault("PATH", ""),
+                    spec.commandLine().getErr());
+            OutputFile.checkKeeps("--output", written.file(), SkyFiles.inputs(file, scene));
+            long kept = (FilmWriting.WAITING + 1L) * BandedDrawing.bytesPerPixel(false);
+            PictureMemory.check(new PictureSize(settings.width(), settings.height()), kept);
+            draw(scene, settings, from, recorded, true, false, (drawing, shown) -> {
+                drawFilm(drawing, shown, frames.orElseThrow(), written);
+            });
+            return;
+        }
+        PictureOutput pictures = PictureOutput.of(
+                output,
+                frames,
+                film.overwrites() || film.skipsExisting(),
+                picture.pictures().size());
+        pictures.checkKeeps(SkyFiles.inputs(file, scene));
+        long kept = frames.isPresent() ? 1 + WritingBeside.waiting(writers(pictures)) : 1;
+        PictureMemory.check(
+                new PictureSize(settings.width(), settings.height()),
+                kept * pictures.bytesPerPixel(picture.pictures()));
+        draw(scene, settings, from, recorded, frames.isPresent(), pictures.isLinear(), (drawing, shown) -> {
+            if (frames.isPresent()) {
+                drawFrames(drawing, shown, frames.get(), pictures);
             } else {
-                drawFrames(simulation, world, pictures, frames.get());
+                drawPicture(drawing, shown.frame(0), pictures);
+            }
+        });
+    }
+
+    /** What is done with a scene in motion. */
+    @FunctionalInterface
+    private interface Work {
+        void draw(PictureDrawing drawing, FilmScene shown) throws IOException;
+    }
+
+    private void draw(
+            Scene scene,
+            RenderSettings settings,
+            Camera from,
+            Optional<MotionFile> recorded,
+            boolean isFilm,
+            boolean linear,
+            Work work)
+            throws IOException {
+        SceneImages images = SkyFiles.readAll(scene, spec.commandLine().getErr());
+        World world = World.of(scene, images);
+        world.setSettings(settings);
+        Sampling usual = samples.over(settings.samplesPerPixel());
+        Sampling sampling = new Sampling(part.samplesOr(usual.samples()), usual.noise());
+        DoubleFunction<Camera> cameras = isFilm ? film.camera(scene, from) : _ -> from;
+        double rate = recorded.map(MotionFile::rate).orElse(1 / motion.secondsPerFrame());
+        try (PictureDrawing drawing = new PictureDrawing(engineId, picture.pictures(), sampling, part, linear)) {
+            if (motion.isOn()) {
+                // A typing error in the name should not come out after minutes of motion.
+                Engines.offer(engineId).check();
+                try (Simulation simulation = Simulation.of(scene)) {
+                    motion.begin(simulation, spec.commandLine().getErr());
+                    FilmBodies bodies = FilmBodies.simulated(simulation, motion.secondsPerFrame());
+                    work.draw(drawing, new FilmScene(scene, images, world, bodies, cameras, rate));
+                }
+            } else {
+                FilmBodies bodies = recorded.map(FilmBodies::recorded).orElse(FilmBodies.still());
+                work.draw(drawing, new FilmScene(scene, images, world, bodies, cameras, rate));
             }
         }
     }
 
-    private void drawFrames(Simulation simulation, World world, PictureOutput pictures, int count) throws IOException {
-        long start = System.nanoTime();
-        try (Engine engine = Engines.open(engineId);
-                ProgressLine progress = ProgressLine.start(spec.commandLine().getErr(), engine.id(), count)) {
-            for (int number = 0; number < count; number++) {
-                simulation.place(world);
-                // Its own line of progress would write over that of the frames.
-                List<DrawnPicture> drawn = draw(engine, world, pictures, new PrintWriter(Writer.nullWriter()));
-                pictures.write(number, drawn, world.settings().srgb());
-                simulation.advance(motion.secondsPerFrame());
-                progress.step();
-            }
+    private void checkFilm() {
+        if (film.skipsExisting() || picture.pictures().size() > 1) {
+            throw new BadInputException("--output is " + output + ", a film, which excludes --skip-existing and several"
+                    + " views; render frames, and join them by 'twister film'");
         }
+    }
+
+    private void drawFilm(PictureDrawing drawing, FilmScene shown, FrameRange frames, FilmFile file)
+            throws IOException {
+        RenderSettings settings = shown.world().settings();
+        FilmFormat format = new FilmFormat(settings.width(), settings.height(), shown.rate(), frames.count());
+        try (FilmWriting writing = new FilmWriting(file, format);
+                ProgressLine line = progress.start(spec.commandLine(), "rendering", frames.count())) {
+            for (int number : frames.numbers().toArray()) {
+                DrawnPicture drawn = drawing.draw(shown.frame(number), silent()).getFirst();
+                boolean encoded = settings.srgb() || !drawn.picture().isColor();
+                writing.add(EncodedPixels.of(drawn.pixels(), encoded));
+                line.step();
+            }
+            writing.finish();
+        }
+        spec.commandLine()
+                .getOut()
+                .printf(
+                        "%s: %d frames of %d x %d, %s%n",
+                        PrintableText.line(file.file().toString()),
+                        frames.count(),
+                        settings.width(),
+                        settings.height(),
+                        file.kind());
+    }
+
+    private void drawFrames(PictureDrawing drawing, FilmScene shown, FrameRange frames, PictureOutput pictures)
+            throws IOException {
+        long start = System.nanoTime();
+        int skipped = 0;
+        try (WritingBeside writing = new WritingBeside(writers(pictures));
+                ProgressLine line = progress.start(spec.commandLine(), "rendering", frames.count())) {
+            for (int number : frames.numbers().toArray()) {
+                FrameInput input = shown.frame(number);
+                Provenance made = drawing.provenance(input);
+                if (film.skipsExisting() && pictures.has(number, made, part.of(input))) {
+                    skipped++;
+                } else {
+                    List<DrawnPicture> drawn = drawing.draw(input, silent());
+                    writing.submit(() -> pictures.write(number, drawn, part.of(input), made));
+                }
+                line.step();
+            }
+            writing.finish();
+        }
+        RenderSettings settings = shown.world().settings();
         summaryWriter(pictures)
                 .printf(
                         Locale.ROOT,
-                        "%s: %d frames of %d x %d, %.1f ms each%n",
+                        "%s: %d frames of %d x %d, %.1f ms each%s%n",
                         pictures.name(),
-                        count,
-                        world.settings().width(),
-                        world.settings().height(),
-                        (System.nanoTime() - start) / NANOS_PER_MILLI / count);
+                        frames.count(),
+                        settings.width(),
+                        settings.height(),
+                        (System.nanoTime() - start) / NANOS_PER_MILLI / frames.count(),
+                        skipped == 0 ? "" : ", %d of them were there".formatted(skipped));
     }
 
-    private void draw(World world, PictureOutput pictures) throws IOException {
-        try (Engine engine = Engines.open(engineId)) {
-            List<DrawnPicture> drawn =
-                    draw(engine, world, pictures, spec.commandLine().getErr());
-            pictures.write(0, drawn, world.settings().srgb());
-            summaryWriter(pictures)
-                    .printf(
-                            Locale.ROOT,
-                            "%s: %d x %d, %s (%s), %.1f ms%s%n",
-                            pictures.name(),
-                            world.settings().width(),
-                            world.settings().height(),
-                            (engineId.equals(FastestEngine.AUTO) ? "auto took " : "") + engine.id(),
-                            engine.device(),
-                            drawn.stream()
-                                            .mapToLong(
-                                                    view -> view.frame().times().totalNanos())
-                                            .sum()
-                                    / NANOS_PER_MILLI,
-                            samples.isNoiseGiven() ? samplesOf(drawn.getFirst().drawn()) : "");
-        }
+    // Frames on standard output come one after the other.
+    private static int writers(PictureOutput pictures) {
+        return pictures.isStandardOutput()
+                ? 1
+                : Math.clamp(Runtime.getRuntime().availableProcessors() / 2, 1, MOST_WRITERS);
+    }
+
+    // A frame's own line of progress would write over that of the frames.
+    private static PrintWriter silent() {
+        return new PrintWriter(Writer.nullWriter());
+    }
+
+    private void drawPicture(PictureDrawing drawing, FrameInput input, PictureOutput pictures) throws IOException {
+        List<DrawnPicture> drawn = drawing.draw(input, spec.commandLine().getErr());
+        FrameInput drawnPart = part.of(input);
+        pictures.write(0, drawn, drawnPart, drawing.provenance(input));
+        summaryWriter(pictures)
+                .printf(
+                        Locale.ROOT,
+                        "%s: %d x %d%s, %s (%s), %.1f ms%s%n",
+                        pictures.name(),
+                        input.width(),
+                        input.height(),
+                        drawnPart.rows() == input.height()
+                                ? ""
+                                : ", rows %d to %d"
+                                        .formatted(drawnPart.firstRow(), drawnPart.firstRow() + drawnPart.rows() - 1),
+                        (engineId.equals(FastestEngine.AUTO) ? "auto took " : "")
+                                + drawing.engine().id(),
+                        drawing.engine().device(),
+                        drawn.stream()
+                                        .mapToLong(view -> view.frame().times().totalNanos())
+                                        .sum()
+                                / NANOS_PER_MILLI,
+                        samples.isNoiseGiven() ? samplesOf(drawn.getFirst().drawn()) : "");
     }
 
     private static String samplesOf(BandedDrawing.Drawn drawn) {
         return drawn.fewestSamples() == drawn.mostSamples()
                 ? ", %d samples per pixel".formatted(drawn.mostSamples())
                 : ", %d to %d samples per pixel".formatted(drawn.fewestSamples(), drawn.mostSamples());
-    }
-
-    /** Draws all that was asked for, one after the other. */
-    private List<DrawnPicture> draw(Engine engine, World world, PictureOutput pictures, PrintWriter err) {
-        FrameInput input = world.snapshot();
-        Sampling sampling = samples.over(world.settings().samplesPerPixel());
-        List<DrawnPicture> drawn = new ArrayList<>();
-        for (Picture wanted : picture.pictures()) {
-            boolean linear = pictures.isLinear() || !wanted.isColor();
-            drawn.add(
-                    new DrawnPicture(wanted, BandedDrawing.draw(engine, input.showing(wanted), sampling, linear, err)));
-        }
-        return drawn;
     }
 
     // What is said must not end up in a picture.

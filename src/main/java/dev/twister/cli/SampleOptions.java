@@ -24,6 +24,10 @@ final class SampleOptions {
                     + " 0.01) in every part of the picture.")
     private Optional<Double> noise = Optional.empty();
 
+    boolean isGiven() {
+        return samples.isPresent();
+    }
+
     boolean isNoiseGiven() {
         return noise.isPresent();
     }

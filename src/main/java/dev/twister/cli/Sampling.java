@@ -34,4 +34,9 @@ record Sampling(int samples, Optional<Double> noise) {
     int usual() {
         return noise.isPresent() ? 2 * LEAST_CONVERGING : samples;
     }
+
+    /** In one word or a few, as files keep it. */
+    String text() {
+        return noise.map(bound -> "noise " + bound + " at most " + samples).orElse(Integer.toString(samples));
+    }
 }

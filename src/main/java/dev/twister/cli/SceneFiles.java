@@ -10,7 +10,7 @@ import java.util.stream.Stream;
 
 /** Finds the scene that an argument means: a file, or a shipped scene by its name. */
 final class SceneFiles {
-    private static final String ENDING = ".json";
+    static final String ENDING = ".json";
     private static final String SCHEMA_ENDING = ".schema.json";
     private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_-]+");
 

@@ -50,6 +50,11 @@ public record PixelPath(
                 shown.argb()[column]);
     }
 
+    /** Red (0), green (1) or blue (2) of the pixel as it is shown, in [0, 255]. */
+    public int shown(int channel) {
+        return argb >> (16 - 8 * channel) & 0xFF;
+    }
+
     private static Rgb sum(List<PathStep> steps) {
         float[] sum = new float[3];
         for (PathStep step : steps) {

@@ -4,28 +4,37 @@ import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Locale;
 
 /** An OpenEXR file's magic number, version and attributes. */
 final class ExrHeader {
-    private static final int MAGIC = 20_000_630;
-    private static final int VERSION = 2;
-    private static final int FLOAT = 2;
-    private static final byte ZIP = 3;
+    static final int MAGIC = 20_000_630;
+    static final int VERSION = 2;
+    static final int FLOAT = 2;
+    static final byte ZIP = 3;
     private static final byte INCREASING_Y = 0;
 
     private ExrHeader() {}
 
-    static byte[] bytes(int width, int height, List<ExrChannel> channels) {
+    static byte[] bytes(ExrPicture picture, List<ExrChannel> channels) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         out.writeBytes(buffer(2 * Integer.BYTES).putInt(MAGIC).putInt(VERSION).array());
         attribute(out, "channels", "chlist", channelList(channels));
         attribute(out, "compression", "compression", new byte[] {ZIP});
-        attribute(out, "dataWindow", "box2i", window(width, height));
-        attribute(out, "displayWindow", "box2i", window(width, height));
+        attribute(
+                out,
+                "dataWindow",
+                "box2i",
+                window(picture.width(), picture.firstRow(), picture.firstRow() + picture.rows() - 1));
+        attribute(out, "displayWindow", "box2i", window(picture.width(), 0, picture.height() - 1));
         attribute(out, "lineOrder", "lineOrder", new byte[] {INCREASING_Y});
         attribute(out, "pixelAspectRatio", "float", floats(1));
         attribute(out, "screenWindowCenter", "v2f", floats(0, 0));
         attribute(out, "screenWindowWidth", "float", floats(1));
+        picture.provenance().ifPresent(made -> {
+            attribute(out, Provenance.SOFTWARE.toLowerCase(Locale.ROOT), "string", ascii(made.software()));
+            attribute(out, Provenance.NAME.toLowerCase(Locale.ROOT), "string", ascii(made.text()));
+        });
         out.write(0);
         return out.toByteArray();
     }
@@ -54,17 +63,21 @@ final class ExrHeader {
     }
 
     private static void text(ByteArrayOutputStream out, String text) {
-        out.writeBytes(text.getBytes(StandardCharsets.US_ASCII));
+        out.writeBytes(ascii(text));
         out.write(0);
     }
 
+    private static byte[] ascii(String text) {
+        return text.getBytes(StandardCharsets.US_ASCII);
+    }
+
     /** Both corners are inside. */
-    private static byte[] window(int width, int height) {
+    private static byte[] window(int width, int firstRow, int lastRow) {
         return buffer(4 * Integer.BYTES)
                 .putInt(0)
-                .putInt(0)
+                .putInt(firstRow)
                 .putInt(width - 1)
-                .putInt(height - 1)
+                .putInt(lastRow)
                 .array();
     }
 

@@ -8,11 +8,12 @@ import java.nio.ByteOrder;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 
 /** Writes floats as an OpenEXR file ({@code .exr}) of one part: scanlines from the top, ZIP compression. */
 public final class ExrWriter {
-    private static final int CHUNK_HEADER = 2 * Integer.BYTES;
+    static final int CHUNK_HEADER = 2 * Integer.BYTES;
 
     private ExrWriter() {}
 
@@ -26,20 +27,33 @@ public final class ExrWriter {
      * @throws IOException as {@link WholeFile#write}
      */
     public static void write(Path file, int width, int height, List<ExrChannel> channels) throws IOException {
-        for (ExrChannel channel : channels) {
-            long last = channel.first() + (long) channel.stride() * ((long) width * height - 1);
+        write(file, new ExrPicture(width, height, 0, height, channels, Optional.empty()));
+    }
+
+    /**
+     * Writes the same for a part of a picture, or with what is said of how it was made.
+     *
+     * @throws IllegalArgumentException where a channel does not have that many values
+     * @throws IOException as {@link WholeFile#write}
+     */
+    public static void write(Path file, ExrPicture picture) throws IOException {
+        int width = picture.width();
+        int rows = picture.rows();
+        for (ExrChannel channel : picture.channels()) {
+            long last = channel.first() + (long) channel.stride() * ((long) width * rows - 1);
             if (last >= channel.values().length) {
-                throw new IllegalArgumentException("channel " + channel.name() + " of " + width + " x " + height
+                throw new IllegalArgumentException("channel " + channel.name() + " of " + width + " x " + rows
                         + " pixels has " + channel.values().length + " floats");
             }
         }
-        List<ExrChannel> sorted =
-                channels.stream().sorted(Comparator.comparing(ExrChannel::name)).toList();
-        byte[] header = ExrHeader.bytes(width, height, sorted);
-        int count = Math.ceilDiv(height, ExrChunk.ROWS);
+        List<ExrChannel> sorted = picture.channels().stream()
+                .sorted(Comparator.comparing(ExrChannel::name))
+                .toList();
+        byte[] header = ExrHeader.bytes(picture, sorted);
+        int count = Math.ceilDiv(rows, ExrChunk.ROWS);
         List<byte[]> chunks = IntStream.range(0, count)
                 .parallel()
-                .mapToObj(chunk -> ExrChunk.bytes(width, height, chunk * ExrChunk.ROWS, sorted))
+                .mapToObj(chunk -> ExrChunk.bytes(width, rows, chunk * ExrChunk.ROWS, sorted))
                 .toList();
         WholeFile.write(file, out -> {
             out.write(header);
@@ -47,7 +61,7 @@ public final class ExrWriter {
             for (int chunk = 0; chunk < count; chunk++) {
                 byte[] data = chunks.get(chunk);
                 out.write(buffer(CHUNK_HEADER)
-                        .putInt(chunk * ExrChunk.ROWS)
+                        .putInt(picture.firstRow() + chunk * ExrChunk.ROWS)
                         .putInt(data.length)
                         .array());
                 out.write(data);

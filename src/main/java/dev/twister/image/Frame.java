@@ -50,6 +50,19 @@ public final class Frame {
         }
     }
 
+    /** A copy of some rows, with this frame's times. */
+    public Frame rows(int firstRow, int rows) {
+        Frame copy = ofRows(rows);
+        int first = width * firstRow;
+        if (isLinear()) {
+            System.arraycopy(radiance, CHANNELS * first, copy.radiance, 0, copy.radiance.length);
+        } else {
+            System.arraycopy(argb, first, copy.argb, 0, copy.argb.length);
+        }
+        copy.times = times;
+        return copy;
+    }
+
     public int width() {
         return width;
     }

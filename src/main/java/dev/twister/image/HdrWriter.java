@@ -4,6 +4,7 @@ import dev.twister.files.WholeFile;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Locale;
 
 /** Writes linear radiance as a Radiance RGBE file ({@code .hdr}). */
 public final class HdrWriter {
@@ -22,11 +23,22 @@ public final class HdrWriter {
      * @throws IOException as {@link WholeFile#write}
      */
     public static void write(Path file, int width, int height, float[] radiance) throws IOException {
+        write(file, width, height, radiance, "");
+    }
+
+    /** Writes the same, with what is said of how it was made in the header. */
+    public static void write(Path file, int width, int height, float[] radiance, Provenance made) throws IOException {
+        String lines = Provenance.SOFTWARE.toUpperCase(Locale.ROOT) + "=" + made.software() + "\n" + HdrNotes.VARIABLE
+                + made.text() + "\n";
+        write(file, width, height, radiance, lines);
+    }
+
+    private static void write(Path file, int width, int height, float[] radiance, String lines) throws IOException {
         if (width < 1 || height < 1 || radiance.length != 3L * width * height) {
             throw new IllegalArgumentException("a picture of " + width + " x " + height + " pixels needs "
                     + 3L * width * height + " floats, not " + radiance.length);
         }
-        String header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + height + " +X " + width + "\n";
+        String header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n" + lines + "\n-Y " + height + " +X " + width + "\n";
         WholeFile.write(file, out -> {
             out.write(header.getBytes(StandardCharsets.US_ASCII));
             byte[] row = new byte[Math.multiplyExact(4, width)];

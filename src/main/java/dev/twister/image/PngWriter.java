@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.Iterator;
+import java.util.Optional;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageTypeSpecifier;
@@ -45,7 +46,14 @@ public final class PngWriter {
      */
     public static void write(Path file, int width, int height, int[] argb, boolean srgb) throws IOException {
         BufferedImage image = image(width, height, argb);
-        WholeFile.write(file, out -> write(out, image, srgb));
+        WholeFile.write(file, out -> write(out, image, srgb, Optional.empty()));
+    }
+
+    /** Writes the same, with what is said of how it was made as text. */
+    public static void write(Path file, int width, int height, int[] argb, boolean srgb, Provenance made)
+            throws IOException {
+        BufferedImage image = image(width, height, argb);
+        WholeFile.write(file, out -> write(out, image, srgb, Optional.of(made)));
     }
 
     /**
@@ -53,15 +61,17 @@ public final class PngWriter {
      *
      * @throws IOException whatever the stream reported
      */
-    public static void write(OutputStream out, int width, int height, int[] argb, boolean srgb) throws IOException {
-        write(out, image(width, height, argb), srgb);
+    public static void write(OutputStream out, int width, int height, int[] argb, boolean srgb, Provenance made)
+            throws IOException {
+        write(out, image(width, height, argb), srgb, Optional.of(made));
         out.flush();
     }
 
-    private static void write(OutputStream out, BufferedImage image, boolean srgb) throws IOException {
+    private static void write(OutputStream out, BufferedImage image, boolean srgb, Optional<Provenance> made)
+            throws IOException {
         // Not ImageIO's stream of choice, which spools the picture through a file in the temporary folder.
         try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
-            write(image, srgb, stream);
+            write(image, srgb, made, stream);
         }
     }
 
@@ -80,7 +90,8 @@ public final class PngWriter {
         return new BufferedImage(new DirectColorModel(24, RED_MASK, GREEN_MASK, BLUE_MASK), raster, false, null);
     }
 
-    private static void write(BufferedImage image, boolean srgb, ImageOutputStream stream) throws IOException {
+    private static void write(BufferedImage image, boolean srgb, Optional<Provenance> made, ImageOutputStream stream)
+            throws IOException {
         ImageTypeSpecifier type = ImageTypeSpecifier.createFromRenderedImage(image);
         Iterator<ImageWriter> writers = ImageIO.getImageWriters(type, "png");
         if (!writers.hasNext()) {
@@ -93,10 +104,29 @@ public final class PngWriter {
             if (!srgb) {
                 metadata.mergeTree(FORMAT, linearGamma());
             }
+            if (made.isPresent()) {
+                metadata.mergeTree(FORMAT, texts(made.get()));
+            }
             writer.write(new IIOImage(image, null, metadata));
         } finally {
             writer.dispose();
         }
+    }
+
+    private static IIOMetadataNode texts(Provenance made) {
+        IIOMetadataNode texts = new IIOMetadataNode("tEXt");
+        texts.appendChild(text(Provenance.SOFTWARE, made.software()));
+        texts.appendChild(text(Provenance.NAME, made.text()));
+        IIOMetadataNode root = new IIOMetadataNode(FORMAT);
+        root.appendChild(texts);
+        return root;
+    }
+
+    private static IIOMetadataNode text(String keyword, String value) {
+        IIOMetadataNode entry = new IIOMetadataNode("tEXtEntry");
+        entry.setAttribute("keyword", keyword);
+        entry.setAttribute("value", value);
+        return entry;
     }
 
     private static IIOMetadataNode linearGamma() {

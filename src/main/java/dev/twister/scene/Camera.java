@@ -1,5 +1,7 @@
 package dev.twister.scene;
 
+import java.util.List;
+
 /**
  * Where a picture is seen from, and through which lens.
  *
@@ -9,6 +11,7 @@ package dev.twister.scene;
  * @param fieldOfViewDegrees the angle over the shorter side of the picture, in [1, 179]
  * @param aperture the lens's radius in meters, 0 or more; with 0 all is sharp
  * @param focusDistance how far ahead the plane is that is sharp, in meters, above 0
+ * @param keyframes of a film, each later than the one before; empty where the camera stands still
  */
 public record Camera(
         Vector3 position,
@@ -16,9 +19,14 @@ public record Camera(
         double pitchDegrees,
         double fieldOfViewDegrees,
         double aperture,
-        double focusDistance) {
+        double focusDistance,
+        List<CameraKeyframe> keyframes) {
     /** A pinhole at the origin, level, along z, with a field of view of 60 degrees. */
-    static final Camera DEFAULT = new Camera(new Vector3(0, 0, 0), 0, 0, 60, 0, 10);
+    static final Camera DEFAULT = new Camera(new Vector3(0, 0, 0), 0, 0, 60, 0, 10, List.of());
+
+    public Camera {
+        keyframes = List.copyOf(keyframes);
+    }
 
     /** A camera whose other properties are the defaults; angles in degrees. */
     public static Camera of(Vector3 position, double yaw, double pitch, double fieldOfView) {
@@ -26,26 +34,37 @@ public record Camera(
     }
 
     public Camera withPosition(Vector3 newPosition) {
-        return new Camera(newPosition, yawDegrees, pitchDegrees, fieldOfViewDegrees, aperture, focusDistance);
+        return new Camera(
+                newPosition, yawDegrees, pitchDegrees, fieldOfViewDegrees, aperture, focusDistance, keyframes);
     }
 
     public Camera withYaw(double newYawDegrees) {
-        return new Camera(position, newYawDegrees, pitchDegrees, fieldOfViewDegrees, aperture, focusDistance);
+        return new Camera(
+                position, newYawDegrees, pitchDegrees, fieldOfViewDegrees, aperture, focusDistance, keyframes);
     }
 
     public Camera withPitch(double newPitchDegrees) {
-        return new Camera(position, yawDegrees, newPitchDegrees, fieldOfViewDegrees, aperture, focusDistance);
+        return new Camera(
+                position, yawDegrees, newPitchDegrees, fieldOfViewDegrees, aperture, focusDistance, keyframes);
     }
 
     public Camera withFieldOfView(double newFieldOfViewDegrees) {
-        return new Camera(position, yawDegrees, pitchDegrees, newFieldOfViewDegrees, aperture, focusDistance);
+        return new Camera(
+                position, yawDegrees, pitchDegrees, newFieldOfViewDegrees, aperture, focusDistance, keyframes);
     }
 
     public Camera withAperture(double newAperture) {
-        return new Camera(position, yawDegrees, pitchDegrees, fieldOfViewDegrees, newAperture, focusDistance);
+        return new Camera(
+                position, yawDegrees, pitchDegrees, fieldOfViewDegrees, newAperture, focusDistance, keyframes);
     }
 
     public Camera withFocusDistance(double newFocusDistance) {
-        return new Camera(position, yawDegrees, pitchDegrees, fieldOfViewDegrees, aperture, newFocusDistance);
+        return new Camera(
+                position, yawDegrees, pitchDegrees, fieldOfViewDegrees, aperture, newFocusDistance, keyframes);
+    }
+
+    public Camera withKeyframes(List<CameraKeyframe> newKeyframes) {
+        return new Camera(
+                position, yawDegrees, pitchDegrees, fieldOfViewDegrees, aperture, focusDistance, newKeyframes);
     }
 }

@@ -23,6 +23,7 @@ final class SceneDocument {
         Scene scene = new SceneFormat(version, materials(fields, version, files), files)
                 .scene()
                 .read(root);
+        KeyframeRules.check(scene.camera().keyframes(), fields.get("camera").fields());
         scene.pour()
                 .ifPresent(pour -> PourRules.check(
                         pour, fields.get("pour").fields(), scene.spheres().size()));

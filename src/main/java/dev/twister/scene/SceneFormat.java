@@ -39,6 +39,32 @@ final class SceneFormat {
     private static final ValueType<Boolean> FLAG = new Flag();
     private static final ValueType<String> REFERENCE = new Text(0, SceneLimits.MAX_PATH_LENGTH);
 
+    private static final Structure<CameraKeyframe> KEYFRAME = new Structure<>(
+            CameraKeyframe.DEFAULT,
+            List.of(
+                    required(
+                            KeyframeRules.TIME,
+                            new Decimal(SceneLimits.KEYFRAME_TIME),
+                            CameraKeyframe::seconds,
+                            CameraKeyframe::withSeconds),
+                    required("position", POSITION, CameraKeyframe::position, CameraKeyframe::withPosition),
+                    required("yaw", new Decimal(SceneLimits.YAW), CameraKeyframe::yawDegrees, CameraKeyframe::withYaw),
+                    required(
+                            "pitch",
+                            new Decimal(SceneLimits.PITCH),
+                            CameraKeyframe::pitchDegrees,
+                            CameraKeyframe::withPitch),
+                    sparse(
+                            "fieldOfView",
+                            ValueType.present(new Decimal(SceneLimits.FIELD_OF_VIEW)),
+                            CameraKeyframe::fieldOfViewDegrees,
+                            CameraKeyframe::withFieldOfView),
+                    sparse(
+                            "focusDistance",
+                            ValueType.present(new Decimal(SceneLimits.FOCUS_DISTANCE)),
+                            CameraKeyframe::focusDistance,
+                            CameraKeyframe::withFocusDistance)));
+
     private static final List<Field<Camera, ?>> CAMERA = List.of(
             required("position", POSITION, Camera::position, Camera::withPosition),
             required("yaw", new Decimal(SceneLimits.YAW), Camera::yawDegrees, Camera::withYaw),
@@ -55,6 +81,16 @@ final class SceneFormat {
                             new Decimal(SceneLimits.FOCUS_DISTANCE),
                             Camera::focusDistance,
                             Camera::withFocusDistance)
+                    .from(2),
+            sparse(
+                            KeyframeRules.FIELD,
+                            new Array<>(
+                                    KEYFRAME,
+                                    0,
+                                    SceneLimits.MAX_KEYFRAMES,
+                                    "an array of 0 to " + SceneLimits.MAX_KEYFRAMES + " keyframes"),
+                            Camera::keyframes,
+                            Camera::withKeyframes)
                     .from(2));
 
     private static final Structure<Light> LIGHT = new Structure<>(

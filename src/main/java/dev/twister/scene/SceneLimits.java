@@ -16,6 +16,7 @@ public final class SceneLimits {
     public static final Range FIELD_OF_VIEW = new Range(1, 179, "degrees");
     public static final Range APERTURE = new Range(0, 1e6, "meters");
     public static final Range FOCUS_DISTANCE = LENGTH;
+    public static final Range KEYFRAME_TIME = new Range(0, 86_400, "seconds");
     public static final Range ALBEDO = new Range(0, 1);
     public static final Range RADIANCE = new Range(0, 1e6);
     public static final Range REFLECTIVITY = new Range(0, 128);
@@ -43,6 +44,7 @@ public final class SceneLimits {
     public static final int MAX_SPHERES = 500_000;
     public static final int MAX_MESHES = 10_000;
     public static final int MAX_MATERIALS = 256;
+    public static final int MAX_KEYFRAMES = 10_000;
     public static final int MAX_NAME_LENGTH = 200;
     public static final int MAX_DESCRIPTION_LENGTH = 2000;
     public static final int MAX_PATH_LENGTH = 1000;

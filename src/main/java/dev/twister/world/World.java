@@ -186,14 +186,18 @@ public final class World {
     }
 
     @SuppressWarnings("EnumOrdinal") // a test holds the kernel's numbers to the constants' order
+    static void putTone(float[] properties, RenderSettings settings) {
+        properties[Layout.EXPOSURE_SCALE] = (float) Math.pow(2, settings.exposure());
+        properties[Layout.TONE_MAP] = settings.toneMap().ordinal();
+        properties[Layout.SRGB] = settings.srgb() ? 1 : 0;
+    }
+
     private float[] properties() {
         float[] properties = new float[Layout.PROPERTIES_LENGTH];
         properties[Layout.SHADOW_SAMPLES] = settings.shadowSamples();
         properties[Layout.BOUNCES] = settings.bounces();
         properties[Layout.PIXEL_SAMPLES] = settings.samplesPerPixel();
-        properties[Layout.EXPOSURE_SCALE] = (float) Math.pow(2, settings.exposure());
-        properties[Layout.TONE_MAP] = settings.toneMap().ordinal();
-        properties[Layout.SRGB] = settings.srgb() ? 1 : 0;
+        putTone(properties, settings);
         properties[Layout.AMBIENT] = (float) ambient;
         properties[Layout.SKY_TURN] = (float) (skyTurn - Math.floor(skyTurn)) % 1f;
         properties[Layout.SKY_STRENGTH] = (float) skyStrength;

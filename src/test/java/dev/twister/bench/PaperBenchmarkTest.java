@@ -264,7 +264,7 @@ class PaperBenchmarkTest {
     private Path write(BenchmarkReport report) throws IOException {
         JsonReport.write(report, folder.resolve(PaperFolder.JSON));
         CsvReport.write(report, folder.resolve(PaperFolder.CSV));
-        return PaperFolder.write(report, folder, true);
+        return PaperFolder.write(report, folder, true, List.of());
     }
 
     private static Engine open(String id) {

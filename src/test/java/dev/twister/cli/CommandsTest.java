@@ -27,11 +27,21 @@ class CommandsTest {
 
         assertThat(outcome.exitCode()).isZero();
         assertThat(outcome.out())
-                .contains("gui", "render", "benchmark", "devices", "sky", "scene", "generate-completion");
+                .contains(
+                        "gui",
+                        "render",
+                        "simulate",
+                        "join",
+                        "film",
+                        "benchmark",
+                        "devices",
+                        "sky",
+                        "scene",
+                        "generate-completion");
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"gui", "render", "benchmark", "devices", "sky", "scene"})
+    @ValueSource(strings = {"gui", "render", "simulate", "join", "film", "benchmark", "devices", "sky", "scene"})
     void everyCommandHasHelpWithExamples(String command) {
         Outcome outcome = Outcome.of(command, "--help");
 

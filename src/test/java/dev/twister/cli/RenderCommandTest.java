@@ -155,7 +155,7 @@ class RenderCommandTest {
         Outcome outcome = render("benchmark", folder.resolve("picture.png"), "--frames", "3");
         assertThat(outcome.exitCode()).isEqualTo(2);
         assertThat(outcome.err())
-                .startsWith("twister: --frames, --fps and --start go with --physics only: without it nothing moves");
+                .startsWith("twister: --frames requires --physics, --motion, --turntable, or a camera with keyframes");
     }
 
     @Test
@@ -233,7 +233,8 @@ class RenderCommandTest {
 
         assertThat(render("benchmark", file, "--size", "32x18").exitCode()).isZero();
         assertThat(Files.readString(file, StandardCharsets.ISO_8859_1))
-                .startsWith("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 18 +X 32\n");
+                .startsWith("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nSOFTWARE=Twister ")
+                .contains("\n\n-Y 18 +X 32\n");
     }
 
     @Test

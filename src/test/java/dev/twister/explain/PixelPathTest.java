@@ -45,13 +45,13 @@ class PixelPathTest {
     void shippedScenesAddUp(String name) {
         LitScene scene = ShippedScenes.quick(name);
         RenderSettings settings = scene.scene().settings();
-        pathsAddUp(input(scene, settings.withSize(96, 54).withSamplesPerPixel(1)));
+        pathsAddUp(input(scene, settings.withSize(48, 27).withSamplesPerPixel(1)));
     }
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 3, 6})
     void randomGlassAndRoughSurfacesAddUp(int bounces) {
-        for (int seed = 0; seed < 25; seed++) {
+        for (int seed = 0; seed < 12; seed++) {
             LitScene scene = RandomMaterials.scene(new Random(seed), bounces);
             pathsAddUp(input(scene, scene.scene().settings()));
         }

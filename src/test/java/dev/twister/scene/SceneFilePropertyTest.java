@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Random;
 import java.util.SequencedMap;
+import java.util.stream.IntStream;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
@@ -90,6 +91,7 @@ class SceneFilePropertyTest {
     private static Arbitrary<Scene> scenes(int version, SequencedMap<String, Material> materials) {
         return Values.of(format(version, materials).scene())
                 .map(scene -> scene.withMaterials(materials))
+                .map(scene -> scene.withCamera(risingTimes(scene.camera())))
                 .map(scene -> scene.pour()
                         .map(pour ->
                                 scene.withPour(fitting(pour, scene.spheres().size())))
@@ -118,6 +120,12 @@ class SceneFilePropertyTest {
 
     private static Material withFiles(Material material) {
         return material.withTexture(material.texture().map(FOLDER::resolve));
+    }
+
+    private static Camera risingTimes(Camera camera) {
+        return camera.withKeyframes(IntStream.range(0, camera.keyframes().size())
+                .mapToObj(index -> camera.keyframes().get(index).withSeconds(index))
+                .toList());
     }
 
     // The rules that a pour's fields have to keep together.

@@ -1,0 +1,113 @@
+package dev.twister.cli;
+
+import dev.twister.explain.PathJson;
+import dev.twister.explain.PathText;
+import dev.twister.explain.PixelPath;
+import dev.twister.image.PictureSize;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneReader;
+import dev.twister.world.World;
+import java.io.PrintWriter;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code twister explain}: how a pixel comes about. */
+@Command(
+        name = "explain",
+        description =
+                "Prints the path of a pixel's rays: what each of them meets, the numbers of the equation there, and"
+                        + " what it adds to the pixel. Options override the scene's own settings.",
+        footer = {
+            "",
+            "Examples:",
+            "  twister explain teaching --pixel 640,360",
+            "  twister explain glass --pixel 640,400 --sample 3 --json",
+            "  twister explain teaching --pixel 160,90 --size 320x180 --shadow-samples 1 --bounces 0"
+        })
+final class ExplainCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(
+            paramLabel = "SCENE",
+            completionCandidates = Completions.OfScene.class,
+            description = "A scene file, or the name of a shipped scene.")
+    private String sceneName;
+
+    @Option(
+            names = "--pixel",
+            required = true,
+            paramLabel = "X,Y",
+            converter = PixelConverter.class,
+            description = "Column and row; 0,0 is the pixel at the top left.")
+    private PixelConverter.Pixel pixel;
+
+    @Option(names = "--sample", paramLabel = "N", description = "Which of the pixel's samples, from 0 (default: 0).")
+    private int sample;
+
+    @Option(
+            names = "--samples",
+            paramLabel = "N",
+            description = "View rays per pixel, 1 to " + RenderSettings.MAX_SAMPLES_PER_PIXEL + ".")
+    private Optional<Integer> samples = Optional.empty();
+
+    @Option(
+            names = "--size",
+            paramLabel = "SIZE",
+            converter = PictureSizeConverter.class,
+            description = "Of the picture, such as 1280x720; or 720p, 1080p, 4k.")
+    private Optional<PictureSize> size = Optional.empty();
+
+    @Option(names = "--json", description = "Print JSON, with every shadow ray.")
+    private boolean json;
+
+    @Mixin
+    private ShadingOptions shading;
+
+    @Mixin
+    private ToneOptions tone;
+
+    @Mixin
+    private CameraOptions camera;
+
+    @Mixin
+    private SkyOptions sky;
+
+    @Override
+    public Integer call() {
+        Scene scene = sky.over(SceneReader.read(SceneFiles.find(sceneName)));
+        RenderSettings settings = settings(scene.settings());
+        Ranges.check("--pixel's column", pixel.column(), 0, settings.width() - 1);
+        Ranges.check("--pixel's row", pixel.row(), 0, settings.height() - 1);
+        Ranges.check("--sample", sample, 0, settings.samplesPerPixel() - 1);
+        World world = World.of(scene, SkyFiles.readAll(scene, spec.commandLine().getErr()));
+        world.setCamera(camera.over(scene.camera()));
+        world.setSettings(settings);
+        PixelPath path = PixelPath.of(world.snapshot(), pixel.column(), pixel.row(), sample);
+        PrintWriter out = spec.commandLine().getOut();
+        if (json) {
+            out.println(PathJson.of(path));
+        } else {
+            out.print(PathText.of(path));
+            out.flush();
+        }
+        return Main.OK;
+    }
+
+    private RenderSettings settings(RenderSettings usual) {
+        PictureSize wanted = size.orElseGet(() -> new PictureSize(usual.width(), usual.height()));
+        RenderSettings shaded = usual.withSize(wanted.width(), wanted.height())
+                .withShadows(shading.shadowSamplesOr(usual.shadowSamples()))
+                .withBounces(shading.bouncesOr(usual.bounces()))
+                .withSamplesPerPixel(Ranges.check(
+                        "--samples", samples.orElse(usual.samplesPerPixel()), 1, RenderSettings.MAX_SAMPLES_PER_PIXEL));
+        return tone.over(shaded);
+    }
+}

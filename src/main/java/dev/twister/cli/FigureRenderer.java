@@ -1,0 +1,112 @@
+package dev.twister.cli;
+
+import dev.twister.bench.RenderedFigure;
+import dev.twister.engine.EngineException;
+import dev.twister.scene.SceneReader;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Makes pictures by the commands that it gives for them. */
+final class FigureRenderer implements AutoCloseable {
+    private static final String LAUNCHER = "scripts/twister ";
+    private static final int WIDTH = 640;
+    private static final int HEIGHT = 360;
+    private static final String SIZE = WIDTH + "x" + HEIGHT;
+
+    private final String engineId;
+    private final Path folder;
+
+    FigureRenderer(String engineId) throws IOException {
+        this.engineId = engineId;
+        folder = Files.createTempDirectory("twister-figures");
+    }
+
+    /**
+     * Renders a scene.
+     *
+     * @param scene a shipped scene's name, or a file in Twister's folder
+     * @param name of the picture's file, without its ending
+     * @param options of {@code twister render}
+     */
+    RenderedFigure.Picture rendered(String caption, String scene, String name, String... options) throws IOException {
+        Path file = folder.resolve(name + ".png");
+        List<String> arguments =
+                new ArrayList<>(List.of("render", sceneFile(scene).toString(), "-o", file.toString(), "--size", SIZE));
+        for (String option : options) {
+            arguments.add(
+                    option.startsWith("skyboxes/")
+                            ? Home.folder().resolve(option).toString()
+                            : option);
+        }
+        arguments.addAll(List.of("--engine", engineId));
+        run(Writer.nullWriter(), arguments);
+        byte[] picture = Files.readAllBytes(file);
+        Files.delete(file);
+        String command = LAUNCHER + String.join(" ", "render", scene, "-o", name + ".png", "--size", SIZE);
+        return new RenderedFigure.Picture(
+                caption,
+                shown(scene),
+                options.length == 0 ? command : command + " " + String.join(" ", options),
+                "png",
+                picture,
+                WIDTH,
+                HEIGHT);
+    }
+
+    /** The targets of a pixel's first shadow rays on the light's disc. */
+    RenderedFigure.Picture disc(String scene, String pixel, int samples) {
+        Path file = sceneFile(scene);
+        List<String> options =
+                List.of("--pixel", pixel, "--size", SIZE, "--shadow-samples", Integer.toString(samples), "--json");
+        List<String> arguments = new ArrayList<>(List.of("explain", file.toString()));
+        arguments.addAll(options);
+        StringWriter json = new StringWriter();
+        run(json, arguments);
+        double radius = SceneReader.read(file).light().radius();
+        String svg = DiscDrawing.svg(json.toString(), 2 * radius);
+        return new RenderedFigure.Picture(
+                samples + (samples == 1 ? " sample." : " samples."),
+                shown(scene),
+                LAUNCHER + "explain " + scene + " " + String.join(" ", options),
+                "svg+xml",
+                svg.getBytes(StandardCharsets.UTF_8),
+                DiscDrawing.SIDE,
+                DiscDrawing.SIDE);
+    }
+
+    /** Where a scene of a command is; a file of that name in the current folder is another one. */
+    private static Path sceneFile(String scene) {
+        return Home.folder().resolve(shown(scene));
+    }
+
+    private static String shown(String scene) {
+        return scene.endsWith(SceneFiles.ENDING) ? scene : "scenes/" + scene + SceneFiles.ENDING;
+    }
+
+    private static void run(Writer out, List<String> arguments) {
+        StringWriter err = new StringWriter();
+        int exitCode =
+                Main.run(new PrintWriter(out, true), new PrintWriter(err, true), arguments.toArray(String[]::new));
+        if (exitCode != Main.OK) {
+            String message = err.toString().strip().replaceFirst("^twister: ", "");
+            throw exitCode == Main.BAD_INPUT ? new BadInputException(message) : new EngineException(message);
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        try (var left = Files.list(folder)) {
+            for (Path file : left.toList()) {
+                Files.delete(file);
+            }
+        }
+        Files.delete(folder);
+    }
+}

@@ -1,0 +1,139 @@
+package dev.twister.cli;
+
+import dev.twister.motion.MotionFile;
+import dev.twister.scene.Camera;
+import dev.twister.scene.Scene;
+import dev.twister.world.CameraPath;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.DoubleFunction;
+import picocli.CommandLine.Option;
+
+/** Which frames of a film are rendered, and what moves in them beside what physics moves. */
+final class FilmOptions {
+    private static final double MAX_SECONDS = 86_400;
+
+    @Option(
+            names = "--frames",
+            paramLabel = "RANGE",
+            converter = FrameRange.Converter.class,
+            description = "Render frames of a film: N for frames 0 to N-1, A-B for frames A to B, to FILE-0000.png,"
+                    + " FILE-0001.png, ...; %%04d or #### in FILE is the place of the number. Default: all of --motion"
+                    + " or --turntable.")
+    private Optional<FrameRange> frames = Optional.empty();
+
+    @Option(
+            names = "--motion",
+            paramLabel = "FILE",
+            description = "Take the bodies' positions from a motion file (see 'twister simulate').")
+    private Optional<Path> motion = Optional.empty();
+
+    @Option(
+            names = "--turntable",
+            paramLabel = "SECONDS",
+            description = "Move the camera once around the spheres in that time.")
+    private Optional<Double> turntable = Optional.empty();
+
+    @Option(
+            names = "--skip-existing",
+            description = "With frames: keep files that are whole and of the same scene, settings and version; render"
+                    + " the others again.")
+    private boolean skipExisting;
+
+    @Option(names = "--overwrite", description = "With frames: replace the frames of an earlier run.")
+    private boolean overwrite;
+
+    boolean skipsExisting() {
+        return skipExisting;
+    }
+
+    boolean overwrites() {
+        return overwrite;
+    }
+
+    /** Refuses options that make no sense together. */
+    void check(MotionOptions physics) {
+        if (motion.isPresent() && (physics.isOn() || physics.isTimeGiven())) {
+            throw new BadInputException(
+                    "--motion excludes --physics, --fps and --start: the motion file has all of them");
+        }
+        turntable.ifPresent(seconds -> Ranges.check("--turntable", seconds, 1e-3, MAX_SECONDS));
+        if (skipExisting && overwrite) {
+            throw new BadInputException("--skip-existing and --overwrite exclude each other; give one of them");
+        }
+    }
+
+    /** Opens the motion file, where there is one. */
+    Optional<MotionFile> open(Scene scene) throws IOException {
+        return motion.isPresent() ? Optional.of(MotionFile.open(motion.get(), scene)) : Optional.empty();
+    }
+
+    /**
+     * The frames; empty where a single picture is wanted.
+     *
+     * @param film whether the output is one
+     */
+    Optional<FrameRange> frames(Camera camera, MotionOptions physics, Optional<MotionFile> recorded, boolean film)
+            throws IOException {
+        boolean moves = physics.isOn()
+                || recorded.isPresent()
+                || turntable.isPresent()
+                || !camera.keyframes().isEmpty();
+        if (!moves) {
+            if (frames.isPresent() || physics.isTimeGiven() || film) {
+                throw new BadInputException((film ? "a film" : frames.isPresent() ? "--frames" : "--fps and --start")
+                        + " requires --physics, --motion, --turntable, or a camera with keyframes: otherwise nothing"
+                        + " moves");
+            }
+            return Optional.empty();
+        }
+        physics.checkStart();
+        if (frames.isPresent()) {
+            if (recorded.isPresent()) {
+                // Told before the first one is drawn, not after the last one that is there.
+                recorded.get().frame(frames.get().first());
+                recorded.get().frame(frames.get().last());
+            }
+            return frames;
+        }
+        if (recorded.isPresent()) {
+            return Optional.of(whole(recorded.get()));
+        }
+        double rate = 1 / physics.secondsPerFrame();
+        if (turntable.isPresent()) {
+            return Optional.of(FrameRange.ofCount((int) Math.max(1, Math.round(turntable.get() * rate))));
+        }
+        if (film && !camera.keyframes().isEmpty()) {
+            double seconds = camera.keyframes().getLast().seconds();
+            return Optional.of(FrameRange.ofCount((int) Math.round(seconds * rate) + 1));
+        }
+        if (film || skipExisting) {
+            throw new BadInputException((film ? "a film" : "--skip-existing") + " requires --frames");
+        }
+        return Optional.empty();
+    }
+
+    private FrameRange whole(MotionFile recorded) throws IOException {
+        if (recorded.lastFrame() < recorded.firstFrame()) {
+            throw new BadInputException("--motion is " + motion.orElseThrow() + ", which has no whole frame");
+        }
+        return FrameRange.of(recorded.firstFrame(), recorded.lastFrame());
+    }
+
+    /** The camera at a time of the film, in seconds. */
+    DoubleFunction<Camera> camera(Scene scene, Camera camera) {
+        return turntable
+                .<DoubleFunction<Camera>>map(
+                        turn -> seconds -> CameraPath.onCircle(camera, scene.spheres(), seconds / turn))
+                .orElse(seconds -> CameraPath.at(camera, seconds));
+    }
+
+    /** Checks what a single picture has no use for. */
+    void checkSingle() {
+        if (overwrite || skipExisting) {
+            throw new BadInputException((overwrite ? "--overwrite" : "--skip-existing")
+                    + " requires --frames; a single picture always replaces its file");
+        }
+    }
+}

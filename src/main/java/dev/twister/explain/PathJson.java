@@ -1,0 +1,108 @@
+package dev.twister.explain;
+
+import dev.twister.kernel.Layout;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Vector3;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import tools.jackson.databind.SerializationFeature;
+import tools.jackson.databind.json.JsonMapper;
+
+/** A pixel's path for programs, every number with all its digits. */
+public final class PathJson {
+    private PathJson() {}
+
+    /** A JSON object; what a step has not, such as the surface of a ray that meets the sky, is absent. */
+    public static String of(PixelPath path) {
+        Map<String, Object> tree = new LinkedHashMap<>();
+        tree.put("pixel", List.of(path.column(), path.row()));
+        tree.put("sample", path.sample());
+        tree.put("samples", path.samples());
+        tree.put("steps", steps(path.steps()));
+        tree.put("sampleRadiance", rgb(path.radiance()));
+        tree.put("pixelRadiance", rgb(path.pixel()));
+        tree.put("shown", List.of(path.shown(0), path.shown(1), path.shown(2)));
+        return JsonMapper.builder()
+                .enable(SerializationFeature.INDENT_OUTPUT)
+                .build()
+                .writeValueAsString(tree);
+    }
+
+    private static List<Map<String, Object>> steps(List<PathStep> steps) {
+        List<Map<String, Object>> list = new ArrayList<>();
+        for (PathStep step : steps) {
+            Map<String, Object> tree = new LinkedHashMap<>();
+            tree.put("step", list.size());
+            if (step.parent() != PathStep.NO_PARENT) {
+                tree.put("parent", step.parent());
+            }
+            tree.put("ray", step.kind().id());
+            tree.put("bounce", step.bounce());
+            tree.put("origin", vector(step.origin()));
+            tree.put("direction", vector(step.direction()));
+            tree.put("inside", step.inside());
+            tree.put("throughput", rgb(step.throughput()));
+            tree.put("body", step.body());
+            if (step.body() != Layout.NOTHING) {
+                tree.put("distance", number(step.distance()));
+            }
+            step.shading().ifPresent(shading -> tree.put("surface", surface(shading)));
+            tree.put("adds", rgb(step.adds()));
+            list.add(tree);
+        }
+        return list;
+    }
+
+    private static Map<String, Object> surface(Shading shading) {
+        Map<String, Object> tree = new LinkedHashMap<>();
+        tree.put("point", vector(shading.point()));
+        tree.put("normal", vector(shading.normal()));
+        tree.put("albedo", rgb(shading.albedo()));
+        tree.put("reflectivity", number(shading.reflectivity()));
+        tree.put("roughness", number(shading.roughness()));
+        if (shading.ior() > 0) {
+            tree.put("ior", number(shading.ior()));
+        }
+        tree.put("toLight", vector(shading.toLight()));
+        tree.put("normalDotLight", number(shading.normalDotLight()));
+        tree.put("visible", number(shading.visible()));
+        tree.put("lit", number(shading.lit()));
+        tree.put("specular", number(shading.specular()));
+        tree.put("mirror", number(shading.mirror()));
+        tree.put("transmission", number(shading.transmission()));
+        tree.put("reflectance", number(shading.reflectance()));
+        tree.put(
+                "shadowRays",
+                shading.shadowRays().stream().map(PathJson::shadowRay).toList());
+        return tree;
+    }
+
+    private static Map<String, Object> shadowRay(ShadowRay ray) {
+        Map<String, Object> tree = new LinkedHashMap<>();
+        tree.put("target", vector(ray.target()));
+        tree.put("light", number(ray.light()));
+        if (ray.blocker() != Layout.NOTHING) {
+            tree.put("blocker", ray.blocker());
+        }
+        return tree;
+    }
+
+    private static List<Object> vector(Vector3 vector) {
+        return List.of(number(vector.x()), number(vector.y()), number(vector.z()));
+    }
+
+    private static List<Object> rgb(Rgb color) {
+        return List.of(number(color.red()), number(color.green()), number(color.blue()));
+    }
+
+    /** The kernel's floats by as few digits as tell them from one another. */
+    private static Object number(double value) {
+        float single = (float) value;
+        if (single == value) {
+            return single;
+        }
+        return value;
+    }
+}

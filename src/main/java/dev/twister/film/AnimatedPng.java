@@ -1,0 +1,123 @@
+package dev.twister.film;
+
+import dev.twister.files.WholeFile;
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.zip.CRC32;
+import java.util.zip.Deflater;
+import java.util.zip.DeflaterOutputStream;
+
+/** Writes animated PNGs, which browsers play: every frame whole, in 24 bits, without loss. */
+public final class AnimatedPng {
+    private static final long SIGNATURE = 0x89504e470d0a1a0aL;
+    private static final int CHANNELS = 3;
+    private static final byte BITS = 8;
+    private static final byte TRUE_COLOR = 2;
+    private static final byte PERCEPTUAL = 0;
+
+    /** Each byte is the difference to the one above. */
+    private static final int FILTER_UP = 2;
+
+    private static final int FRAME_CONTROL_BYTES = 26;
+
+    /** The longest denominator of a frame's time. */
+    private static final double MOST_PARTS = 65_535;
+
+    private AnimatedPng() {}
+
+    /**
+     * Writes a film, whole or not at all, that is played again and again.
+     *
+     * @throws IOException as {@link WholeFile#write}, or what the source has thrown
+     */
+    public static void write(Path file, FilmFormat format, FrameSource source) throws IOException {
+        WholeFile.write(file, out -> {
+            out.write(ByteBuffer.allocate(Long.BYTES).putLong(SIGNATURE).array());
+            ByteBuffer header = ByteBuffer.allocate(13).putInt(format.width()).putInt(format.height());
+            chunk(out, "IHDR", header.put(BITS).put(TRUE_COLOR).array());
+            chunk(out, "sRGB", new byte[] {PERCEPTUAL});
+            chunk(out, "acTL", ByteBuffer.allocate(8).putInt(format.frames()).array());
+            int sequence = 0;
+            for (int frame = 0; frame < format.frames(); frame++) {
+                chunk(out, "fcTL", control(sequence++, format));
+                byte[] data = compressed(format, source.next());
+                if (frame == 0) {
+                    chunk(out, "IDAT", data);
+                } else {
+                    chunk(
+                            out,
+                            "fdAT",
+                            ByteBuffer.allocate(Integer.BYTES + data.length)
+                                    .putInt(sequence++)
+                                    .put(data)
+                                    .array());
+                }
+            }
+            chunk(out, "IEND", new byte[0]);
+        });
+    }
+
+    private static byte[] control(int sequence, FilmFormat format) {
+        // 1 / rate as a fraction of two 16-bit numbers.
+        int seconds = format.rate() == Math.rint(format.rate()) ? 1 : 1000;
+        while (seconds > 1 && Math.round(seconds * format.rate()) > MOST_PARTS) {
+            seconds /= 10;
+        }
+        return ByteBuffer.allocate(FRAME_CONTROL_BYTES)
+                .putInt(sequence)
+                .putInt(format.width())
+                .putInt(format.height())
+                .putLong(0)
+                .putShort((short) seconds)
+                .putShort((short) Math.max(1, Math.round(seconds * format.rate())))
+                .array();
+    }
+
+    private static byte[] compressed(FilmFormat format, int[] pixels) throws IOException {
+        ByteArrayOutputStream data = new ByteArrayOutputStream(format.width() * format.height());
+        Deflater deflater = new Deflater();
+        try (DeflaterOutputStream out = new DeflaterOutputStream(data, deflater, 1 << 16)) {
+            int rowBytes = CHANNELS * format.width();
+            byte[] above = new byte[rowBytes];
+            byte[] row = new byte[rowBytes];
+            byte[] filtered = new byte[1 + rowBytes];
+            filtered[0] = FILTER_UP;
+            for (int y = 0; y < format.height(); y++) {
+                for (int x = 0; x < format.width(); x++) {
+                    int pixel = pixels[y * format.width() + x];
+                    row[CHANNELS * x] = (byte) (pixel >> 16);
+                    row[CHANNELS * x + 1] = (byte) (pixel >> 8);
+                    row[CHANNELS * x + 2] = (byte) pixel;
+                }
+                for (int i = 0; i < rowBytes; i++) {
+                    filtered[1 + i] = (byte) (row[i] - above[i]);
+                }
+                out.write(filtered);
+                byte[] next = above;
+                above = row;
+                row = next;
+            }
+        } finally {
+            deflater.end();
+        }
+        return data.toByteArray();
+    }
+
+    private static void chunk(OutputStream out, String type, byte[] data) throws IOException {
+        byte[] name = type.getBytes(StandardCharsets.US_ASCII);
+        CRC32 checksum = new CRC32();
+        checksum.update(name);
+        checksum.update(data);
+        DataOutputStream chunk = new DataOutputStream(out);
+        chunk.writeInt(data.length);
+        chunk.write(name);
+        chunk.write(data);
+        chunk.writeInt((int) checksum.getValue());
+        chunk.flush();
+    }
+}

@@ -1,0 +1,134 @@
+package dev.twister.image;
+
+import java.io.BufferedInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.zip.DataFormatException;
+
+/** Reads OpenEXR files as {@link ExrWriter} writes them; others are refused. */
+public final class ExrReader {
+    private static final int CHANNEL_NUMBERS = 4 * Integer.BYTES;
+    private static final int MOST_ATTRIBUTE_BYTES = 1 << 20;
+    private static final long MOST_PIXELS = 1 << 28;
+
+    private ExrReader() {}
+
+    /**
+     * Reads a file that is whole.
+     *
+     * @throws IOException where it cannot be read, is not whole, or is of another program; the message is one line and
+     *     names the file
+     */
+    public static ExrPicture read(Path file) throws IOException {
+        try (InputStream bytes = Files.newInputStream(file);
+                DataInputStream in = new DataInputStream(new BufferedInputStream(bytes, 1 << 16))) {
+            return read(in);
+        } catch (EOFException problem) {
+            throw new IOException(file + " is not whole: it ends before its last row", problem);
+        } catch (DataFormatException | RuntimeException problem) {
+            throw new IOException(file + " is no .exr file of Twister's, or is damaged", problem);
+        }
+    }
+
+    private static ExrPicture read(DataInputStream in) throws IOException, DataFormatException {
+        ByteBuffer magic = numbers(in.readNBytes(2 * Integer.BYTES));
+        check(magic.getInt() == ExrHeader.MAGIC && magic.getInt() == ExrHeader.VERSION);
+        Map<String, ByteBuffer> attributes = attributes(in);
+        check(attributes.get("compression").get() == ExrHeader.ZIP);
+        ByteBuffer display = attributes.get("displayWindow");
+        ByteBuffer data = attributes.get("dataWindow");
+        int width = display.getInt(2 * Integer.BYTES) + 1;
+        int height = display.getInt(3 * Integer.BYTES) + 1;
+        int firstRow = data.getInt(Integer.BYTES);
+        int rows = data.getInt(3 * Integer.BYTES) - firstRow + 1;
+        check(width > 0 && rows > 0 && firstRow >= 0 && firstRow + rows <= height);
+        check((long) width * rows <= MOST_PIXELS && data.getInt(2 * Integer.BYTES) == width - 1);
+        List<ExrChannel> channels = channels(attributes.get("channels"), width * rows);
+        int chunks = Math.ceilDiv(rows, ExrChunk.ROWS);
+        in.skipNBytes((long) Long.BYTES * chunks);
+        for (int chunk = 0; chunk < chunks; chunk++) {
+            byte[] header = new byte[ExrWriter.CHUNK_HEADER];
+            in.readFully(header);
+            int length = numbers(header).getInt(Integer.BYTES);
+            check(length >= 0 && length <= (long) ExrChunk.ROWS * width * Float.BYTES * channels.size());
+            byte[] packed = new byte[length];
+            in.readFully(packed);
+            ExrChunk.read(packed, width, rows, chunk * ExrChunk.ROWS, channels);
+        }
+        return new ExrPicture(width, height, firstRow, rows, channels, provenance(attributes));
+    }
+
+    private static Optional<Provenance> provenance(Map<String, ByteBuffer> attributes) {
+        return text(attributes, Provenance.NAME)
+                .flatMap(text ->
+                        Provenance.of(text(attributes, Provenance.SOFTWARE).orElse(""), text));
+    }
+
+    private static Optional<String> text(Map<String, ByteBuffer> attributes, String name) {
+        return Optional.ofNullable(attributes.get(name.toLowerCase(Locale.ROOT)))
+                .map(value -> StandardCharsets.US_ASCII.decode(value).toString());
+    }
+
+    private static Map<String, ByteBuffer> attributes(DataInputStream in) throws IOException, DataFormatException {
+        Map<String, ByteBuffer> attributes = new HashMap<>();
+        String name = text(in);
+        while (!name.isEmpty()) {
+            text(in);
+            int length = numbers(in.readNBytes(Integer.BYTES)).getInt();
+            check(length >= 0 && length <= MOST_ATTRIBUTE_BYTES);
+            byte[] value = new byte[length];
+            in.readFully(value);
+            attributes.put(name, numbers(value));
+            name = text(in);
+        }
+        return attributes;
+    }
+
+    private static List<ExrChannel> channels(ByteBuffer list, int pixels) throws DataFormatException {
+        List<ExrChannel> channels = new ArrayList<>();
+        int first = list.get();
+        while (first != 0) {
+            StringBuilder name = new StringBuilder();
+            for (int next = first; next != 0; next = list.get()) {
+                name.append((char) next);
+            }
+            check(list.getInt() == ExrHeader.FLOAT);
+            list.position(list.position() + CHANNEL_NUMBERS - Integer.BYTES);
+            channels.add(new ExrChannel(name.toString(), new float[pixels], 0, 1));
+            first = list.get();
+        }
+        return channels;
+    }
+
+    private static String text(DataInputStream in) throws IOException {
+        ByteArrayOutputStream text = new ByteArrayOutputStream();
+        for (int next = in.readUnsignedByte(); next != 0; next = in.readUnsignedByte()) {
+            text.write(next);
+        }
+        return text.toString(StandardCharsets.US_ASCII);
+    }
+
+    private static ByteBuffer numbers(byte[] bytes) {
+        return ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+    }
+
+    private static void check(boolean right) throws DataFormatException {
+        if (!right) {
+            throw new DataFormatException();
+        }
+    }
+}

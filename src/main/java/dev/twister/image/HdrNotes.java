@@ -1,0 +1,86 @@
+package dev.twister.image;
+
+import java.io.BufferedInputStream;
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+
+/** Reads how a Radiance picture that {@link HdrWriter} wrote was made. */
+final class HdrNotes {
+    static final String VARIABLE = Provenance.NAME.toUpperCase(Locale.ROOT) + "=";
+
+    private static final String SOFTWARE = Provenance.SOFTWARE.toUpperCase(Locale.ROOT) + "=";
+    private static final int LONGEST_LINE = 1024;
+    private static final int LONGEST_LITERAL = 128;
+
+    private HdrNotes() {}
+
+    /**
+     * What the header of a file says that is whole.
+     *
+     * @throws IOException where it ends before its last row
+     */
+    static Optional<Provenance> of(Path file) throws IOException {
+        try (InputStream bytes = Files.newInputStream(file);
+                DataInputStream in = new DataInputStream(new BufferedInputStream(bytes))) {
+            String software = "";
+            Optional<String> text = Optional.empty();
+            String line = line(in);
+            while (!line.isEmpty()) {
+                if (line.startsWith(SOFTWARE)) {
+                    software = line.substring(SOFTWARE.length());
+                } else if (line.startsWith(VARIABLE)) {
+                    text = Optional.of(line.substring(VARIABLE.length()));
+                }
+                line = line(in);
+            }
+            String made = software;
+            Optional<Provenance> provenance = text.flatMap(found -> Provenance.of(made, found));
+            if (provenance.isPresent()) {
+                skipRows(in, line(in).split(" "));
+            }
+            return provenance;
+        }
+    }
+
+    /** {@code -Y height +X width}, as only Twister's own files have it here. */
+    private static void skipRows(DataInputStream in, String[] resolution) throws IOException {
+        int height = Integer.parseInt(resolution[1]);
+        int width = Integer.parseInt(resolution[3]);
+        for (int row = 0; row < height; row++) {
+            if (RgbeRunLengths.fits(width)) {
+                in.skipNBytes(4);
+                for (int channel = 0; channel < 4; channel++) {
+                    skipComponent(in, width);
+                }
+            } else {
+                in.skipNBytes(4L * width);
+            }
+        }
+    }
+
+    private static void skipComponent(DataInputStream in, int width) throws IOException {
+        int done = 0;
+        while (done < width) {
+            int count = in.readUnsignedByte();
+            boolean isRun = count > LONGEST_LITERAL;
+            in.skipNBytes(isRun ? 1 : count);
+            done += isRun ? count - LONGEST_LITERAL : count;
+        }
+    }
+
+    private static String line(DataInputStream in) throws IOException {
+        StringBuilder line = new StringBuilder();
+        int next = in.readUnsignedByte();
+        while (next != '\n' && line.length() < LONGEST_LINE) {
+            line.append(new String(new byte[] {(byte) next}, StandardCharsets.ISO_8859_1));
+            next = in.readUnsignedByte();
+        }
+        return line.toString();
+    }
+}

@@ -1,0 +1,167 @@
+package dev.twister.image;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * A picture that is put together from parts: tiles, which are runs of rows, and ranges of samples, which are averaged. Rows of
+ * one part alone keep all their bits. Messages of exceptions are one line.
+ */
+public final class JoinedPicture {
+    private static final Pattern RANGE = Pattern.compile("(\\d{1,9})-(\\d{1,9})");
+
+    private final int width;
+    private final int height;
+    private final String software;
+    private final String picture;
+    private final List<String> names;
+    private final List<double[]> sums;
+    private final List<List<Samples>> rows = new ArrayList<>();
+
+    /** The first sample and the last one; where a part only tells how many they are, one is as good as another. */
+    private record Samples(int first, int last, String text, Path file) {
+        int count() {
+            return last - first + 1;
+        }
+    }
+
+    /**
+     * Begins with a part, without its pixels.
+     *
+     * @throws IllegalArgumentException where the part does not say how it was made
+     */
+    public JoinedPicture(Path file, ExrPicture part) {
+        Provenance made = provenance(file, part);
+        width = part.width();
+        height = part.height();
+        software = made.software();
+        picture = made.picture();
+        names = part.channels().stream().map(ExrChannel::name).toList();
+        sums = names.stream().map(_ -> new double[width * height]).toList();
+        for (int row = 0; row < height; row++) {
+            rows.add(new ArrayList<>());
+        }
+    }
+
+    private static Provenance provenance(Path file, ExrPicture part) {
+        return part.provenance()
+                .orElseThrow(
+                        () -> new IllegalArgumentException(
+                                file
+                                        + " does not say how it was made; parts are written by 'twister render --tile' and '--sample-range'"));
+    }
+
+    /**
+     * Adds a part.
+     *
+     * @throws IllegalArgumentException where it is of another picture, or has samples that others have too
+     */
+    public void add(Path file, ExrPicture part) {
+        Provenance made = provenance(file, part);
+        List<String> channels = part.channels().stream().map(ExrChannel::name).toList();
+        if (!made.picture().equals(picture)
+                || part.width() != width
+                || part.height() != height
+                || !channels.equals(names)) {
+            throw new IllegalArgumentException(
+                    file + " is a part of another picture: its scene, settings, views or version of Twister differ");
+        }
+        Samples samples = samples(file, made.samples());
+        for (int row = part.firstRow(); row < part.firstRow() + part.rows(); row++) {
+            addTo(rows.get(row), samples, row);
+        }
+        int first = width * part.firstRow();
+        for (int channel = 0; channel < sums.size(); channel++) {
+            float[] values = part.channels().get(channel).values();
+            double[] sum = sums.get(channel);
+            for (int i = 0; i < values.length; i++) {
+                sum[first + i] += (double) samples.count() * values[i];
+            }
+        }
+    }
+
+    private static Samples samples(Path file, String text) {
+        Matcher range = RANGE.matcher(text);
+        return range.matches()
+                ? new Samples(Integer.parseInt(range.group(1)), Integer.parseInt(range.group(2)), text, file)
+                : new Samples(0, 0, text, file);
+    }
+
+    private static void addTo(List<Samples> row, Samples samples, int number) {
+        for (Samples other : row) {
+            if (samples.first() <= other.last() && other.first() <= samples.last()) {
+                throw new IllegalArgumentException(samples.file() + " and " + other.file() + " both have samples "
+                        + samples.text() + " of row " + number + "; give each part once");
+            }
+        }
+        row.add(samples);
+    }
+
+    /**
+     * The picture.
+     *
+     * @throws IllegalArgumentException where rows or samples are missing
+     */
+    public ExrPicture whole() {
+        List<String> wanted = texts(0);
+        for (int row = 0; row < height; row++) {
+            checkIsWhole(row, wanted);
+        }
+        List<ExrChannel> channels = new ArrayList<>();
+        for (int channel = 0; channel < names.size(); channel++) {
+            channels.add(new ExrChannel(names.get(channel), mean(sums.get(channel)), 0, 1));
+        }
+        Provenance made = new Provenance(software, picture, samples());
+        return new ExrPicture(width, height, 0, height, channels, Optional.of(made));
+    }
+
+    private void checkIsWhole(int row, List<String> wanted) {
+        if (rows.get(row).isEmpty()) {
+            throw new IllegalArgumentException("the parts lack row " + row + " of " + height);
+        }
+        if (!texts(row).equals(wanted)) {
+            throw new IllegalArgumentException("row " + row + " has samples " + String.join(", ", texts(row))
+                    + ", but row 0 has samples " + String.join(", ", wanted) + "; a part is missing");
+        }
+    }
+
+    private List<String> texts(int row) {
+        return sorted(row).stream().map(Samples::text).toList();
+    }
+
+    private List<Samples> sorted(int row) {
+        return rows.get(row).stream()
+                .sorted(Comparator.comparingInt(Samples::first))
+                .toList();
+    }
+
+    private String samples() {
+        List<Samples> all = sorted(0);
+        for (int index = 1; index < all.size(); index++) {
+            int next = all.get(index - 1).last() + 1;
+            if (all.get(index).first() != next) {
+                throw new IllegalArgumentException(
+                        "the parts lack samples " + next + "-" + (all.get(index).first() - 1));
+            }
+        }
+        return all.size() == 1
+                ? all.getFirst().text()
+                : all.getFirst().first() + "-" + all.getLast().last();
+    }
+
+    private float[] mean(double[] sum) {
+        float[] mean = new float[sum.length];
+        for (int row = 0; row < height; row++) {
+            int count = rows.get(row).stream().mapToInt(Samples::count).sum();
+            for (int i = width * row; i < width * (row + 1); i++) {
+                mean[i] = (float) (sum[i] / count);
+            }
+        }
+        return mean;
+    }
+}

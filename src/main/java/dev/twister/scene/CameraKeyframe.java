@@ -1,0 +1,59 @@
+package dev.twister.scene;
+
+import java.util.Optional;
+
+/**
+ * Where the camera is at a time of a film, and how it looks.
+ *
+ * @param seconds since the film's beginning, 0 or more
+ * @param position the lens's center, in meters
+ * @param yawDegrees turn about y; positive looks right; may be more than a whole turn away from the keyframe before
+ * @param pitchDegrees turn about x, in [-90, 90]; positive looks down
+ * @param fieldOfViewDegrees in [1, 179]; the camera's own where it is empty
+ * @param focusDistance in meters, above 0; the camera's own where it is empty
+ */
+public record CameraKeyframe(
+        double seconds,
+        Vector3 position,
+        double yawDegrees,
+        double pitchDegrees,
+        Optional<Double> fieldOfViewDegrees,
+        Optional<Double> focusDistance) {
+    static final CameraKeyframe DEFAULT =
+            new CameraKeyframe(0, new Vector3(0, 0, 0), 0, 0, Optional.empty(), Optional.empty());
+
+    /** The camera as it is, at a time in seconds. */
+    public static CameraKeyframe of(double seconds, Camera camera) {
+        return new CameraKeyframe(
+                seconds,
+                camera.position(),
+                camera.yawDegrees(),
+                camera.pitchDegrees(),
+                Optional.of(camera.fieldOfViewDegrees()),
+                Optional.of(camera.focusDistance()));
+    }
+
+    CameraKeyframe withSeconds(double newSeconds) {
+        return new CameraKeyframe(newSeconds, position, yawDegrees, pitchDegrees, fieldOfViewDegrees, focusDistance);
+    }
+
+    CameraKeyframe withPosition(Vector3 newPosition) {
+        return new CameraKeyframe(seconds, newPosition, yawDegrees, pitchDegrees, fieldOfViewDegrees, focusDistance);
+    }
+
+    CameraKeyframe withYaw(double newYawDegrees) {
+        return new CameraKeyframe(seconds, position, newYawDegrees, pitchDegrees, fieldOfViewDegrees, focusDistance);
+    }
+
+    CameraKeyframe withPitch(double newPitchDegrees) {
+        return new CameraKeyframe(seconds, position, yawDegrees, newPitchDegrees, fieldOfViewDegrees, focusDistance);
+    }
+
+    CameraKeyframe withFieldOfView(Optional<Double> newFieldOfViewDegrees) {
+        return new CameraKeyframe(seconds, position, yawDegrees, pitchDegrees, newFieldOfViewDegrees, focusDistance);
+    }
+
+    CameraKeyframe withFocusDistance(Optional<Double> newFocusDistance) {
+        return new CameraKeyframe(seconds, position, yawDegrees, pitchDegrees, fieldOfViewDegrees, newFocusDistance);
+    }
+}

@@ -1,0 +1,74 @@
+package dev.twister.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** One pixel's path from the command line. */
+class ExplainCommandTest {
+    @Test
+    void tableHasAStepPerRay() {
+        Outcome outcome = explain("--pixel", "108,52");
+
+        assertThat(outcome.exitCode()).isEqualTo(Main.OK);
+        assertThat(outcome.out().lines())
+                .anyMatch(line -> line.startsWith("0 ") && line.contains("view") && line.contains("body 4"))
+                .anyMatch(line -> line.startsWith("1 ") && line.contains("reflected") && line.contains("plane"))
+                .anyMatch(line -> line.startsWith("2 ") && line.contains("sky"))
+                .anyMatch(line -> line.startsWith("step 0: point (") && line.endsWith("64 shadow rays, 64 free"));
+        assertThat(outcome.out()).doesNotContain("\r").endsWith("\n");
+    }
+
+    @Test
+    void jsonAddsUp() {
+        JsonNode tree = JsonMapper.shared()
+                .readTree(explain("--pixel", "108,52", "--shadow-samples", "3", "--json")
+                        .out());
+
+        float sum = 0;
+        for (JsonNode step : tree.get("steps")) {
+            sum += step.get("adds").get(0).floatValue();
+        }
+        assertThat(tree.get("pixelRadiance").get(0).floatValue()).isEqualTo(sum);
+        assertThat(tree.get("steps").get(0).get("surface").get("shadowRays").size())
+                .isEqualTo(3);
+        assertThat(tree.get("steps").get(2).has("surface")).isFalse();
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "160,0 | 0 | --pixel's column is 160, but must be from 0 to 159",
+                "0,-1 | 0 | --pixel's row is -1, but must be from 0 to 89",
+                "0,0 | 1 | --sample is 1, but must be from 0 to 0"
+            })
+    void pixelsAndSamplesThatAreNotThereAreRefused(String pixel, String sample, String message) {
+        Outcome outcome = explain("--pixel", pixel, "--sample", sample);
+
+        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.err()).isEqualToIgnoringNewLines("twister: " + message);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {"1", "1,2,3", "a,b"})
+    void whatIsNoPixelIsRefused(String pixel) {
+        Outcome outcome = explain("--pixel", pixel);
+
+        assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
+        assertThat(outcome.err()).contains("'" + pixel + "' is not a pixel; write column,row");
+    }
+
+    private static Outcome explain(String... options) {
+        String[] arguments = new String[options.length + 4];
+        System.arraycopy(new String[] {"explain", "teaching", "--size", "160x90"}, 0, arguments, 0, 4);
+        System.arraycopy(options, 0, arguments, 4, options.length);
+        return Outcome.of(arguments);
+    }
+}
