@@ -22,7 +22,10 @@ final class MeasuredBodies implements AutoCloseable {
     /** Of a world whose settings are those to measure with. */
     MeasuredBodies(World world, Optional<MotionPlan> motion) {
         this.world = world;
-        moving = motion.map(plan -> new Moving(plan, Simulation.of(plan.scene()), Simulation.of(plan.scene())));
+        moving = motion.map(plan -> new Moving(
+                plan,
+                Simulation.of(plan.scene(), world.meshes()),
+                Simulation.of(plan.scene(), world.meshes())));
         input = world.snapshot();
     }
 

@@ -205,7 +205,7 @@ final class RenderCommand implements Callable<Integer> {
             if (motion.isOn()) {
                 // A typing error in the name should not come out after minutes of motion.
                 Engines.offer(engineId).check();
-                try (Simulation simulation = Simulation.of(scene)) {
+                try (Simulation simulation = Simulation.of(scene, world.meshes())) {
                     motion.begin(simulation, spec.commandLine().getErr());
                     FilmBodies bodies = FilmBodies.simulated(simulation, motion.secondsPerFrame());
                     work.draw(drawing, new FilmScene(scene, images, world, bodies, cameras, rate));

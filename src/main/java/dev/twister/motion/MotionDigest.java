@@ -1,6 +1,7 @@
 package dev.twister.motion;
 
 import dev.twister.scene.Material;
+import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import java.nio.charset.StandardCharsets;
@@ -26,6 +27,13 @@ final class MotionDigest {
         for (Sphere sphere : scene.spheres()) {
             add(digest, sphere.position());
             add(digest, sphere.radius());
+        }
+        for (Mesh mesh : scene.meshes()) {
+            // The folder may be another one on each machine of a farm.
+            add(digest, mesh.file().getFileName());
+            add(digest, mesh.position());
+            add(digest, mesh.rotation());
+            add(digest, mesh.scale());
         }
         return digest.digest();
     }

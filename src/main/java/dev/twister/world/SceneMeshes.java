@@ -127,6 +127,17 @@ public final class SceneMeshes {
         return floats;
     }
 
+    /** The scene without the meshes that are not here. */
+    public Scene shown(Scene scene) {
+        return scene.meshes().stream().allMatch(this::holds)
+                ? scene
+                : scene.withMeshes(scene.meshes().stream().filter(this::holds).toList());
+    }
+
+    private boolean holds(Mesh mesh) {
+        return loadedBySource.containsKey(Source.of(mesh));
+    }
+
     /** What a mesh's file holds. */
     public MeshFile file(Mesh mesh) {
         return loaded(mesh).file();

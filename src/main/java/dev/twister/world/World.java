@@ -23,6 +23,7 @@ public final class World {
     private final Vector3 origin;
     private final Panorama panorama;
     private final float[] looks;
+    private final SceneMeshes sceneMeshes;
     private final float[] meshes;
     private final float[] instances;
     private final int room;
@@ -45,6 +46,7 @@ public final class World {
         List<Sphere> spheres = scene.allSpheres();
         bodies = Layout.FIRST_SPHERE + scene.spheres().size();
         room = Layout.FIRST_SPHERE + spheres.size();
+        this.sceneMeshes = sceneMeshes;
         meshes = sceneMeshes.floats();
         List<MeshBody> meshBodies = MeshBody.of(scene, sceneMeshes, origin);
         instances = InstanceTable.of(meshBodies, meshes, room);
@@ -111,6 +113,11 @@ public final class World {
     /** Whether its coordinates begin near enough to that camera; else another world of the scene is drawn better. */
     public boolean isNear(Camera other) {
         return Origin.isNear(origin, other.position());
+    }
+
+    /** The meshes that it was made with. */
+    public SceneMeshes meshes() {
+        return sceneMeshes;
     }
 
     public Camera camera() {

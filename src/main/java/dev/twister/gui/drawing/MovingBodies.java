@@ -2,7 +2,6 @@ package dev.twister.gui.drawing;
 
 import dev.twister.physics.Simulation;
 import dev.twister.scene.Scene;
-import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.util.Optional;
 
@@ -25,20 +24,21 @@ final class MovingBodies implements AutoCloseable {
     private boolean wasRunning;
 
     /** Lets the time pass that has passed, and puts the world's bodies where they are then. */
-    void place(Scene scene, Motion motion, World world, long nanos) {
+    void place(Scene wanted, Motion motion, World world, long nanos) {
         if (!motion.isOn()) {
             close();
             return;
         }
+        Scene scene = world.meshes().shown(wanted);
         if (start != motion.start()) {
             simulation.ifPresent(Simulation::close);
-            simulation = Optional.of(Simulation.of(scene));
+            simulation = Optional.of(Simulation.of(scene, world.meshes()));
             placed = Optional.empty();
             start = motion.start();
             steps = 0;
             wasRunning = false;
         } else if (!seen.equals(Optional.of(scene))) {
-            simulation = simulation.map(old -> old.goOnIn(scene, SceneMeshes.NONE));
+            simulation = simulation.map(old -> old.goOnIn(scene, world.meshes()));
             placed = Optional.empty();
         }
         seen = Optional.of(scene);
