@@ -80,6 +80,7 @@ class RoomsTest {
                         "image"),
                 room(
                         "gui.drawing",
+                        "mesh",
                         "scene",
                         "sky",
                         "world",
@@ -106,6 +107,7 @@ class RoomsTest {
                 room(
                         "cli",
                         "files",
+                        "mesh",
                         "scene",
                         "sky",
                         "world",

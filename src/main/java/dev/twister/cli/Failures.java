@@ -4,6 +4,7 @@ import dev.twister.engine.EngineException;
 import dev.twister.engine.UnknownEngineException;
 import dev.twister.files.PrintableText;
 import dev.twister.gui.NoDisplayException;
+import dev.twister.mesh.MeshException;
 import dev.twister.scene.SceneException;
 import dev.twister.sky.SkyException;
 import java.io.IOException;
@@ -34,6 +35,7 @@ final class Failures {
         return switch (failure) {
             case BadInputException _,
                     SceneException _,
+                    MeshException _,
                     SkyException _,
                     UnknownEngineException _,
                     NoDisplayException _,

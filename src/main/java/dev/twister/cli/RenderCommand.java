@@ -122,7 +122,7 @@ final class RenderCommand implements Callable<Integer> {
         RenderSettings settings = settings(scene.settings());
         PictureMemory.check(
                 new PictureSize(settings.width(), settings.height()), pictures.bytesPerPixel(picture.pictures()));
-        World world = World.of(scene, SkyFiles.readAll(scene, spec.commandLine().getErr()));
+        World world = SkyFiles.world(scene, spec.commandLine().getErr());
         world.setCamera(camera.over(scene.camera()));
         world.setSettings(settings);
         if (motion.isOn()) {

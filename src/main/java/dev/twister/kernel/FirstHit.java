@@ -45,17 +45,7 @@ final class FirstHit {
         float blue = number;
         if (body >= Layout.LIGHT) {
             Path.meet(
-                    path,
-                    body,
-                    properties,
-                    places,
-                    looks,
-                    hierarchy,
-                    meshes,
-                    sky,
-                    skyDimensions,
-                    firstMesh,
-                    materials);
+                    path, body, properties, places, looks, hierarchy, meshes, sky, skyDimensions, firstMesh, materials);
             float lit = 1f;
             float specular = 0f;
             if (body >= Layout.PLANE) {

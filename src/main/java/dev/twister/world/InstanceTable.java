@@ -49,7 +49,8 @@ final class InstanceTable {
         int[] order = new int[shown.size()];
         float[] nodes = BoxTree.nodes(boxes, order, 1);
         float[] floats = new float[1 + nodes.length + Layout.INSTANCE_STRIDE * order.length];
-        floats[0] = nodes.length / Layout.NODE_STRIDE;
+        int count = nodes.length / Layout.NODE_STRIDE;
+        floats[0] = count;
         System.arraycopy(nodes, 0, floats, 1, nodes.length);
         int at = 1 + nodes.length;
         for (int instance : order) {
@@ -64,7 +65,8 @@ final class InstanceTable {
         write(floats, at + Layout.INSTANCE_TO_WORLD, shown.get(instance).placement());
         MeshPlace place = shown.get(instance).place();
         floats[at + Layout.INSTANCE_BODY] = bodies.get(instance);
-        floats[at + Layout.INSTANCE_MESH] = place.start() / Layout.MESH_ALIGNMENT;
+        int start = place.start() / Layout.MESH_ALIGNMENT;
+        floats[at + Layout.INSTANCE_MESH] = start;
         floats[at + Layout.INSTANCE_NODES] = place.nodes();
         floats[at + Layout.INSTANCE_TRIANGLES] = place.triangles();
         floats[at + Layout.INSTANCE_NORMALS] = place.normals();
