@@ -81,6 +81,7 @@ class RoomsTest {
                         "image"),
                 room(
                         "gui.drawing",
+                        "mesh",
                         "scene",
                         "sky",
                         "world",
@@ -107,6 +108,7 @@ class RoomsTest {
                 room(
                         "cli",
                         "files",
+                        "mesh",
                         "scene",
                         "mesh",
                         "sky",

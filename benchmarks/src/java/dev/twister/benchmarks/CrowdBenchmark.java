@@ -89,9 +89,11 @@ public class CrowdBenchmark {
                     input.bodies().places(),
                     input.bodies().looks(),
                     input.bodies().hierarchy(),
+                    input.bodies().meshes(),
                     input.bodyCount(),
                     scratch,
                     Hit.WALK,
+                    Layout.NO_MESHES,
                     Material.PLAIN,
                     Aspect.FULL);
         }
@@ -124,7 +126,9 @@ public class CrowdBenchmark {
                     input.view().shadowDisc(),
                     input.bodies().hierarchy(),
                     Layout.root(input.bodyCount()),
+                    input.bodies().meshes(),
                     scratch,
+                    Layout.NO_MESHES,
                     Material.PLAIN,
                     Aspect.FULL);
         }

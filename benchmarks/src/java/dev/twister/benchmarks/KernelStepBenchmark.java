@@ -89,9 +89,11 @@ public class KernelStepBenchmark {
                     input.bodies().places(),
                     input.bodies().looks(),
                     input.bodies().hierarchy(),
+                    input.bodies().meshes(),
                     input.bodyCount(),
                     scratch,
                     Hit.ALL,
+                    Layout.NO_MESHES,
                     Material.PLAIN,
                     Aspect.FULL);
         }
@@ -132,7 +134,9 @@ public class KernelStepBenchmark {
                     input.view().shadowDisc(),
                     input.bodies().hierarchy(),
                     Layout.root(input.bodyCount()),
+                    input.bodies().meshes(),
                     scratch,
+                    Layout.NO_MESHES,
                     Material.PLAIN,
                     Aspect.FULL);
         }

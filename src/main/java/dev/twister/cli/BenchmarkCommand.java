@@ -227,7 +227,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     }
 
     private BenchmarkReport run(BenchmarkPlan plan, Scene scene, ReportFiles files) {
-        World world = World.of(scene, SkyFiles.readAll(scene, spec.commandLine().getErr()));
+        World world = SkyFiles.world(scene, spec.commandLine().getErr());
         Optional<MotionPlan> moving = motion.isOn()
                 ? Optional.of(new MotionPlan(scene, motion.startSeconds(), motion.secondsPerFrame()))
                 : Optional.empty();

@@ -9,7 +9,6 @@ import dev.twister.bench.DeviceCheckTable;
 import dev.twister.engine.EngineOffer;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
-import dev.twister.world.World;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -58,6 +57,6 @@ record DeviceChecking(DeviceCheckPlan plan, PrintWriter out, PrintWriter err) {
 
     private CheckedScene read(String name) {
         Scene scene = SceneReader.read(SceneFiles.find(name));
-        return new CheckedScene(name, World.of(scene, SkyFiles.readAll(scene, err)));
+        return new CheckedScene(name, SkyFiles.world(scene, err));
     }
 }

@@ -87,7 +87,7 @@ final class ExplainCommand implements Callable<Integer> {
         Ranges.check("--pixel's column", pixel.column(), 0, settings.width() - 1);
         Ranges.check("--pixel's row", pixel.row(), 0, settings.height() - 1);
         Ranges.check("--sample", sample, 0, settings.samplesPerPixel() - 1);
-        World world = World.of(scene, SkyFiles.readAll(scene, spec.commandLine().getErr()));
+        World world = SkyFiles.world(scene, spec.commandLine().getErr());
         world.setCamera(camera.over(scene.camera()));
         world.setSettings(settings);
         PixelPath path = PixelPath.of(world.snapshot(), pixel.column(), pixel.row(), sample);

@@ -36,6 +36,7 @@ final class Failures {
             case BadInputException _,
                     MeshException _,
                     SceneException _,
+                    MeshException _,
                     SkyException _,
                     UnknownEngineException _,
                     NoDisplayException _,

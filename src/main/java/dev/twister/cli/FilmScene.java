@@ -3,7 +3,6 @@ package dev.twister.cli;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.world.FrameInput;
-import dev.twister.world.SceneImages;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.util.function.DoubleFunction;
@@ -16,13 +15,13 @@ import java.util.function.DoubleFunction;
  * @param rate frames a second
  */
 record FilmScene(
-        Scene scene, SceneImages images, World world, FilmBodies bodies, DoubleFunction<Camera> camera, double rate) {
+        Scene scene, World world, FilmBodies bodies, DoubleFunction<Camera> camera, double rate) {
     /** A frame, whatever frames were before it. */
     FrameInput frame(int number) throws IOException {
         Camera seen = camera.apply(number / rate);
         World near = world;
         if (!world.isNear(seen)) {
-            near = World.of(scene.withCamera(seen), images);
+            near = World.of(scene.withCamera(seen), world.images(), world.meshes());
             near.setSettings(world.settings());
         }
         near.setCamera(seen);

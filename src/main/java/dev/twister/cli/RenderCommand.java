@@ -13,7 +13,6 @@ import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import dev.twister.world.FrameInput;
-import dev.twister.world.SceneImages;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -194,8 +193,7 @@ final class RenderCommand implements Callable<Integer> {
             boolean linear,
             Work work)
             throws IOException {
-        SceneImages images = SkyFiles.readAll(scene, spec.commandLine().getErr());
-        World world = World.of(scene, images);
+        World world = SkyFiles.world(scene, spec.commandLine().getErr());
         world.setSettings(settings);
         Sampling usual = samples.over(settings.samplesPerPixel());
         Sampling sampling = new Sampling(part.samplesOr(usual.samples()), usual.noise());
@@ -208,11 +206,11 @@ final class RenderCommand implements Callable<Integer> {
                 try (Simulation simulation = Simulation.of(scene, world.meshes())) {
                     motion.begin(simulation, spec.commandLine().getErr());
                     FilmBodies bodies = FilmBodies.simulated(simulation, motion.secondsPerFrame());
-                    work.draw(drawing, new FilmScene(scene, images, world, bodies, cameras, rate));
+                    work.draw(drawing, new FilmScene(scene, world, bodies, cameras, rate));
                 }
             } else {
                 FilmBodies bodies = recorded.map(FilmBodies::recorded).orElse(FilmBodies.still());
-                work.draw(drawing, new FilmScene(scene, images, world, bodies, cameras, rate));
+                work.draw(drawing, new FilmScene(scene, world, bodies, cameras, rate));
             }
         }
     }

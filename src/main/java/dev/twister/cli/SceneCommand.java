@@ -79,7 +79,7 @@ final class SceneCommand implements Callable<Integer> {
     private String check(String name) {
         Path file = SceneFiles.find(name);
         Scene scene = SceneReader.read(file);
-        SkyFiles.readAll(scene, spec.commandLine().getErr());
+        SkyFiles.world(scene, spec.commandLine().getErr());
         return file + ": valid, " + spheres(scene)
                 + also(scene.materials().size(), "material")
                 + also(scene.textures().size(), "texture");

@@ -1,15 +1,18 @@
 package dev.twister.cli;
 
+import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
 import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
+import dev.twister.world.World;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 
-/** Reads panoramas and textures for commands. */
+/** Reads panoramas, textures and meshes for commands. */
 final class SkyFiles {
     private SkyFiles() {}
 
@@ -23,17 +26,32 @@ final class SkyFiles {
     }
 
     /**
-     * Reads a scene's pictures as {@link SceneImages#read} does.
+     * The world of a scene, whose meshes and pictures are read as {@link SceneMeshes#read} and {@link SceneImages#read}
+     * do.
      *
      * @param err told of what the files say and is not used
      */
-    static SceneImages readAll(Scene scene, PrintWriter err) {
-        return SceneImages.read(scene, warnings(err));
+    static World world(Scene scene, PrintWriter err) {
+        SceneMeshes meshes = meshes(scene, err);
+        return World.of(scene, SceneImages.read(scene, meshes, warnings(err)), meshes);
+    }
+
+    /**
+     * A scene's meshes, read as {@link SceneMeshes#read} does.
+     *
+     * @param err told of what the files say and is not used
+     */
+    static SceneMeshes meshes(Scene scene, PrintWriter err) {
+        return SceneMeshes.read(scene, warnings(err));
     }
 
     /** The files that a scene is drawn from. */
     static Path[] inputs(Path sceneFile, Scene scene) {
-        return Stream.concat(Stream.of(sceneFile, scene.skybox()), scene.textures().keySet().stream())
+        return Stream.of(
+                        Stream.of(sceneFile, scene.skybox()),
+                        scene.textures().keySet().stream(),
+                        scene.meshes().stream().map(Mesh::file))
+                .flatMap(files -> files)
                 .toArray(Path[]::new);
     }
 

@@ -3,6 +3,7 @@ package dev.twister.sky;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
+import java.util.Optional;
 
 /**
  * A file's bytes by their position, read through a window on the heap. The file is not mapped: where another process
@@ -11,15 +12,24 @@ import java.nio.channels.FileChannel;
 final class FileBytes {
     private static final int WINDOW_BYTES = 1 << 16;
 
-    private final FileChannel channel;
+    private final Optional<FileChannel> channel;
     private final long length;
-    private final byte[] window = new byte[WINDOW_BYTES];
+    private final byte[] window;
     private long windowStart;
     private int windowLength;
 
     FileBytes(FileChannel channel) throws IOException {
-        this.channel = channel;
+        this.channel = Optional.of(channel);
         this.length = channel.size();
+        window = new byte[WINDOW_BYTES];
+    }
+
+    /** Of a file whose bytes are at hand. */
+    FileBytes(byte[] bytes) {
+        channel = Optional.empty();
+        length = bytes.length;
+        window = bytes;
+        windowLength = bytes.length;
     }
 
     /** The length that the file had at first. */
@@ -84,9 +94,10 @@ final class FileBytes {
     }
 
     private void load(long position) throws IOException {
+        FileChannel from = channel.orElseThrow(FileChangedException::new);
         ByteBuffer target = ByteBuffer.wrap(window, 0, (int) Math.min(WINDOW_BYTES, length - position));
         while (target.hasRemaining()) {
-            if (channel.read(target, position + target.position()) < 0) {
+            if (from.read(target, position + target.position()) < 0) {
                 throw new FileChangedException();
             }
         }

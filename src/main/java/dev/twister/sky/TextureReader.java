@@ -21,6 +21,19 @@ public final class TextureReader {
         return SkyboxReader.read(file, warnings, TextureReader::decode);
     }
 
+    /**
+     * The same from the bytes of a file.
+     *
+     * @param name what messages call it
+     */
+    public static Skybox read(Path name, byte[] file, Consumer<String> warnings) {
+        try {
+            return decode(new FileBytes(file), warning -> warnings.accept(name + ": " + warning));
+        } catch (IOException problem) {
+            throw new SkyException(name + ": " + problem.getMessage(), problem);
+        }
+    }
+
     private static Skybox decode(FileBytes file, Consumer<String> warnings) throws IOException {
         if (RadianceHeader.startsIn(file)) {
             throw new IOException("a Radiance picture, but a texture must be PNG or JPEG");

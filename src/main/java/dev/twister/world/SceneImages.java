@@ -34,6 +34,35 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
     }
 
     /**
+     * The same, of a scene with meshes.
+     *
+     * @throws SkyException as {@link SkyboxReader#read} and {@link #textures}
+     */
+    public static SceneImages read(Scene scene, SceneMeshes meshes, Consumer<String> warnings) {
+        return new SceneImages(
+                SkyboxReader.read(scene.skybox(), warnings),
+                textures(
+                        scene,
+                        meshes,
+                        file -> meshes.embeddedImage(file)
+                                .map(bytes -> TextureReader.read(file, bytes, warnings))
+                                .orElseGet(() -> TextureReader.read(file, warnings))));
+    }
+
+    /**
+     * The same, and those of the meshes' own materials, which may be inside a mesh's file.
+     *
+     * @param reader reads one, as {@link TextureReader#read} does
+     * @throws SkyException where the reader does; the message says where the scene file names the texture, or the mesh
+     */
+    public static Map<Path, Skybox> textures(Scene scene, SceneMeshes meshes, Function<Path, Skybox> reader) {
+        Map<Path, Skybox> textures = new HashMap<>(textures(scene, reader));
+        meshes.textures(scene)
+                .forEach((file, place) -> textures.computeIfAbsent(file, texture -> texture(texture, place, reader)));
+        return textures;
+    }
+
+    /**
      * A scene's textures by their files.
      *
      * @param reader reads one, as {@link TextureReader#read} does

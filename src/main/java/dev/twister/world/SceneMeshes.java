@@ -3,6 +3,8 @@ package dev.twister.world;
 import dev.twister.kernel.Layout;
 import dev.twister.mesh.MeshException;
 import dev.twister.mesh.MeshFile;
+import dev.twister.mesh.MeshPart;
+import dev.twister.mesh.MeshReader;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import java.nio.file.Path;
@@ -10,6 +12,9 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
@@ -43,9 +48,24 @@ public final class SceneMeshes {
     }
 
     /**
+     * Reads a scene's meshes, each file once.
+     *
+     * @param warnings told of what the files say and is not used; one line each
+     * @throws MeshException as {@link #of}
+     */
+    public static SceneMeshes read(Scene scene, Consumer<String> warnings) {
+        return of(scene, reader(warnings));
+    }
+
+    /** Reads files by {@link MeshReader#read}. */
+    public static Function<Source, MeshFile> reader(Consumer<String> warnings) {
+        return source -> MeshReader.read(source.file(), source.smoothDegrees(), warnings);
+    }
+
+    /**
      * A scene's meshes.
      *
-     * @param reader reads a file, as {@code MeshReader.read} does
+     * @param reader reads a file, as {@link MeshReader#read} does
      * @throws MeshException where the reader does; the message says where the scene file names the file; and where all
      *     together are more than an array holds
      */
@@ -141,6 +161,29 @@ public final class SceneMeshes {
     /** What a mesh's file holds. */
     public MeshFile file(Mesh mesh) {
         return loaded(mesh).file();
+    }
+
+    /** The textures that the files' own materials have, where a mesh of the scene shows them, and where it names the file. */
+    Map<Path, String> textures(Scene scene) {
+        Map<Path, String> placeByTexture = new LinkedHashMap<>();
+        for (int i = 0; i < scene.meshes().size(); i++) {
+            Mesh mesh = scene.meshes().get(i);
+            if (mesh.material().isEmpty()) {
+                for (MeshPart part : file(mesh).parts()) {
+                    String place = "meshes[" + i + "].file";
+                    part.material().texture().ifPresent(texture -> placeByTexture.putIfAbsent(texture, place));
+                }
+            }
+        }
+        return placeByTexture;
+    }
+
+    /** The PNG or JPEG file of a texture that is inside one of the files. */
+    public Optional<byte[]> embeddedImage(Path texture) {
+        return loadedBySource.values().stream()
+                .map(loaded -> loaded.file().embeddedImages().get(texture))
+                .filter(Objects::nonNull)
+                .findFirst();
     }
 
     /** Where a mesh of its file is. */

@@ -23,6 +23,7 @@ public final class World {
     private final Vector3 origin;
     private final Panorama panorama;
     private final float[] looks;
+    private final SceneImages images;
     private final SceneMeshes sceneMeshes;
     private final float[] meshes;
     private final float[] instances;
@@ -46,6 +47,7 @@ public final class World {
         List<Sphere> spheres = scene.allSpheres();
         bodies = Layout.FIRST_SPHERE + scene.spheres().size();
         room = Layout.FIRST_SPHERE + spheres.size();
+        this.images = images;
         this.sceneMeshes = sceneMeshes;
         meshes = sceneMeshes.floats();
         List<MeshBody> meshBodies = MeshBody.of(scene, sceneMeshes, origin);
@@ -113,6 +115,11 @@ public final class World {
     /** Whether its coordinates begin near enough to that camera; else another world of the scene is drawn better. */
     public boolean isNear(Camera other) {
         return Origin.isNear(origin, other.position());
+    }
+
+    /** The pictures that it was made with. */
+    public SceneImages images() {
+        return images;
     }
 
     /** The meshes that it was made with. */

@@ -4,6 +4,7 @@ import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -50,10 +51,11 @@ public final class ShippedScenes {
 
     private static LitScene read(String name) {
         Scene scene = SceneReader.read(FOLDER.resolve(name + ".json"));
-        return new LitScene(scene, SceneImages.read(scene, _ -> {}));
+        SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
+        return new LitScene(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
     }
 
     private static LitScene with(LitScene shipped, RenderSettings settings) {
-        return new LitScene(shipped.scene().withSettings(settings), shipped.images());
+        return new LitScene(shipped.scene().withSettings(settings), shipped.images(), shipped.meshes());
     }
 }

@@ -3,7 +3,9 @@ package dev.twister.gui.drawing;
 import dev.twister.scene.Scene;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
+import dev.twister.sky.TextureReader;
 import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
@@ -36,15 +38,17 @@ final class LivingTextures {
         return edition != shelf.texturesEdition();
     }
 
-    /** A scene's textures by their files; white where one cannot be read. */
-    Map<Path, Skybox> of(Scene scene) {
+    /** The textures of a scene and its meshes by their files; white where one cannot be read. */
+    Map<Path, Skybox> of(Scene scene, SceneMeshes meshes) {
         if (areOld()) {
             edition = shelf.texturesEdition();
             held = Map.of();
         }
         Map<Path, Skybox> before = held;
         held = SceneImages.textures(
-                scene, file -> Optional.ofNullable(before.get(file)).orElseGet(() -> read(file)));
+                scene,
+                meshes,
+                file -> Optional.ofNullable(before.get(file)).orElseGet(() -> read(file, scene, meshes)));
         complaints.keySet().retainAll(held.keySet());
         return held;
     }
@@ -54,19 +58,26 @@ final class LivingTextures {
         return complaints.values().stream().findFirst();
     }
 
-    private Skybox read(Path file) {
+    private Skybox read(Path file, Scene scene, SceneMeshes meshes) {
         complaints.remove(file);
         try {
-            return shelf.texture(
-                    file,
-                    () -> newest.get()
-                            .filter(now -> now.textures().containsKey(file))
-                            .isPresent());
+            return meshes.embeddedImage(file)
+                    .map(bytes -> TextureReader.read(file, bytes, shelf::warn))
+                    .orElseGet(() -> shelf.texture(file, () -> isWanted(file, scene)));
         } catch (SkyException problem) {
             complaints.put(file, problem.getMessage());
         } catch (OutOfMemoryError _) {
             complaints.put(file, file + ": there is not enough memory for this texture");
         }
         return WHITE;
+    }
+
+    /** Whether the newest scene names it, or its meshes do where they are the same. */
+    private boolean isWanted(Path file, Scene scene) {
+        return newest.get()
+                .filter(now -> scene.textures().containsKey(file)
+                        ? now.textures().containsKey(file)
+                        : now.meshes().equals(scene.meshes()))
+                .isPresent();
     }
 }

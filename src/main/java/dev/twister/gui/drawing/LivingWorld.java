@@ -5,8 +5,10 @@ import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 
@@ -20,6 +22,7 @@ final class LivingWorld implements AutoCloseable {
     private final SkyShelf skies;
     private final Supplier<Optional<Scene>> newest;
     private final LivingTextures textures;
+    private final LivingMeshes meshes;
     private final MovingBodies moving = new MovingBodies();
     private Motion motion = Motion.NONE;
     private Optional<Scene> scene = Optional.empty();
@@ -39,6 +42,7 @@ final class LivingWorld implements AutoCloseable {
         this.skies = skies;
         this.newest = newest;
         textures = new LivingTextures(skies, newest);
+        meshes = new LivingMeshes(SceneMeshes.reader(skies::warn));
     }
 
     /**
@@ -55,7 +59,7 @@ final class LivingWorld implements AutoCloseable {
                         && sameKind
                         && before.isNear(wanted.camera())
                         && scene.filter(old -> hasSameBodies(old, wanted)).isPresent())
-                .orElseGet(() -> World.of(wanted, new SceneImages(sky, textures.of(wanted))));
+                .orElseGet(() -> world(wanted));
         now.setCamera(wanted.camera());
         now.setSettings(wanted.settings().withSize(width, height));
         moving.place(wanted, wantedMotion, now, nanos);
@@ -67,9 +71,17 @@ final class LivingWorld implements AutoCloseable {
         return snapshot;
     }
 
-    /** Why the scene's own sky, or a texture, is not seen, where it is not. */
+    /** The scene's world, without its meshes where one cannot be read. */
+    private World world(Scene wanted) {
+        Optional<SceneMeshes> read = meshes.of(wanted);
+        Scene shown = read.isPresent() ? wanted : wanted.withMeshes(List.of());
+        SceneMeshes shownMeshes = read.orElse(SceneMeshes.NONE);
+        return World.of(shown, new SceneImages(sky, textures.of(shown, shownMeshes)), shownMeshes);
+    }
+
+    /** Why the scene's own sky, a mesh or a texture is not seen, where it is not. */
     Optional<String> complaint() {
-        return complaint.or(textures::complaint);
+        return complaint.or(meshes::complaint).or(textures::complaint);
     }
 
     /** Lets go of what moves the bodies. */
@@ -80,6 +92,7 @@ final class LivingWorld implements AutoCloseable {
 
     private static boolean hasSameBodies(Scene one, Scene other) {
         return one.spheres().equals(other.spheres())
+                && one.meshes().equals(other.meshes())
                 && one.light().equals(other.light())
                 && one.plane().equals(other.plane())
                 && one.skybox().equals(other.skybox())

@@ -190,6 +190,11 @@ public final class SkyShelf {
         return texturesEdition;
     }
 
+    /** Adds to what {@link #takeWarnings} tells: what a file says that was read elsewhere. */
+    void warn(String warning) {
+        warnings.add(warning);
+    }
+
     /** What the files that were read since the last call say and is not used; empty where there is nothing. */
     public String takeWarnings() {
         StringJoiner taken = new StringJoiner("; ");

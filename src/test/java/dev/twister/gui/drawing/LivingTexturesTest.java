@@ -9,6 +9,7 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.world.SceneMeshes;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -59,12 +60,12 @@ class LivingTexturesTest {
         assertThat(red()).isEqualTo(1);
         assertThat(textures.complaint())
                 .hasValueSatisfying(complaint -> assertThat(complaint).startsWith(file + ": not a texture"));
-        textures.of(scene.withSpheres(List.of()));
+        textures.of(scene.withSpheres(List.of()), SceneMeshes.NONE);
         assertThat(textures.complaint()).isEmpty();
     }
 
     private float red() {
-        return textures.of(scene).get(file).radiance()[0];
+        return textures.of(scene, SceneMeshes.NONE).get(file).radiance()[0];
     }
 
     private void write(int color) throws IOException {

@@ -17,6 +17,7 @@ final class BrokenKernels {
             float[] places,
             float[] looks,
             float[] hierarchy,
+            float[] meshes,
             float[] sky,
             int[] skyDimensions,
             float[] shadowDisc,
@@ -24,6 +25,7 @@ final class BrokenKernels {
             int width,
             int rows,
             int search,
+            int firstMesh,
             int materials,
             int aspect,
             int output) {
@@ -48,6 +50,7 @@ final class BrokenKernels {
             float[] places,
             float[] looks,
             float[] hierarchy,
+            float[] meshes,
             float[] sky,
             int[] skyDimensions,
             float[] shadowDisc,
@@ -55,6 +58,7 @@ final class BrokenKernels {
             int width,
             int rows,
             int search,
+            int firstMesh,
             int materials,
             int aspect,
             int output) {

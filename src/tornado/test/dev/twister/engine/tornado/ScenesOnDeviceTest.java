@@ -6,11 +6,13 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.oracle.LitScene;
 import dev.twister.oracle.RandomMaterials;
+import dev.twister.oracle.RandomMeshes;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
 import dev.twister.world.SphereHierarchy;
 import dev.twister.world.World;
 import java.io.IOException;
@@ -43,7 +45,8 @@ class ScenesOnDeviceTest {
     @MethodSource("shippedScenesOnDevices")
     void shippedSceneLooksTheSame(Path file, EngineOffer offer) {
         Scene scene = SceneReader.read(file);
-        World world = World.of(scene, SceneImages.read(scene, _ -> {}));
+        SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
+        World world = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
         world.setSettings(scene.settings().withSize(320, 180));
         try (Engine engine = offer.opener().get()) {
             Pictures.requireSequentials(engine, world.snapshot());
@@ -110,6 +113,24 @@ class ScenesOnDeviceTest {
                 pixels += input.width() * input.rows();
             }
             assertThat(differences).as("of %d pixels in ten pictures", pixels).isLessThanOrEqualTo(2 + pixels / 5000);
+        }
+    }
+
+    /** Meshes of all materials. */
+    @ParameterizedTest(name = "seed {0} on {1}")
+    @MethodSource("randomMaterialsOnDevices")
+    void randomMeshesLookTheSame(int seed, EngineOffer offer) {
+        Random random = new Random(300 + seed);
+        try (Engine engine = offer.opener().get()) {
+            int differences = 0;
+            int pixels = 0;
+            for (int scene = 0; scene < 4; scene++) {
+                FrameInput input =
+                        RandomMeshes.scene(random, random.nextInt(5)).world().snapshot();
+                differences += Pictures.differences(engine, input);
+                pixels += input.width() * input.rows();
+            }
+            assertThat(differences).as("of %d pixels in four pictures", pixels).isLessThanOrEqualTo(2 + pixels / 2000);
         }
     }
 
