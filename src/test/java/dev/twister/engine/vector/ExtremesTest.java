@@ -9,6 +9,7 @@ import dev.twister.image.Frame;
 import dev.twister.oracle.PictureDifference;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
+import dev.twister.scene.Material;
 import dev.twister.scene.Plane;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Rgb;
@@ -86,6 +87,25 @@ final class ExtremesTest {
                         .withLight(Light.of(new Vector3(50, lightHeight, 30), 1, WHITE))
                         .withPlane(Plane.of(1e6, 0, WHITE, BLACK, 64))
                         .withSettings(settings(320, 200).withBounces(1)));
+    }
+
+    /** Lanes that have ended beside those of mirrors go on from numbers that are squared at each bounce, up to infinity. */
+    @ParameterizedTest
+    @ValueSource(ints = {128, 256, 512})
+    void glassBehindFarMirrors(int bits) {
+        assertSame(
+                bits,
+                Scene.under(Path.of("none.hdr"))
+                        .withCamera(Camera.of(new Vector3(0, 0, -3e5), 0, 0, 10))
+                        .withLight(Light.of(new Vector3(0, 5e5, -3e5), 1, WHITE))
+                        .withPlane(Plane.of(1, -9e5, BLACK, BLACK, 0))
+                        .withSpheres(List.of(
+                                Sphere.of(new Vector3(-1.01e5, 0, 0), 1e5, WHITE, 128),
+                                Sphere.of(new Vector3(1.01e5, 0, 0), 1e5, WHITE, 128),
+                                Sphere.of(new Vector3(0, 0, -6e5), 1, WHITE, 0)
+                                        .withMaterial(Material.DEFAULT.withTransmission(1))))
+                        .withAmbient(1)
+                        .withSettings(settings(64, 16).withBounces(8)));
     }
 
     private static RenderSettings settings(int width, int height) {

@@ -30,7 +30,8 @@ public final class ScatterLanes {
             int at = tile.surfaces.places[k];
             VectorMask<Float> here = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.GE, Layout.PLANE);
             FloatVector throughput = Lanes.all(0f).blend(Lanes.load(t, at + Tile.THROUGHPUT), here);
-            FloatVector cosine = Lanes.larger(Lanes.load(t, at + Tile.NORMAL_DOT_LIGHT), Lanes.all(0f));
+            // 0 for NaN, which lanes without a surface may hold: a throughput of 0 times NaN is NaN.
+            FloatVector cosine = Lanes.larger(Lanes.all(0f), Lanes.load(t, at + Tile.NORMAL_DOT_LIGHT));
             FloatVector lit = Lanes.larger(cosine.mul(Lanes.load(t, at + Tile.VISIBLE)), Lanes.all(ambient));
             FloatVector mirror = Lanes.load(t, at + Tile.REFLECTIVITY).mul(mirrorScale);
             FloatVector matte = throughput.mul(Lanes.all(1f).sub(mirror).mul(lit));
