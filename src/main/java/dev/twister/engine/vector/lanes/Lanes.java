@@ -87,7 +87,7 @@ public final class Lanes {
         return FUSED ? a.fma(b, c) : a.mul(b).add(c);
     }
 
-    /** The larger, lane by lane; compare and blend is cheaper than {@code max}, which minds NaN and -0. */
+    /** The larger, lane by lane, {@code a} where either is NaN; cheaper than {@code max}, which minds NaN and -0. */
     public static FloatVector larger(FloatVector a, FloatVector b) {
         return a.blend(b, b.compare(VectorOperators.GT, a));
     }

@@ -22,7 +22,7 @@ public final class Highlight {
         raise(tile);
     }
 
-    /** Writes {@code max(0, N.H)}, at most 1, and 0 where the light is behind, to the specular column. */
+    /** Writes {@code max(0, N.H)}, at most 1, to the specular column; 0 for NaN, which lanes without a surface may hold. */
     static void findCosines(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.surfaces.count; k++) {
@@ -35,7 +35,7 @@ public final class Highlight {
                     Lanes.load(t, at + Tile.NORMAL_X),
                     Lanes.fma(y, Lanes.load(t, at + Tile.NORMAL_Y), z.mul(Lanes.load(t, at + Tile.NORMAL_Z))));
             FloatVector cosine = normalDotHalf.mul(Lanes.inverseRoot(Lanes.fma(x, x, Lanes.fma(y, y, z.mul(z)))));
-            Lanes.smaller(Lanes.larger(cosine, Lanes.all(0f)), Lanes.all(1f)).intoArray(t, at + Tile.SPECULAR);
+            Lanes.smaller(Lanes.larger(Lanes.all(0f), cosine), Lanes.all(1f)).intoArray(t, at + Tile.SPECULAR);
         }
     }
 

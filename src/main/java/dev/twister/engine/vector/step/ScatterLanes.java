@@ -29,15 +29,13 @@ public final class ScatterLanes {
         for (int k = 0; k < tile.surfaces.count; k++) {
             int at = tile.surfaces.places[k];
             VectorMask<Float> here = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.GE, Layout.PLANE);
-            FloatVector throughput = Lanes.load(t, at + Tile.THROUGHPUT);
-            FloatVector cosine = Lanes.larger(Lanes.load(t, at + Tile.NORMAL_DOT_LIGHT), Lanes.all(0f));
-            // Lanes without a surface may hold NaN, which times a throughput of 0 would still be NaN.
-            FloatVector lit = Lanes.all(0f)
-                    .blend(Lanes.larger(cosine.mul(Lanes.load(t, at + Tile.VISIBLE)), Lanes.all(ambient)), here);
-            FloatVector shine = Lanes.all(0f).blend(Lanes.load(t, at + Tile.SPECULAR), here);
+            FloatVector throughput = Lanes.all(0f).blend(Lanes.load(t, at + Tile.THROUGHPUT), here);
+            // 0 for NaN, which lanes without a surface may hold: a throughput of 0 times NaN is NaN.
+            FloatVector cosine = Lanes.larger(Lanes.all(0f), Lanes.load(t, at + Tile.NORMAL_DOT_LIGHT));
+            FloatVector lit = Lanes.larger(cosine.mul(Lanes.load(t, at + Tile.VISIBLE)), Lanes.all(ambient));
             FloatVector mirror = Lanes.load(t, at + Tile.REFLECTIVITY).mul(mirrorScale);
             FloatVector matte = throughput.mul(Lanes.all(1f).sub(mirror).mul(lit));
-            FloatVector specular = throughput.mul(shine);
+            FloatVector specular = throughput.mul(Lanes.load(t, at + Tile.SPECULAR));
             FloatVector red = Lanes.fma(matte, Lanes.load(t, at + Tile.ALBEDO_RED), Lanes.load(t, at + Tile.RED));
             FloatVector green = Lanes.fma(matte, Lanes.load(t, at + Tile.ALBEDO_GREEN), Lanes.load(t, at + Tile.GREEN));
             FloatVector blue = Lanes.fma(matte, Lanes.load(t, at + Tile.ALBEDO_BLUE), Lanes.load(t, at + Tile.BLUE));
