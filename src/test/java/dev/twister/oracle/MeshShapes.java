@@ -59,7 +59,7 @@ public final class MeshShapes {
     public static TriangleMesh cube() {
         float[] positions = new float[3 * 8];
         for (int i = 0; i < positions.length; i++) {
-            positions[i] = (i / 3 >> i % 3 & 1) == 0 ? -1 : 1;
+            positions[i] = (((i / 3) >> (i % 3)) & 1) == 0 ? -1 : 1;
         }
         return new TriangleMesh(positions, new float[0], new float[0], CUBE_CORNERS);
     }
@@ -135,7 +135,7 @@ public final class MeshShapes {
         }
 
         private int half(int a, int b) {
-            return vertexByEdge.computeIfAbsent((long) Math.min(a, b) << 32 | Math.max(a, b), edge -> add(a, b));
+            return vertexByEdge.computeIfAbsent(((long) Math.min(a, b) << 32) | Math.max(a, b), edge -> add(a, b));
         }
 
         private int add(int a, int b) {
