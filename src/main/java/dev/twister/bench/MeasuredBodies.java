@@ -23,9 +23,7 @@ final class MeasuredBodies implements AutoCloseable {
     MeasuredBodies(World world, Optional<MotionPlan> motion) {
         this.world = world;
         moving = motion.map(plan -> new Moving(
-                plan,
-                Simulation.of(plan.scene(), world.meshes()),
-                Simulation.of(plan.scene(), world.meshes())));
+                plan, Simulation.of(plan.scene(), world.meshes()), Simulation.of(plan.scene(), world.meshes())));
         input = world.snapshot();
     }
 

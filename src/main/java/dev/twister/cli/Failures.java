@@ -34,7 +34,6 @@ final class Failures {
         PrintWriter err = command.getErr();
         return switch (failure) {
             case BadInputException _,
-                    MeshException _,
                     SceneException _,
                     MeshException _,
                     SkyException _,

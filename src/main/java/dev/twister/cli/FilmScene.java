@@ -14,8 +14,7 @@ import java.util.function.DoubleFunction;
  * @param camera at a time, in seconds
  * @param rate frames a second
  */
-record FilmScene(
-        Scene scene, World world, FilmBodies bodies, DoubleFunction<Camera> camera, double rate) {
+record FilmScene(Scene scene, World world, FilmBodies bodies, DoubleFunction<Camera> camera, double rate) {
     /** A frame, whatever frames were before it. */
     FrameInput frame(int number) throws IOException {
         Camera seen = camera.apply(number / rate);

@@ -112,7 +112,8 @@ final class SimulateCommand implements Callable<Integer> {
 
     // A simulation has no other way to a frame than by way of those before it.
     private void record(Scene scene, MotionRecording recording, double framesPerSecond) throws IOException {
-        try (Simulation simulation = Simulation.of(scene, SkyFiles.meshes(scene, spec.commandLine().getErr()));
+        try (Simulation simulation = Simulation.of(
+                        scene, SkyFiles.meshes(scene, spec.commandLine().getErr()));
                 ProgressLine line = progress.start(spec.commandLine(), "simulating", frames.last() + 1L)) {
             for (int number = 0; number <= frames.last(); number++) {
                 if (number >= recording.nextFrame() - 1 && number >= frames.first()) {

@@ -7,6 +7,7 @@ import dev.twister.physics.Simulation;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import dev.twister.scene.Vector3;
+import dev.twister.world.SceneMeshes;
 import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.nio.ByteBuffer;
@@ -183,7 +184,7 @@ class MotionFileTest {
     }
 
     private static float[] positions(int frame) {
-        try (Simulation simulation = Simulation.of(SCENE, 1)) {
+        try (Simulation simulation = Simulation.of(SCENE, SceneMeshes.NONE, 1)) {
             simulation.advance(frame / 24.0);
             return simulation.positions();
         }
