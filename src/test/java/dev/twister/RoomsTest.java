@@ -170,7 +170,11 @@ class RoomsTest {
     void physicsKnowsTheKernelsLayoutOnly() {
         DescribedPredicate<JavaClass> allowed = resideOutsideOfPackage("dev.twister..")
                 .or(resideInAnyPackage(
-                        "dev.twister.physics", "dev.twister.scene", "dev.twister.world", "dev.twister.threads"))
+                        "dev.twister.physics",
+                        "dev.twister.scene",
+                        "dev.twister.mesh",
+                        "dev.twister.world",
+                        "dev.twister.threads"))
                 .or(belongToAnyOf(Layout.class));
         classes()
                 .that()
