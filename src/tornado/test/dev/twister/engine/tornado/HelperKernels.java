@@ -181,7 +181,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
     static void meshItems(float[] in, float[] hierarchy, float[] meshes, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             float[] path = new float[Layout.PATH_LENGTH];
-            float[] scratch = new float[Layout.SCRATCH_LENGTH];
+            float[] scratch = new float[Layout.PLAIN_SCRATCH_LENGTH];
             path[Layout.ORIGIN] = in[7 * i];
             path[Layout.ORIGIN + 1] = in[7 * i + 1];
             path[Layout.ORIGIN + 2] = in[7 * i + 2];
