@@ -12,7 +12,6 @@ import dev.twister.kernel.Material;
 import dev.twister.kernel.Refraction;
 import dev.twister.kernel.Shadow;
 import dev.twister.kernel.Sky;
-import dev.twister.kernel.Surface;
 import dev.twister.kernel.Texture;
 import dev.twister.kernel.Tone;
 import java.util.function.Supplier;
@@ -46,7 +45,6 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             case "refraction" -> HelperKernels::refractionItems;
             case "texture" -> HelperKernels::textureItems;
             case "shadow" -> HelperKernels::shadowItems;
-            case "mesh" -> HelperKernels::meshItems;
             default -> throw new IllegalArgumentException(helper);
         };
     }
@@ -174,42 +172,6 @@ public final class HelperKernels implements Supplier<HelperTasks> {
                     Material.ANY,
                     Aspect.FULL);
             out[2 * i + 1] = path[Layout.DISTANCE];
-        }
-    }
-
-    /** Item: origin, direction, the triangle of the first mesh that the ray leaves. Tables: hierarchy, meshes. */
-    static void meshItems(float[] in, float[] hierarchy, float[] meshes, float[] c, float[] out, int count) {
-        for (@Parallel int i = 0; i < count; i++) {
-            float[] path = new float[Layout.PATH_LENGTH];
-            float[] scratch = new float[Layout.SCRATCH_LENGTH];
-            path[Layout.ORIGIN] = in[7 * i];
-            path[Layout.ORIGIN + 1] = in[7 * i + 1];
-            path[Layout.ORIGIN + 2] = in[7 * i + 2];
-            path[Layout.DIRECTION] = in[7 * i + 3];
-            path[Layout.DIRECTION + 1] = in[7 * i + 4];
-            path[Layout.DIRECTION + 2] = in[7 * i + 5];
-            path[Layout.LEAVING] = Layout.FIRST_SPHERE;
-            path[Layout.LEAVING_TRIANGLE] = in[7 * i + 6];
-            int body = Hit.find(
-                    path,
-                    hierarchy,
-                    hierarchy,
-                    hierarchy,
-                    meshes,
-                    0,
-                    scratch,
-                    Hit.ALL,
-                    Layout.FIRST_SPHERE,
-                    Material.ANY,
-                    Aspect.FULL);
-            if (body != Layout.NOTHING) {
-                Surface.find(path, body, hierarchy, hierarchy, meshes, Layout.FIRST_SPHERE);
-            }
-            out[5 * i] = body;
-            out[5 * i + 1] = path[Layout.DISTANCE];
-            out[5 * i + 2] = path[Layout.NORMAL];
-            out[5 * i + 3] = path[Layout.NORMAL + 1];
-            out[5 * i + 4] = path[Layout.POINT];
         }
     }
 

@@ -3,19 +3,7 @@ package dev.twister.engine.tornado;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.kernel.Layout;
-import dev.twister.mesh.MeshFile;
-import dev.twister.oracle.MeshShapes;
-import dev.twister.scene.Mesh;
-import dev.twister.scene.Scene;
-import dev.twister.scene.Vector3;
-import dev.twister.sky.Skybox;
-import dev.twister.world.Bodies;
-import dev.twister.world.SceneImages;
-import dev.twister.world.SceneMeshes;
 import dev.twister.world.SphereHierarchy;
-import dev.twister.world.World;
-import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
@@ -140,44 +128,6 @@ class HelpersOnDeviceTest {
                     requireNear(run, 1e-6, ITEMS / 10 / 100);
                 }
             }
-        }
-    }
-
-    /** Three meshes of one shape, turned and scaled. */
-    @ParameterizedTest(name = "meshes on {0}")
-    @MethodSource("devices")
-    void meshesAreTheSameOnTheDevice(TornadoDevice device) throws TornadoExecutionPlanException {
-        Random random = new Random(12);
-        List<Mesh> placed = new ArrayList<>();
-        for (int i = 0; i < 3; i++) {
-            placed.add(Mesh.of(Path.of("blob"))
-                    .withPosition(new Vector3(2 * i - 2, random.nextDouble(), random.nextDouble()))
-                    .withRotation(new Vector3(40 * i, 70, 10))
-                    .withScale(0.5 + random.nextDouble()));
-        }
-        Scene scene = Scene.under(Path.of("none")).withMeshes(placed);
-        MeshFile file = MeshShapes.file(MeshShapes.blob(random, 3));
-        Bodies bodies = World.of(
-                        scene, SceneImages.of(new Skybox(1, 1, new float[3])), SceneMeshes.of(scene, source -> file))
-                .snapshot()
-                .bodies();
-        try (HelperRun run =
-                new HelperRun("mesh", device, ITEMS, 7, 5, bodies.hierarchy().length, bodies.meshes().length, 1)) {
-            put(run.first, 0, bodies.hierarchy());
-            put(run.second, 0, bodies.meshes());
-            for (int item = 0; item < ITEMS; item++) {
-                float[] direction = direction(random);
-                put(run.input, item, new float[] {
-                    4 * random.nextFloat() - 2,
-                    2 * random.nextFloat() - 1,
-                    2 * random.nextFloat() - 1,
-                    direction[0],
-                    direction[1],
-                    direction[2],
-                    random.nextInt(1280)
-                });
-            }
-            requireNear(run, 1e-3, ITEMS / 500);
         }
     }
 
