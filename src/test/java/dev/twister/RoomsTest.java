@@ -75,7 +75,8 @@ class RoomsTest {
                         "engine",
                         "engine.auto",
                         "explain",
-                        "image"),
+                        "image",
+                        "explain"),
                 room(
                         "gui.drawing",
                         "scene",
@@ -99,6 +100,7 @@ class RoomsTest {
                         "explain",
                         "image",
                         "bench",
+                        "explain",
                         "gui.drawing",
                         "gui.model"),
                 room(
