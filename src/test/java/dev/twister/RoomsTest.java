@@ -78,7 +78,8 @@ class RoomsTest {
                         "engine",
                         "engine.auto",
                         "explain",
-                        "image"),
+                        "image",
+                        "explain"),
                 room(
                         "gui.drawing",
                         "mesh",
@@ -103,6 +104,7 @@ class RoomsTest {
                         "explain",
                         "image",
                         "bench",
+                        "explain",
                         "gui.drawing",
                         "gui.model"),
                 room(

@@ -21,16 +21,19 @@ import javafx.scene.input.MouseEvent;
 final class BodyMouse {
     private final PictureView view;
     private final Studio studio;
+    private final PathPick paths;
+    private Optional<Point2D> pointer = Optional.empty();
     private Optional<SphereDrag> drag = Optional.empty();
 
-    private BodyMouse(PictureView view, Studio studio) {
+    private BodyMouse(PictureView view, Studio studio, PathPick paths) {
+        this.paths = paths;
         this.view = view;
         this.studio = studio;
     }
 
     /** Filters, so that this comes before what else listens to the picture. */
-    static void install(PictureView view, Studio studio, ObservableValue<Boolean> windowFocused) {
-        BodyMouse mouse = new BodyMouse(view, studio);
+    static BodyMouse install(PictureView view, Studio studio, PathPick paths, ObservableValue<Boolean> windowFocused) {
+        BodyMouse mouse = new BodyMouse(view, studio, paths);
         view.addEventFilter(MouseEvent.MOUSE_PRESSED, mouse::pressed);
         view.addEventFilter(MouseEvent.MOUSE_DRAGGED, mouse::dragged);
         view.addEventFilter(MouseEvent.MOUSE_RELEASED, mouse::released);
@@ -43,6 +46,8 @@ final class BodyMouse {
         });
         // By a key, while a body is held: the pointer does not hold the one that is selected then.
         studio.selectionProperty().subscribe(_ -> mouse.letGo());
+        view.addEventFilter(MouseEvent.MOUSE_EXITED, _ -> mouse.pointer = Optional.empty());
+        return mouse;
     }
 
     private void pressed(MouseEvent event) {
@@ -53,6 +58,7 @@ final class BodyMouse {
         int selected = studio.selectionProperty().get();
         if (event.getButton() == MouseButton.PRIMARY
                 && !event.isShiftDown()
+                && !event.isAltDown()
                 && BodyEdits.isMovable(studio.scene(), selected)
                 && bodyAt(event).filter(body -> body == selected).isPresent()) {
             DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
@@ -93,11 +99,34 @@ final class BodyMouse {
 
     private void clicked(MouseEvent event) {
         if (event.getButton() == MouseButton.PRIMARY && event.isStillSincePress()) {
-            if (event.isShiftDown()) {
+            if (event.isAltDown()) {
+                explain(event.getX(), event.getY());
+            } else if (event.isShiftDown()) {
                 focus(event);
             } else {
                 studio.select(bodyAt(event).orElse(BodyNumber.NONE));
             }
+        }
+    }
+
+    private void explain(double x, double y) {
+        studio.pictureProperty().get().filter(_ -> view.place().contains(x, y)).ifPresent(picture -> {
+            Point2D place = view.place().toPicture(x, y);
+            paths.pick(
+                    picture,
+                    Math.clamp((int) place.getX(), 0, picture.frame().width() - 1),
+                    Math.clamp((int) place.getY(), 0, picture.frame().height() - 1));
+        });
+    }
+
+    /** Shows the path of the pixel under the pointer, or takes the one away that is shown. */
+    void togglePath() {
+        if (paths.isShown()) {
+            paths.clear();
+        } else {
+            pointer.ifPresentOrElse(
+                    place -> explain(place.getX(), place.getY()),
+                    () -> studio.notice("Point at a pixel of the picture first"));
         }
     }
 
@@ -117,6 +146,7 @@ final class BodyMouse {
     }
 
     private void moved(MouseEvent event) {
+        pointer = Optional.of(new Point2D(event.getX(), event.getY()));
         int selected = studio.selectionProperty().get();
         boolean over = BodyEdits.isMovable(studio.scene(), selected)
                 && bodyAt(event).filter(body -> body == selected).isPresent();

@@ -45,7 +45,7 @@ final class CameraKeys {
     }
 
     /** Listens to the whole window, whichever control has the focus. */
-    static void install(Scene scene, ObservableValue<Boolean> windowFocused, Studio studio) {
+    static CameraKeys install(Scene scene, ObservableValue<Boolean> windowFocused, Studio studio) {
         CameraKeys keys = new CameraKeys(studio);
         scene.addEventHandler(KeyEvent.KEY_PRESSED, keys::pressed);
         scene.addEventHandler(KeyEvent.KEY_RELEASED, event -> {
@@ -59,6 +59,13 @@ final class CameraKeys {
                 keys.move();
             }
         });
+        return keys;
+    }
+
+    /** See {@link HeldKeys#setQUp}. */
+    void setQUp(boolean up) {
+        held.setQUp(up);
+        move();
     }
 
     private void pressed(KeyEvent event) {
@@ -71,13 +78,13 @@ final class CameraKeys {
         }
         int digit = digit(event.getCode());
         if (digit >= 0 && event.isShortcutDown()) {
-            studio.keepView(digit);
+            studio.hand().keepView(digit);
         } else if (digit >= 0) {
-            studio.recallView(digit);
+            studio.hand().recallView(digit);
         } else if (event.isShortcutDown()) {
             return;
         } else if (event.getCode() == KeyCode.HOME) {
-            studio.goHome();
+            studio.hand().goHome();
         } else if (held.press(event.getCode())) {
             move();
         } else {
@@ -87,8 +94,8 @@ final class CameraKeys {
     }
 
     private void move() {
-        studio.setWalk(held.walk());
-        studio.setTurn(held.turn());
+        studio.hand().setWalk(held.walk());
+        studio.hand().setTurn(held.turn());
     }
 
     private static boolean isText(EventTarget target) {

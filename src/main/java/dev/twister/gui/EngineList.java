@@ -2,6 +2,7 @@ package dev.twister.gui;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
+import dev.twister.engine.auto.FastestEngine;
 import dev.twister.gui.drawing.DrawnPicture;
 import java.util.Comparator;
 import java.util.List;
@@ -27,7 +28,7 @@ final class EngineList {
         this.studio = studio;
         this.errands = errands;
         EngineOffer first = studio.engineProperty().get().offer();
-        List<EngineOffer> atOnce = Engines.offersAtOnce();
+        List<EngineOffer> atOnce = workableFirst(Engines.offersAtOnce());
         offers = new ReadOnlyObjectWrapper<>(Stream.concat(
                         atOnce.stream(),
                         Stream.of(first)
@@ -72,10 +73,12 @@ final class EngineList {
         }
     }
 
-    /** The arrow keys lead past none that cannot be had. */
+    /** The usual one first; the arrow keys lead past none that cannot be had. */
     static List<EngineOffer> workableFirst(List<EngineOffer> offers) {
         return offers.stream()
-                .sorted(Comparator.comparing(offer -> offer.obstacle().isPresent()))
+                .sorted(Comparator.comparing(
+                                (EngineOffer offer) -> offer.obstacle().isPresent())
+                        .thenComparing(offer -> !offer.id().equals(FastestEngine.AUTO)))
                 .toList();
     }
 

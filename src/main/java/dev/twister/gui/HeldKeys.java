@@ -22,6 +22,12 @@ final class HeldKeys {
             KeyCode.SHIFT);
 
     private final Set<KeyCode> held = EnumSet.noneOf(KeyCode.class);
+    private boolean qUp;
+
+    /** Whether Q leads up and E down, instead of the other way round. */
+    void setQUp(boolean up) {
+        qUp = up;
+    }
 
     /** Whether this key moves the camera. */
     boolean press(KeyCode key) {
@@ -44,7 +50,7 @@ final class HeldKeys {
     Walk walk() {
         return new Walk(
                 axis(KeyCode.D, KeyCode.A),
-                axis(KeyCode.Q, KeyCode.E),
+                qUp ? axis(KeyCode.Q, KeyCode.E) : axis(KeyCode.E, KeyCode.Q),
                 axis(KeyCode.W, KeyCode.S),
                 held.contains(KeyCode.SHIFT));
     }

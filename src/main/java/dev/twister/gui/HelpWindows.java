@@ -22,10 +22,14 @@ final class HelpWindows {
 
     private static final List<KeyLine> CAMERA = List.of(
             new KeyLine("W A S D", "Walk; with Shift, run"),
-            new KeyLine("Q E", "Up and down"),
+            new KeyLine("E Q", "Up and down"),
+            new KeyLine("Middle drag", "Turn about the selected body, or what is in the middle; with Shift, pan"),
+            new KeyLine("Alt+wheel, Shift+wheel", "Nearer or farther"),
             new KeyLine("Drag, ← → ↑ ↓", "Look around; with Shift, the arrows turn faster"),
             new KeyLine("Wheel", "Field of view"),
             new KeyLine("Shift+click", "Focus on what is under the pointer"),
+            new KeyLine("Alt+click", "Path of the pixel: its rays as lines, and a table of its steps"),
+            new KeyLine("Ctrl+wheel, Ctrl+drag", "Magnify the picture, move what is magnified"),
             new KeyLine("Home", "Back to where the scene has the camera"),
             new KeyLine("Ctrl+0 … Ctrl+9", "Keep this view under a number"),
             new KeyLine("0 … 9", "Go to the view of that number"));

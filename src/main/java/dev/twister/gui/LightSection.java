@@ -2,6 +2,7 @@ package dev.twister.gui;
 
 import dev.twister.gui.model.Radiance;
 import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.model.SurroundingsNumbers;
 import dev.twister.scene.Light;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
@@ -21,7 +22,8 @@ final class LightSection {
                 new NumberRow(SceneNumbers.LIGHT_Y, "Alt+2", studio),
                 new NumberRow(SceneNumbers.LIGHT_Z, "Alt+3", studio),
                 new NumberRow(SceneNumbers.LIGHT_RADIUS, "Alt+L", studio),
-                new NumberRow(SceneNumbers.LIGHT_STRENGTH, "Alt+I", studio));
+                new NumberRow(SceneNumbers.LIGHT_STRENGTH, "Alt+I", studio),
+                new NumberRow(SurroundingsNumbers.AMBIENT, "Alt+Shift+L", studio));
         color = new ColorRow(
                 "Light color",
                 "The light's hue; how bright it is, the strength says.",

@@ -59,9 +59,11 @@ final class MainWindow implements AutoCloseable {
             scene.getStylesheets().add(TextScale.styleSheet(options.textScale()));
         }
         stage.setScene(scene);
-        CameraKeys.install(scene, stage.focusedProperty(), studio);
+        CameraKeys keys = CameraKeys.install(scene, stage.focusedProperty(), studio);
+        AltKey.install(scene);
         CameraMouse.install(picture, studio);
         workbench = new Workbench(stage, root, middle, picture, frameTimes, studio, reading, options);
+        workbench.qUpProperty().subscribe(keys::setQUp);
         timer = new AnimationTimer() {
             @Override
             public void handle(long now) {

@@ -35,6 +35,7 @@ final class MenuView extends MenuBar {
             Command.NEXT,
             Command.RESET,
             Command.INSPECT,
+            Command.FRAME,
             Command.PANEL,
             Command.FULL_SCREEN,
             Command.RANDOMISE,
@@ -42,7 +43,9 @@ final class MenuView extends MenuBar {
 
     private static final Set<Command> SWITCHES = EnumSet.of(
             Command.INSPECT,
+            Command.EXPLAIN,
             Command.COMPARE,
+            Command.Q_UP,
             Command.PANEL,
             Command.FRAME_TIMES,
             Command.FULL_SCREEN,
@@ -146,7 +149,7 @@ final class MenuView extends MenuBar {
                 item.setAccelerator(command.keys());
                 item.setOnAction(_ -> actions.run(command));
                 // A second key for the same thing needs no second line.
-                item.setVisible(command != Command.REDO_ALSO);
+                item.setVisible(command != Command.REDO_ALSO && command != Command.FRAME_ALSO);
                 items.put(command, item);
                 menu.getItems().add(item);
             }

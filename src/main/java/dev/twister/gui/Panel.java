@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import javafx.css.PseudoClass;
 import javafx.geometry.Bounds;
+import javafx.scene.Node;
 import javafx.scene.Scene;
 import javafx.scene.control.Button;
 import javafx.scene.control.ScrollPane;
@@ -27,6 +28,8 @@ final class Panel extends ScrollPane {
 
     private final EngineSection engine;
     private final CompareSection compare;
+    private final PlaneSection plane;
+    private final List<PanelSection> sections;
     private final PictureSection picture;
     private final CameraSection camera;
     private final LightSection light;
@@ -43,6 +46,7 @@ final class Panel extends ScrollPane {
         camera = new CameraSection(studio);
         light = new LightSection(studio);
         sky = new SkySection(studio, files);
+        plane = new PlaneSection(studio);
         physics = new PhysicsSection(studio, actions);
         selection = new SelectionSection(studio);
         material = new MaterialSection(studio, files);
@@ -52,24 +56,28 @@ final class Panel extends ScrollPane {
                 Command.RESET.hint() + "\nKey: " + Command.RESET.keys().getDisplayText()));
         reset.setOnAction(_ -> actions.run(Command.RESET));
         PanelSection physicsSection = section("Physics", physics.rows());
-        physicsSection.getChildren().add(physics.buttons());
+        physicsSection.add(physics.buttons());
         PanelSection lightSection = section("Light", light.rows());
-        PanelSection selectionSection = new PanelSection("Selection", selection);
+        PanelSection planeSection = section("Plane", plane.rows());
+        planeSection.add(plane.buttons());
+        PanelSection selectionSection = new PanelSection("Selection", selection.bodies(), selection);
         PanelSection materialSection = new PanelSection("Material", material);
         materialSection.visibleProperty().bind(material.visibleProperty());
         materialSection.managedProperty().bind(material.visibleProperty());
-        VBox sections = new VBox(
+        sections = List.of(
                 section("Drawing", engine.rows()),
                 section("Picture", picture.rows()),
+                selectionSection,
+                materialSection,
                 section("Camera", camera.rows()),
                 lightSection,
                 section("Sky", sky.rows()),
+                planeSection,
                 physicsSection,
-                selectionSection,
-                materialSection,
-                section("Compare", compare.rows()),
-                reset);
-        sections.getStyleClass().add("sections");
+                section("Compare", compare.rows()));
+        VBox all = new VBox(sections.toArray(PanelSection[]::new));
+        all.getChildren().add(reset);
+        all.getStyleClass().add("sections");
         setId("panel");
         sceneProperty()
                 .flatMap(Scene::widthProperty)
@@ -78,18 +86,19 @@ final class Panel extends ScrollPane {
                         width != null
                                 && width.doubleValue()
                                         >= WIDE_EM * reset.getFont().getSize()));
-        setContent(sections);
+        setContent(all);
         setFitToWidth(true);
         setHbarPolicy(ScrollBarPolicy.NEVER);
         setFocusTraversable(false);
         studio.selectionProperty().subscribe((_, body) -> {
             if (body.intValue() != BodyNumber.NONE) {
-                scrollTo(
-                        switch (body.intValue()) {
-                            case BodyNumber.LIGHT -> lightSection;
-                            case BodyNumber.PLANE -> materialSection;
-                            default -> selectionSection;
-                        });
+                PanelSection section = switch (body.intValue()) {
+                    case BodyNumber.LIGHT -> lightSection;
+                    case BodyNumber.PLANE -> materialSection;
+                    default -> selectionSection;
+                };
+                section.fold(false);
+                scrollTo(section);
             }
         });
     }
@@ -99,12 +108,13 @@ final class Panel extends ScrollPane {
         return Stream.of(
                         engine.rows(),
                         picture.rows(),
+                        selection.rows(),
+                        material.rows(),
                         camera.rows(),
                         light.rows(),
                         sky.rows(),
+                        plane.rows(),
                         physics.rows(),
-                        selection.rows(),
-                        material.rows(),
                         compare.rows())
                 .flatMap(List::stream)
                 .toList();
@@ -147,8 +157,25 @@ final class Panel extends ScrollPane {
 
     /** Gives a row the focus, and scrolls to it. */
     void reveal(PanelRow row) {
+        sections.stream().filter(section -> contains(section, row)).forEach(section -> section.fold(false));
         scrollTo(row);
         row.firstControl().requestFocus();
+    }
+
+    private static boolean contains(Node ancestor, Node node) {
+        Node at = node;
+        while (at != null && !at.equals(ancestor)) {
+            at = at.getParent();
+        }
+        return at != null;
+    }
+
+    /** Lets sections be folded as they were kept, and keeps how they are. */
+    void foldAsKept(SettingsKeeper settings) {
+        List<String> folded = settings.settings().folded();
+        sections.forEach(section -> section.makeFoldable(
+                folded.contains(section.heading()),
+                isFolded -> settings.change(kept -> kept.withFolded(section.heading(), isFolded))));
     }
 
     /** Scrolls so that what is there is in the middle, or as near to it as it comes; not where it is seen already. */
@@ -174,7 +201,7 @@ final class Panel extends ScrollPane {
                 scene -> studio.original()
                         .withCamera(Lens.of(studio.original().camera()).on(scene.camera())));
         studio.endGesture();
-        studio.goHome();
+        studio.hand().goHome();
         studio.setResolution(ResolutionMode.WINDOW);
         studio.setShown(Picture.REFLECTIONS);
         studio.refiningProperty().set(true);

@@ -2,14 +2,18 @@ package dev.twister.gui;
 
 import dev.twister.gui.drawing.Motion;
 import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.model.SurroundingsNumbers;
+import dev.twister.scene.Scene;
 import java.util.List;
+import java.util.stream.Stream;
 import javafx.scene.control.Button;
 import javafx.scene.layout.HBox;
 
 /** Bodies that move. */
 final class PhysicsSection {
     private final SwitchRow moving;
-    private final NumberRow gravity;
+    private final List<NumberRow> numbers;
+    private final SwitchRow walls;
     private final Button pause;
     private final HBox buttons;
 
@@ -19,21 +23,40 @@ final class PhysicsSection {
                 "Whether bodies fall and collide; off puts them back where the scene has them.",
                 "Alt+M",
                 studio::setMoving);
-        gravity = new NumberRow(SceneNumbers.GRAVITY, "Alt+Y", studio);
+        numbers = List.of(
+                new NumberRow(SceneNumbers.GRAVITY, "Alt+Y", studio),
+                new NumberRow(SurroundingsNumbers.ELASTICITY, "Alt+Shift+E", studio),
+                new NumberRow(SurroundingsNumbers.FRICTION, "Alt+Shift+F", studio));
+        walls = new SwitchRow(
+                "Walls",
+                "Whether walls on the plane's border hold the spheres; they are not seen.",
+                "Alt+Shift+W",
+                on -> {
+                    studio.edit(
+                            "walls", scene -> scene.withPhysics(scene.physics().withWalls(on)));
+                    studio.endGesture();
+                });
         pause = button(Command.PAUSE, actions);
         buttons = new HBox(pause, button(Command.STEP, actions), button(Command.RANDOMISE, actions));
         buttons.getStyleClass().add("buttons");
-        studio.motionProperty().subscribe(this::show);
-        studio.sceneProperty().subscribe(scene -> gravity.show(scene, studio.original()));
-        studio.originalProperty().subscribe(original -> gravity.show(studio.scene(), original));
+        studio.motionProperty().subscribe(motion -> show(motion));
+        studio.sceneProperty().subscribe(scene -> show(scene, studio.original()));
+        studio.originalProperty().subscribe(original -> show(studio.scene(), original));
     }
 
     List<PanelRow> rows() {
-        return List.of(moving, gravity);
+        return Stream.of(Stream.of(moving), numbers.stream(), Stream.of(walls))
+                .<PanelRow>flatMap(rows -> rows)
+                .toList();
     }
 
     HBox buttons() {
         return buttons;
+    }
+
+    private void show(Scene scene, Scene usual) {
+        numbers.forEach(row -> row.show(scene, usual));
+        walls.show(scene.physics().walls(), usual.physics().walls());
     }
 
     private void show(Motion motion) {

@@ -1,10 +1,13 @@
 package dev.twister.gui;
 
+import dev.twister.gui.ChoiceRow.Look;
 import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyList;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.scene.Scene;
 import java.util.List;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import javafx.scene.control.Label;
 import javafx.scene.layout.VBox;
 
@@ -13,6 +16,7 @@ final class SelectionSection extends VBox {
     private static final long FOLLOW_NANOS = 100_000_000;
 
     private final Studio studio;
+    private final ChoiceRow<Integer> bodies;
     private final Label hint = new Label();
     private List<NumberRow> numbers = List.of();
     private Scene atSelection;
@@ -25,7 +29,16 @@ final class SelectionSection extends VBox {
         hint.getStyleClass().add("hint");
         hint.setWrapText(true);
         hint.setId("selection-hint");
+        bodies = new ChoiceRow<>(
+                "Body",
+                "The selected body. F2 selects the next one, a click in the picture the one that is seen there.",
+                "Alt+Shift+O",
+                body -> new Look(BodyList.name(studio.scene(), body)),
+                studio::select,
+                studio::notice);
         studio.selectionProperty().subscribe(_ -> rebuild());
+        studio.selectionProperty().subscribe(_ -> listBodies());
+        studio.sceneProperty().map(scene -> scene.spheres().size()).subscribe(_ -> listBodies());
         // A row's own edit is shown too, while the slider is held.
         studio.sceneProperty()
                 .subscribe(_ -> refresh(
@@ -41,9 +54,19 @@ final class SelectionSection extends VBox {
         }
     }
 
-    /** The rows of the sphere that is selected; none where there is none. */
+    /** The list of bodies, and the rows of the sphere that is selected. */
     List<PanelRow> rows() {
-        return List.copyOf(numbers);
+        return Stream.concat(Stream.of(bodies), numbers.stream()).toList();
+    }
+
+    /** The list of all bodies, above the rest. */
+    PanelRow bodies() {
+        return bodies;
+    }
+
+    private void listBodies() {
+        int selected = studio.selectionProperty().get();
+        bodies.show(BodyList.of(studio.scene(), selected), selected, BodyNumber.NONE);
     }
 
     private void rebuild() {
@@ -57,7 +80,7 @@ final class SelectionSection extends VBox {
         numbers = sphere ? numbers(body) : List.of();
         hint.setText(hint(atSelection, body));
         getChildren().setAll(hint);
-        getChildren().addAll(rows());
+        getChildren().addAll(numbers);
         refresh(_ -> true);
     }
 

@@ -23,8 +23,6 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.world.CameraMotion;
 import dev.twister.world.Picture;
-import dev.twister.world.Turn;
-import dev.twister.world.Walk;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
@@ -39,8 +37,6 @@ import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
-import javafx.collections.FXCollections;
-import javafx.collections.ObservableMap;
 
 /**
  * What a person sees and edits, and the one place where it changes: views bind to its properties and call its methods. Used by
@@ -64,7 +60,7 @@ public final class Studio implements AutoCloseable {
     private final ReadOnlyObjectWrapper<Optional<DrawnPicture>> picture = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ReadOnlyObjectWrapper<DrawingStatus> drawing = new ReadOnlyObjectWrapper<>(DrawingStatus.QUIET);
     private final BooleanProperty refining = new SimpleBooleanProperty(true);
-    private final ObservableMap<Integer, Camera> views = FXCollections.observableHashMap();
+    private final CameraHand hand = new CameraHand(this);
     private final FrameHistory frames = new FrameHistory();
     private final ReadOnlyObjectWrapper<Motion> motion = new ReadOnlyObjectWrapper<>(Motion.NONE);
     private long starts;
@@ -72,8 +68,6 @@ public final class Studio implements AutoCloseable {
     private SceneHistory document;
     private long documents;
     private final ReadOnlyObjectWrapper<Scene> original;
-    private Walk walk = Walk.STILL;
-    private Turn turn = Turn.STILL;
     private double displayMillis;
     private long lastPulseNanos;
     private double viewWidth;
@@ -174,11 +168,6 @@ public final class Studio implements AutoCloseable {
     /** Whether a picture at rest gathers samples and then rests; otherwise it is drawn again and again. */
     public BooleanProperty refiningProperty() {
         return refining;
-    }
-
-    /** The views kept under a number, from 0 to 9. */
-    public ObservableMap<Integer, Camera> views() {
-        return views;
     }
 
     /** The last ten seconds' pictures. */
@@ -349,6 +338,11 @@ public final class Studio implements AutoCloseable {
         request();
     }
 
+    /** What walks, turns and keeps views. */
+    CameraHand hand() {
+        return hand;
+    }
+
     /** Moves the viewer, which is no edit; the lens stays. */
     public void moveCamera(UnaryOperator<Camera> move) {
         Scene now = scene.get();
@@ -357,35 +351,6 @@ public final class Studio implements AutoCloseable {
             document.carryOn(now.withCamera(moved));
             show();
         }
-    }
-
-    /** Back to where the scene's file has the camera. */
-    public void goHome() {
-        moveCamera(_ -> original().camera());
-    }
-
-    /** Keeps the camera as it is now under that number. */
-    public void keepView(int number) {
-        views.put(number, scene.get().camera());
-        notice("View kept under " + number);
-    }
-
-    /** Goes to the view kept under that number; says so where there is none. */
-    public void recallView(int number) {
-        Optional.ofNullable(views.get(number))
-                .ifPresentOrElse(
-                        view -> moveCamera(_ -> view),
-                        () -> notice("No view is kept under " + number + "; Ctrl+" + number + " keeps this one"));
-    }
-
-    /** From now on each pulse moves the camera that way, until told otherwise. */
-    public void setWalk(Walk newWalk) {
-        walk = newWalk;
-    }
-
-    /** From now on each pulse turns the camera that way, until told otherwise. */
-    public void setTurn(Turn newTurn) {
-        turn = newTurn;
     }
 
     /** Draws with that engine as soon as it is ready. */
@@ -531,11 +496,7 @@ public final class Studio implements AutoCloseable {
     public void pulse(long nanos) {
         double seconds = Math.clamp((nanos - lastPulseNanos) / NANOS_PER_SECOND, 0, LONGEST_STEP_SECONDS);
         lastPulseNanos = nanos;
-        moveCamera(camera -> CameraMotion.walk(
-                CameraMotion.turn(camera, turn, seconds),
-                walk,
-                seconds,
-                scene.get().plane()));
+        hand.pulse(seconds);
         loop.takeNewest().ifPresent(newest -> {
             frames.add(newest, displayMillis);
             picture.set(Optional.of(newest));

@@ -1,15 +1,15 @@
 package dev.twister.gui;
 
 import dev.twister.gui.Comparison.Mode;
-import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.NewSphere;
 import dev.twister.gui.model.ShownPictures;
 import dev.twister.gui.model.ThrownSpheres;
 import dev.twister.gui.model.WindowSettings;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.world.Picture;
+import java.util.Optional;
+import javafx.beans.value.ObservableValue;
 import javafx.collections.MapChangeListener;
 import javafx.geometry.Pos;
 import javafx.geometry.Rectangle2D;
@@ -41,6 +41,9 @@ final class Workbench implements AutoCloseable {
     private final Panel panel;
     private final PixelInspector inspector;
     private final Comparison comparison;
+    private final BodyActions bodies;
+    private final PathPick paths;
+    private final BodyMouse bodyMouse;
     private final MenuView menu;
 
     /**
@@ -73,17 +76,24 @@ final class Workbench implements AutoCloseable {
         help = new HelpWindows(stage);
         comparison = new Comparison(studio, studio::anotherLoop);
         middle.getChildren().add(1, new SplitView(picture, studio, comparison));
+        bodies = new BodyActions(studio);
         inspector = new PixelInspector(picture, studio, errands);
-        StackPane.setAlignment(inspector, Pos.BOTTOM_LEFT);
-        middle.getChildren().add(inspector);
+        StackPane.setAlignment(inspector, Pos.TOP_RIGHT);
+        paths = new PathPick(studio);
+        PathTable table = new PathTable(paths);
+        StackPane.setAlignment(table, Pos.BOTTOM_CENTER);
+        middle.getChildren().addAll(inspector, table);
         String usualEngine = studio.engineProperty().get().offer().id();
         EngineList engines = EngineList.load(studio, errands);
         CommandActions actions = actions(() -> Panel.resetAll(studio, engines, usualEngine));
         panel = new Panel(studio, engines, comparison, files, actions);
+        panel.foldAsKept(settings);
         menu = new MenuView(studio, settings, files, actions);
         pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
         menu.check(Command.INSPECT, inspector.visibleProperty());
         menu.check(Command.COMPARE, comparison.modeProperty().map(mode -> mode != Mode.OFF));
+        menu.check(Command.EXPLAIN, paths.pathProperty().map(Optional::isPresent));
+        menu.check(Command.Q_UP, qUpProperty());
         menu.check(Command.PANEL, panel.visibleProperty());
         menu.check(Command.FRAME_TIMES, frameTimes.visibleProperty());
         menu.check(Command.FULL_SCREEN, stage.fullScreenProperty());
@@ -92,7 +102,9 @@ final class Workbench implements AutoCloseable {
         root.setRight(panel);
         picture.addOverlay(new SelectionView(picture, studio));
         ZoomMouse.install(picture);
-        BodyMouse.install(picture, studio, stage.focusedProperty());
+        OrbitMouse.install(picture, studio);
+        picture.addOverlay(new PathView(picture, studio, paths));
+        bodyMouse = BodyMouse.install(picture, studio, paths, stage.focusedProperty());
         PanelKeys.install(root.getScene(), panel, picture, this::showPanel);
         DropTarget.install(root.getScene(), files);
         errands.run(
@@ -157,6 +169,11 @@ final class Workbench implements AutoCloseable {
         return panel;
     }
 
+    /** See {@link WindowSettings#qUp}. */
+    ObservableValue<Boolean> qUpProperty() {
+        return settings.settingsProperty().map(WindowSettings::qUp);
+    }
+
     Comparison comparison() {
         return comparison;
     }
@@ -181,15 +198,19 @@ final class Workbench implements AutoCloseable {
                 .on(Command.UNDO, studio::undo)
                 .on(Command.REDO, studio::redo)
                 .on(Command.REDO_ALSO, studio::redo)
-                .on(Command.INSERT, this::insert)
-                .on(Command.DELETE, this::delete)
-                .on(Command.NEXT, () -> selectAlong(1))
-                .on(Command.PREVIOUS, () -> selectAlong(-1))
+                .on(Command.INSERT, bodies::insert)
+                .on(Command.DUPLICATE, bodies::duplicate)
+                .on(Command.COPY, bodies::copy)
+                .on(Command.PASTE, bodies::paste)
+                .on(Command.DELETE, bodies::delete)
+                .on(Command.NEXT, () -> bodies.selectAlong(1))
+                .on(Command.PREVIOUS, () -> bodies.selectAlong(-1))
                 .on(Command.DESELECT, this::backToThePicture)
                 .on(Command.RESET, resetAll)
                 .on(Command.NEXT_SHOWN, () -> showAlong(1))
                 .on(Command.PREVIOUS_SHOWN, () -> showAlong(-1))
                 .on(Command.INSPECT, () -> inspector.setVisible(!inspector.isVisible()))
+                .on(Command.EXPLAIN, () -> bodyMouse.togglePath())
                 .on(Command.COMPARE, this::toggleComparison)
                 .on(Command.ZOOM_IN, () -> picture.zoom(ZoomMouse.STEP))
                 .on(Command.ZOOM_OUT, () -> picture.zoom(1 / ZoomMouse.STEP))
@@ -199,6 +220,9 @@ final class Workbench implements AutoCloseable {
                 .on(
                         Command.MOVE,
                         () -> studio.setMoving(!studio.motionProperty().get().isOn()))
+                .on(Command.FRAME, bodies::frameSelected)
+                .on(Command.FRAME_ALSO, bodies::frameSelected)
+                .on(Command.Q_UP, () -> settings.change(kept -> kept.withQUp(!kept.qUp())))
                 .on(Command.PAUSE, studio::togglePause)
                 .on(Command.STEP, studio::stepOnce)
                 .on(Command.RANDOMISE, this::randomise)
@@ -219,8 +243,8 @@ final class Workbench implements AutoCloseable {
         stage.setMaximized(settings.settings().maximized());
         showPanel(settings.settings().panelShown());
         showFrameTimes(settings.settings().frameTimesShown());
-        studio.views().putAll(settings.settings().views());
-        studio.views().addListener((MapChangeListener.Change<? extends Integer, ? extends Camera> change) -> {
+        studio.hand().views().putAll(settings.settings().views());
+        studio.hand().views().addListener((MapChangeListener.Change<? extends Integer, ? extends Camera> change) -> {
             if (change.wasAdded()) {
                 int number = change.getKey();
                 Camera camera = change.getValueAdded();
@@ -280,26 +304,6 @@ final class Workbench implements AutoCloseable {
         }
     }
 
-    private void insert() {
-        studio.pictureProperty().get().ifPresent(shown -> {
-            studio.edit("insert sphere", scene -> BodyEdits.inserted(scene, NewSphere.inFrontOf(shown.input(), scene)));
-            studio.endGesture();
-            studio.select(BodyNumber.ofSphere(studio.scene().spheres().size() - 1));
-        });
-    }
-
-    private void delete() {
-        int body = studio.selectionProperty().get();
-        if (BodyEdits.isSphere(studio.scene(), body)) {
-            studio.edit("delete sphere", scene -> BodyEdits.deleted(scene, body));
-            studio.endGesture();
-        }
-    }
-
-    private void selectAlong(int steps) {
-        studio.select(BodyEdits.along(studio.scene(), studio.selectionProperty().get(), steps));
-    }
-
     private void toggleComparison() {
         comparison.modeProperty().set(comparison.isOn() ? Mode.OFF : Mode.SPLIT);
     }
@@ -313,6 +317,8 @@ final class Workbench implements AutoCloseable {
     private void backToThePicture() {
         if (ReadingView.isReading(studio, reading)) {
             ReadingView.cancel(studio, reading);
+        } else if (picture.isFocused() && paths.isShown()) {
+            paths.clear();
         } else if (picture.isFocused()) {
             studio.select(BodyNumber.NONE);
         } else {

@@ -197,7 +197,7 @@ class BodiesTest {
         Stage other = WindowDriver.call(Stage::new);
         PictureView view = WindowDriver.call(() -> new PictureView(driver.studio));
         driver.run(() -> {
-            BodyMouse.install(view, driver.studio, focused);
+            BodyMouse.install(view, driver.studio, new PathPick(driver.studio), focused);
             other.setScene(new javafx.scene.Scene(view, 320, 240));
             // Beside the window of the other tests, which look at its pixels.
             other.setX(driver.stage.getWidth());

@@ -68,10 +68,10 @@ class CameraTest {
         try (WindowDriver driver = WindowDriver.open()) {
             double lowest = driver.studio.scene().plane().height() + CameraMotion.CLEARANCE_METRES;
 
-            driver.press(KeyCode.E, KeyCode.SHIFT);
+            driver.press(KeyCode.Q, KeyCode.SHIFT);
             driver.await(() -> driver.studio.scene().camera().position().y() == lowest);
             driver.pulse();
-            driver.release(KeyCode.E, KeyCode.SHIFT);
+            driver.release(KeyCode.Q, KeyCode.SHIFT);
 
             assertThat(camera(driver).position().y()).isEqualTo(lowest);
         }

@@ -14,7 +14,7 @@ class HeldKeysTest {
     void heldKeysAddUp() {
         keys.press(KeyCode.W);
         keys.press(KeyCode.A);
-        keys.press(KeyCode.Q);
+        keys.press(KeyCode.E);
         keys.press(KeyCode.SHIFT);
 
         assertThat(keys.walk()).isEqualTo(new Walk(-1, 1, 1, true));
@@ -33,9 +33,11 @@ class HeldKeysTest {
     void oppositesCancel() {
         keys.press(KeyCode.S);
         keys.press(KeyCode.W);
-        keys.press(KeyCode.E);
+        keys.press(KeyCode.Q);
 
         assertThat(keys.walk()).isEqualTo(new Walk(0, -1, 0, false));
+        keys.setQUp(true);
+        assertThat(keys.walk()).isEqualTo(new Walk(0, 1, 0, false));
     }
 
     @Test

@@ -81,11 +81,11 @@ class SettingsTest {
         try (WindowDriver later = WindowDriver.open(store)) {
             try (WindowDriver sooner = WindowDriver.open(store)) {
                 sooner.run(() -> {
-                    sooner.studio.keepView(5);
+                    sooner.studio.hand().keepView(5);
                     sooner.window.workbench().files().remember(Path.of("another.json"));
                 });
             }
-            later.run(() -> later.studio.keepView(6));
+            later.run(() -> later.studio.hand().keepView(6));
         }
         WindowSettings kept = store.read().settings();
         assertThat(kept.views()).containsOnlyKeys(5, 6);

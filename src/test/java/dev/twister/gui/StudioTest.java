@@ -82,10 +82,10 @@ class StudioTest {
 
     @Test
     void whoeverMovesHasTheSameLens() {
-        studio.keepView(1);
+        studio.hand().keepView(1);
         studio.edit("lens", now -> now.withCamera(now.camera().withAperture(0.1).withFocusDistance(3)));
-        studio.goHome();
-        studio.recallView(1);
+        studio.hand().goHome();
+        studio.hand().recallView(1);
         assertThat(studio.scene().camera())
                 .isEqualTo(scene.camera().withAperture(0.1).withFocusDistance(3));
         studio.undo();

@@ -49,7 +49,15 @@ final class WindowDriver implements AutoCloseable {
 
     /** The window is too small for the panel. */
     private static final SettingsStore.Found FOUND = new SettingsStore.Found(
-            WindowSettings.DEFAULT.withPanelShown(false).withWindow(WIDTH, HEIGHT, false), Optional.empty());
+            unfolded().withPanelShown(false).withWindow(WIDTH, HEIGHT, false), Optional.empty());
+
+    private static WindowSettings unfolded() {
+        WindowSettings settings = WindowSettings.DEFAULT;
+        for (String heading : settings.folded()) {
+            settings = settings.withFolded(heading, false);
+        }
+        return settings;
+    }
 
     private static final AutosaveFolder NO_AUTOSAVES = new AutosaveFolder(Optional.empty());
 

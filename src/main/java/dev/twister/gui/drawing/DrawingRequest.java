@@ -1,5 +1,6 @@
 package dev.twister.gui.drawing;
 
+import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
 import dev.twister.world.Picture;
 
@@ -44,6 +45,24 @@ public record DrawingRequest(
                 refineTo,
                 other.motion(),
                 other.shown()));
+    }
+
+    /** Whether the other one asks for the same but for another exposure, tone map or sRGB curve. */
+    boolean asksForAnotherToneOf(DrawingRequest other) {
+        RenderSettings tone = scene.settings();
+        Scene toned = other.scene()
+                .withSettings(other.scene().settings().withTone(tone.exposure(), tone.toneMap(), tone.srgb()));
+        return !scene.equals(other.scene())
+                && equals(new DrawingRequest(
+                        number,
+                        other.document(),
+                        toned,
+                        other.width(),
+                        other.height(),
+                        other.engine(),
+                        other.refineTo(),
+                        other.motion(),
+                        other.shown()));
     }
 
     /**

@@ -11,6 +11,7 @@ import dev.twister.world.Picture;
 import java.nio.IntBuffer;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BiPredicate;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
@@ -42,9 +43,17 @@ final class PictureWork implements AutoCloseable {
     private Optional<String> sceneFailure = Optional.empty();
     private Optional<DrawingRequest> request = Optional.empty();
     private boolean drawn;
+
+    /** Whether a smaller picture has answered the request. */
+    private boolean quick;
+
     private int coarseness = COARSEST;
     private Optional<Engine> drawer = Optional.empty();
     private Optional<RefinedPicture> refined = Optional.empty();
+
+    /** Of what was gathered: a file may have been read anew since. */
+    private float[] refinedSky = {};
+
     private Optional<Frame> pass = Optional.empty();
     private long pictures;
     private Optional<DrawnPicture> last = Optional.empty();
@@ -97,11 +106,17 @@ final class PictureWork implements AutoCloseable {
     boolean step(DrawingRequest wanted) {
         Engine engine = seat.engine();
         if (!isAtWork(wanted) || !drawer.equals(Optional.of(engine)) || seat.hasBecomeFaster()) {
-            drawn = drawn && isSlowAndTheSame(wanted, engine);
+            boolean toned = isOnlyToned(wanted, engine);
+            drawn = toned || (drawn && isSlowAndTheSame(wanted, engine));
             request = Optional.of(wanted);
             drawer = Optional.of(engine);
+            if (toned) {
+                showRefined(wanted, engine);
+                return true;
+            }
             refined = refined.filter(old -> old.fits(wanted.width(), wanted.height()));
             refined.ifPresent(RefinedPicture::reset);
+            quick = false;
         }
         try {
             return draw(wanted, engine);
@@ -121,6 +136,19 @@ final class PictureWork implements AutoCloseable {
 
     private boolean isAtWork(DrawingRequest wanted) {
         return request.filter(old -> old.number() == wanted.number()).isPresent();
+    }
+
+    /** Whether what has been gathered is what is asked for, but for exposure, tone map and sRGB curve. */
+    @SuppressWarnings("ReferenceEquality") // another array is of a file that has been read anew
+    private boolean isOnlyToned(DrawingRequest wanted, Engine engine) {
+        return drawn
+                && !wanted.isContinuous()
+                && drawer.equals(Optional.of(engine))
+                && !seat.hasBecomeFaster()
+                && request.filter(wanted::asksForAnotherToneOf).isPresent()
+                && refinedSky == input.panorama().texels()
+                && refined.filter(held -> held.samples() >= FEWEST_REFINED_SAMPLES)
+                        .isPresent();
     }
 
     /** Whether only another engine is asked for, and the old one would take long to draw its picture again. */
@@ -162,6 +190,9 @@ final class PictureWork implements AutoCloseable {
             coarseness /= 2;
             return true;
         }
+        if (!drawn && !quick && drawQuickly(wanted, engine)) {
+            return true;
+        }
         if (!drawn || (wanted.isContinuous() && !opening)) {
             if (drawPlain(wanted, engine, input, drawn && !wanted.motion().running())) {
                 drawn = true;
@@ -176,6 +207,30 @@ final class PictureWork implements AutoCloseable {
         return refine(wanted, engine);
     }
 
+    /** A smaller picture first, where the full one is known to take long; whether it was drawn. */
+    private boolean drawQuickly(DrawingRequest wanted, Engine engine) {
+        int divisor = QuickAnswer.divisor(slowPictures.knownNanos(engine, input));
+        if (divisor == 1) {
+            return false;
+        }
+        quick = true;
+        FrameInput small = coarse(divisor);
+        Frame frame = exchange.frameToDraw(small.width(), small.height());
+        boolean whole = false;
+        try {
+            whole = render(wanted, small, frame, (seen, pixels) -> {
+                engine.render(seen, pixels);
+                return true;
+            });
+        } finally {
+            if (!whole) {
+                exchange.abandon(frame);
+            }
+        }
+        finish(wanted, small, engine, frame, frame.times(), small.samplesPerPixel(), false);
+        return true;
+    }
+
     private FrameInput coarse(int divisor) {
         return input.withSize(Math.ceilDiv(input.width(), divisor), Math.ceilDiv(input.height(), divisor));
     }
@@ -185,7 +240,12 @@ final class PictureWork implements AutoCloseable {
         Frame frame = exchange.frameToDraw(seen.width(), seen.height());
         boolean whole = false;
         try {
-            whole = render(wanted, engine, seen, frame);
+            whole = render(
+                    wanted,
+                    seen,
+                    frame,
+                    (input, pixels) ->
+                            slowPictures.draw(engine, input, pixels, nanosLeft -> isInVain(wanted, nanosLeft)));
         } finally {
             if (!whole) {
                 exchange.abandon(frame);
@@ -197,12 +257,14 @@ final class PictureWork implements AutoCloseable {
         return whole;
     }
 
-    private boolean render(DrawingRequest wanted, Engine engine, FrameInput seen, Frame frame) {
+    /** Numbers are drawn as such, and become colors then. */
+    private boolean render(
+            DrawingRequest wanted, FrameInput seen, Frame frame, BiPredicate<FrameInput, Frame> renderer) {
         if (wanted.shown().isColor()) {
-            return slowPictures.draw(engine, seen, frame, nanosLeft -> isInVain(wanted, nanosLeft));
+            return renderer.test(seen, frame);
         }
         Frame linear = linear(seen.width(), seen.height());
-        boolean whole = slowPictures.draw(engine, seen, linear, nanosLeft -> isInVain(wanted, nanosLeft));
+        boolean whole = renderer.test(seen, linear);
         if (whole) {
             NumberColors.paint(wanted.shown(), linear.radiance(), frame.argb());
             frame.setTimes(linear.times());
@@ -220,10 +282,13 @@ final class PictureWork implements AutoCloseable {
     /**
      * Whether the rest of a picture is not worth its time: another engine is to draw, or is ready to, or another size is
      * asked for, or what looks all different and it takes long. Not so for a camera that moves, or a body that is dragged:
-     * that shall be seen now and then.
+     * that shall be seen now and then, unless smaller pictures of it are.
      */
     private boolean isInVain(DrawingRequest wanted, long nanosLeft) {
         return seat.isReady()
+                || (quick
+                        && nanosLeft > QuickAnswer.LONG_NANOS
+                        && newest.get().filter(this::isAtWork).isEmpty())
                 || newest.get()
                         .filter(request -> request.engine().equals(wanted.engine())
                                 && request.width() == wanted.width()
@@ -236,6 +301,7 @@ final class PictureWork implements AutoCloseable {
         RefinedPicture picture = refined.filter(old -> old.limit() == wanted.refineTo())
                 .orElseGet(() -> new RefinedPicture(wanted.width(), wanted.height(), wanted.refineTo()));
         refined = Optional.of(picture);
+        refinedSky = input.panorama().texels();
         if (picture.isDone()) {
             return false;
         }
@@ -247,17 +313,23 @@ final class PictureWork implements AutoCloseable {
         }
         picture.add(linear, samples);
         if (picture.isDone() || (picture.samples() >= FEWEST_REFINED_SAMPLES && isToBeSeen())) {
-            Frame frame = exchange.frameToDraw(wanted.width(), wanted.height());
-            if (wanted.shown().isColor()) {
-                picture.show(input, IntBuffer.wrap(frame.argb()));
-            } else {
-                NumberColors.paint(wanted.shown(), picture.radiance(), frame.argb());
-            }
-            finish(wanted, input, engine, frame, linear.times(), picture.samples(), false);
+            showRefined(wanted, engine);
         } else {
             pictures++;
         }
         return !picture.isDone();
+    }
+
+    private void showRefined(DrawingRequest wanted, Engine engine) {
+        RefinedPicture picture = refined.orElseThrow();
+        Frame frame = exchange.frameToDraw(wanted.width(), wanted.height());
+        if (wanted.shown().isColor()) {
+            picture.show(input, IntBuffer.wrap(frame.argb()));
+        } else {
+            NumberColors.paint(wanted.shown(), picture.radiance(), frame.argb());
+        }
+        FrameTimes times = pass.map(Frame::times).orElse(FrameTimes.NONE);
+        finish(wanted, input, engine, frame, times, picture.samples(), false);
     }
 
     /** A pass is not seen by itself, so that any request counts for more. */

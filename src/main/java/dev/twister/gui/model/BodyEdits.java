@@ -15,6 +15,9 @@ import java.util.function.UnaryOperator;
 
 /** Edits of a scene's spheres, by their {@link BodyNumber}. */
 public final class BodyEdits {
+    /** Of a radius, from one center to the other. */
+    private static final double APART = 2.2;
+
     private BodyEdits() {}
 
     /** Whether a scene has a sphere of that number. */
@@ -83,6 +86,13 @@ public final class BodyEdits {
         List<Sphere> spheres = new ArrayList<>(scene.spheres());
         spheres.add(sphere);
         return scene.withSpheres(spheres);
+    }
+
+    /** The same sphere to the right of it, so that they do not touch. */
+    public static Sphere beside(Sphere sphere) {
+        Vector3 place = sphere.position();
+        double right = SceneLimits.POSITION.clamp(place.x() + APART * sphere.radius());
+        return sphere.withPosition(new Vector3(right, place.y(), place.z()));
     }
 
     public static Scene deleted(Scene scene, int body) {

@@ -85,6 +85,10 @@ public final class SceneHistory {
         if (edited.equals(present)) {
             return;
         }
+        if (isOnlySeenFromElsewhere(edited)) {
+            carryOn(edited);
+            return;
+        }
         if (gesture.filter(what::equals).isEmpty()) {
             past.push(new Step(what, present, edited, version));
             gesture = Optional.of(what);
@@ -100,6 +104,13 @@ public final class SceneHistory {
             version = newestVersion;
         }
         forgetTheOldest();
+    }
+
+    private boolean isOnlySeenFromElsewhere(Scene edited) {
+        Camera camera = edited.camera();
+        return camera.fieldOfViewDegrees() == present.camera().fieldOfViewDegrees()
+                && Lens.of(camera).equals(Lens.of(present.camera()))
+                && edited.withCamera(present.camera()).equals(present);
     }
 
     /** The next edit is a new step, whatever its name. */

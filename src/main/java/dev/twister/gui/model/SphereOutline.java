@@ -44,20 +44,12 @@ public final class SphereOutline {
                 return new double[0];
             }
             double scale = camera[Layout.CAMERA_EYE_DISTANCE] / depth;
-            corners[2 * i] = x(scale * along(camera, Layout.CAMERA_RIGHT, point), input.width(), input.height());
-            corners[2 * i + 1] = y(scale * along(camera, Layout.CAMERA_UP, point), input.width(), input.height());
+            corners[2 * i] =
+                    Projection.x(scale * along(camera, Layout.CAMERA_RIGHT, point), input.width(), input.height());
+            corners[2 * i + 1] =
+                    Projection.y(scale * along(camera, Layout.CAMERA_UP, point), input.width(), input.height());
         }
         return corners;
-    }
-
-    /** The inverse of {@link dev.twister.kernel.Camera#u}. */
-    private static double x(double u, int width, int height) {
-        return width > height ? (u + 1) / 2 * height + (width - height) / 2.0 : (u + 1) / 2 * width;
-    }
-
-    /** The inverse of {@link dev.twister.kernel.Camera#v}. */
-    private static double y(double v, int width, int height) {
-        return width > height ? (1 - v) / 2 * height : (1 - v) / 2 * width + (height - width) / 2.0;
     }
 
     private static double along(float[] camera, int axisOfCamera, double[] point) {

@@ -21,6 +21,8 @@ import java.util.stream.Stream;
  * @param engine an engine's id
  * @param recentScenes scene files as absolute paths, the newest first, at most {@value #MAX_RECENT}
  * @param views the cameras kept under the keys 0 to 9
+ * @param qUp whether Q leads up and E down, instead of the other way round
+ * @param folded headings of the panel whose sections are folded
  */
 public record WindowSettings(
         int width,
@@ -30,15 +32,27 @@ public record WindowSettings(
         boolean frameTimesShown,
         String engine,
         List<String> recentScenes,
-        Map<Integer, Camera> views) {
+        Map<Integer, Camera> views,
+        boolean qUp,
+        List<String> folded) {
     public static final int MIN_SIDE = 200;
     public static final int MAX_SIDE = 16384;
     public static final int MAX_RECENT = 10;
     private static final int MAX_KEY = 9;
+    private static final int MAX_SECTIONS = 100;
     private static final int MAX_TEXT_LENGTH = 4096;
 
-    public static final WindowSettings DEFAULT =
-            new WindowSettings(1280, 800, false, true, true, FastestEngine.AUTO, List.of(), Map.of());
+    public static final WindowSettings DEFAULT = new WindowSettings(
+            1280,
+            800,
+            false,
+            true,
+            true,
+            FastestEngine.AUTO,
+            List.of(),
+            Map.of(),
+            false,
+            List.of("Camera", "Light", "Sky", "Plane", "Physics", "Compare"));
 
     /**
      * Checks what may come from a file.
@@ -60,7 +74,13 @@ public record WindowSettings(
                                 .allMatch(view ->
                                         view.getKey() >= 0 && view.getKey() <= MAX_KEY && isUsable(view.getValue())),
                 "views");
+        require(
+                folded != null
+                        && folded.size() <= MAX_SECTIONS
+                        && folded.stream().allMatch(name -> name != null && name.length() <= MAX_TEXT_LENGTH),
+                "folded");
         recentScenes = List.copyOf(recentScenes);
+        folded = List.copyOf(folded);
         views = Map.copyOf(views);
     }
 
@@ -73,19 +93,24 @@ public record WindowSettings(
                 frameTimesShown,
                 engine,
                 recentScenes,
-                views);
+                views,
+                qUp,
+                folded);
     }
 
     public WindowSettings withPanelShown(boolean shown) {
-        return new WindowSettings(width, height, maximized, shown, frameTimesShown, engine, recentScenes, views);
+        return new WindowSettings(
+                width, height, maximized, shown, frameTimesShown, engine, recentScenes, views, qUp, folded);
     }
 
     public WindowSettings withFrameTimesShown(boolean shown) {
-        return new WindowSettings(width, height, maximized, panelShown, shown, engine, recentScenes, views);
+        return new WindowSettings(
+                width, height, maximized, panelShown, shown, engine, recentScenes, views, qUp, folded);
     }
 
     public WindowSettings withEngine(String id) {
-        return new WindowSettings(width, height, maximized, panelShown, frameTimesShown, id, recentScenes, views);
+        return new WindowSettings(
+                width, height, maximized, panelShown, frameTimesShown, id, recentScenes, views, qUp, folded);
     }
 
     /** The file comes first; where there are too many, the oldest is forgotten. */
@@ -94,21 +119,39 @@ public record WindowSettings(
                 .distinct()
                 .limit(MAX_RECENT)
                 .toList();
-        return new WindowSettings(width, height, maximized, panelShown, frameTimesShown, engine, newest, views);
+        return new WindowSettings(
+                width, height, maximized, panelShown, frameTimesShown, engine, newest, views, qUp, folded);
     }
 
     /** Without a file that is no longer there. */
     public WindowSettings withoutRecentScene(String file) {
         List<String> rest =
                 recentScenes.stream().filter(recent -> !recent.equals(file)).toList();
-        return new WindowSettings(width, height, maximized, panelShown, frameTimesShown, engine, rest, views);
+        return new WindowSettings(
+                width, height, maximized, panelShown, frameTimesShown, engine, rest, views, qUp, folded);
     }
 
     /** Keeps a camera under a key from 0 to 9. */
     public WindowSettings withView(int key, Camera camera) {
         Map<Integer, Camera> kept = new LinkedHashMap<>(new TreeMap<>(views));
         kept.put(key, camera);
-        return new WindowSettings(width, height, maximized, panelShown, frameTimesShown, engine, recentScenes, kept);
+        return new WindowSettings(
+                width, height, maximized, panelShown, frameTimesShown, engine, recentScenes, kept, qUp, folded);
+    }
+
+    public WindowSettings withQUp(boolean up) {
+        return new WindowSettings(
+                width, height, maximized, panelShown, frameTimesShown, engine, recentScenes, views, up, folded);
+    }
+
+    /** With a section of the panel folded or not. */
+    public WindowSettings withFolded(String heading, boolean isFolded) {
+        List<String> others =
+                folded.stream().filter(name -> !name.equals(heading)).toList();
+        List<String> now =
+                isFolded ? Stream.concat(others.stream(), Stream.of(heading)).toList() : others;
+        return new WindowSettings(
+                width, height, maximized, panelShown, frameTimesShown, engine, recentScenes, views, qUp, now);
     }
 
     private static boolean isUsable(Camera camera) {

@@ -6,6 +6,7 @@ import dev.twister.engine.EngineOffer;
 import dev.twister.gui.WindowScenes;
 import dev.twister.image.HdrWriter;
 import dev.twister.scene.Scene;
+import dev.twister.scene.ToneMap;
 import dev.twister.world.Picture;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -434,14 +435,33 @@ class DrawingLoopTest {
     }
 
     @Test
-    void aSlowPictureIsFinishedThoughTheCameraMoves() {
+    void aSlowPictureIsPrecededByASmallerOneWhereverTheCameraMoves() {
         List<Long> answered = beginASlowPicture();
-        long first = requests;
+        awaitPicture(picture -> picture.request().number() == requests && !picture.isWhole());
         requestLarge(scene, 1);
+        // One band of the picture before, which is left then.
+        green.allow(2);
+        awaitPicture(picture -> picture.request().number() == requests && !picture.isWhole());
         green.allowAll();
 
         await(() -> answered.contains(requests));
-        assertThat(answered).contains(first);
+        assertThat(shown.orElseThrow().frame().width()).isEqualTo(LARGE_WIDTH / 8);
+    }
+
+    @Test
+    void anotherToneIsSeenWithoutAnotherFrame() {
+        requestLarge(scene, 16);
+        awaitPicture(picture -> picture.samples() == 16);
+        awaitQuiet();
+        int before = green.frames.get();
+        requestLarge(
+                scene.withSettings(scene.settings()
+                        .withTone(-3, ToneMap.ACES, scene.settings().srgb())),
+                16);
+        DrawnPicture toned = awaitPicture(picture -> picture.request().number() == requests);
+
+        assertThat(toned.samples()).isEqualTo(16);
+        assertThat(green.frames.get()).isEqualTo(before);
     }
 
     @Test

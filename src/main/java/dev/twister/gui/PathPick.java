@@ -1,0 +1,33 @@
+package dev.twister.gui;
+
+import dev.twister.explain.PixelPath;
+import dev.twister.gui.drawing.DrawnPicture;
+import java.util.Optional;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+
+/** The pixel whose path is shown. It stays as it was when it was picked, wherever the camera goes. */
+final class PathPick {
+    private final ReadOnlyObjectWrapper<Optional<PixelPath>> path = new ReadOnlyObjectWrapper<>(Optional.empty());
+
+    PathPick(Studio studio) {
+        studio.originalProperty().subscribe(_ -> clear());
+    }
+
+    ReadOnlyObjectProperty<Optional<PixelPath>> pathProperty() {
+        return path.getReadOnlyProperty();
+    }
+
+    boolean isShown() {
+        return path.get().isPresent();
+    }
+
+    /** Shows the path through a pixel's center. */
+    void pick(DrawnPicture picture, int x, int y) {
+        path.set(Optional.of(PixelPath.of(picture.input().withSamples(0, 1), x, y, 0)));
+    }
+
+    void clear() {
+        path.set(Optional.empty());
+    }
+}

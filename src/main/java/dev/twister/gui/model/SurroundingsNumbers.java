@@ -1,0 +1,60 @@
+package dev.twister.gui.model;
+
+import dev.twister.gui.model.NumberSetting.Scale;
+import dev.twister.scene.Range;
+import dev.twister.scene.SceneLimits;
+
+/** The numbers of what is around the spheres: the plane, ambient light, and how bodies meet. */
+public final class SurroundingsNumbers {
+    private SurroundingsNumbers() {}
+
+    public static final NumberSetting AMBIENT = new NumberSetting(
+            "Ambient light",
+            "How bright a surface in shadow is: a share of its color.",
+            SceneLimits.AMBIENT,
+            new Range(0, 1),
+            Scale.LINEAR,
+            2,
+            "",
+            scene -> scene.ambient(),
+            (scene, ambient) -> scene.withAmbient(ambient));
+
+    public static final NumberSetting PLANE_SIZE = new NumberSetting(
+            "Plane size",
+            "The side of the square. Walls stand on its border.",
+            SceneLimits.LENGTH,
+            new Range(1, 1000),
+            Scale.LOGARITHMIC,
+            1,
+            "m",
+            scene -> scene.plane().size(),
+            (scene, size) -> scene.withPlane(scene.plane().withSize(size)));
+
+    public static final NumberSetting PLANE_HEIGHT = SceneNumbers.place(
+            "Plane height",
+            "The plane's y. The camera stays above it.",
+            scene -> scene.plane().height(),
+            (scene, height) -> scene.withPlane(scene.plane().withHeight(height)));
+
+    public static final NumberSetting ELASTICITY = new NumberSetting(
+            "Elasticity",
+            "The share of their speed with which two bodies part.",
+            SceneLimits.ELASTICITY,
+            new Range(0, 1),
+            Scale.LINEAR,
+            2,
+            "",
+            scene -> scene.physics().elasticity(),
+            (scene, share) -> scene.withPhysics(scene.physics().withElasticity(share)));
+
+    public static final NumberSetting FRICTION = new NumberSetting(
+            "Friction",
+            "Coulomb's coefficient between bodies, and between bodies and plane or walls.",
+            SceneLimits.FRICTION,
+            new Range(0, 1),
+            Scale.LINEAR,
+            2,
+            "",
+            scene -> scene.physics().friction(),
+            (scene, coefficient) -> scene.withPhysics(scene.physics().withFriction(coefficient)));
+}
