@@ -69,14 +69,14 @@ final class GltfMaterials {
         GltfPlace transform = texture.at("extensions").at("KHR_texture_transform");
         GltfPlace set = transform.at("texCoord").exists() ? transform.at("texCoord") : texture.at("texCoord");
         return new Textured(
-                new Material(
-                        new Rgb(unit(color[0]), unit(color[1]), unit(color[2])),
-                        Reflectivity.of(metallic, roughness) * (1 - transmission),
-                        roughness,
-                        faded ? 1 - unit(color[3]) : transmission * (1 - metallic),
+                Material.DEFAULT
+                        .withColor(new Rgb(unit(color[0]), unit(color[1]), unit(color[2])))
+                        .withReflectivity(Reflectivity.of(metallic, roughness) * (1 - transmission))
+                        .withRoughness(roughness)
+                        .withTransmission(faded ? 1 - unit(color[3]) : transmission * (1 - metallic))
                         // What is only faded is not to bend the light.
-                        faded ? 1 : Math.clamp(ior, 1.0, 4.0),
-                        picture(texture)),
+                        .withIor(faded ? 1 : Math.clamp(ior, 1.0, 4.0))
+                        .withTexture(picture(texture)),
                 (int) Math.min(set.countOr(0), Integer.MAX_VALUE),
                 TextureLayout.of(transform));
     }

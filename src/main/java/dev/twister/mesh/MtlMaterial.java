@@ -27,14 +27,15 @@ final class MtlMaterial {
         double through = Math.clamp(1 - opaque, 0.0, 1.0);
         boolean glass = isGlass();
         double transmission = glass && through == 0 ? 1 : through;
-        return new Material(
-                transmission > 0 ? tint(glass) : diffuse,
-                reflectivity(),
-                Math.clamp(roughness, 0.0, 1.0),
-                transmission,
-                // What is only faded, without an index, is not to bend the light.
-                Math.clamp(ior.orElse(glass || transmission == 0 ? Material.DEFAULT.ior() : 1.0), 1.0, 4.0),
-                texture);
+        // What is only faded, without an index, is not to bend the light.
+        double index = ior.orElse(glass || transmission == 0 ? Material.DEFAULT.ior() : 1.0);
+        return Material.DEFAULT
+                .withColor(transmission > 0 ? tint(glass) : diffuse)
+                .withReflectivity(reflectivity())
+                .withRoughness(Math.clamp(roughness, 0.0, 1.0))
+                .withTransmission(transmission)
+                .withIor(Math.clamp(index, 1.0, 4.0))
+                .withTexture(texture);
     }
 
     private boolean isGlass() {

@@ -111,7 +111,7 @@ class PhysicsTest {
                 "gravity", scene -> scene.withPhysics(scene.physics().withGravity(new Vector3(0, 1, 0)))));
         driver.type(KeyCode.F5);
         driver.awaitPicture(picture -> height(picture) > HEIGHT + 0.1);
-        driver.click(driver.find("#pause", Button.class));
+        driver.run(() -> driver.find("#pause", Button.class).fire());
         assertThat(motion().running()).isFalse();
         double paused = height(driver.awaitPicture(shown -> shown.samples() > 4));
         assertThat(paused).isGreaterThan(HEIGHT + 0.1);

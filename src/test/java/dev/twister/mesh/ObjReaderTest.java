@@ -10,7 +10,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -35,10 +34,15 @@ class ObjReaderTest {
                         Material.DEFAULT.withColor(red).withReflectivity(5)),
                 Arguments.of("Kd 1 0 0\nKs 0.5 1 0\nNs 50\nillum 1", Material.DEFAULT.withColor(red)),
                 Arguments.of("Ks 0.5 0.25 0\nillum 3", Material.DEFAULT.withReflectivity(64)),
-                Arguments.of("Kd 0 0 0\nNi 1.33\nillum 7", new Material(white, 0, 0, 1, 1.33, Optional.empty())),
                 Arguments.of(
-                        "Kd 0 0 0\nTf 1 0 0\nd 0.25\nillum 4", new Material(red, 0, 0, 0.75, 1.5, Optional.empty())),
-                Arguments.of("Kd 1 0 0\nTr 0.25", new Material(red, 0, 0, 0.25, 1, Optional.empty())),
+                        "Kd 0 0 0\nNi 1.33\nillum 7",
+                        Material.DEFAULT.withColor(white).withTransmission(1).withIor(1.33)),
+                Arguments.of(
+                        "Kd 0 0 0\nTf 1 0 0\nd 0.25\nillum 4",
+                        Material.DEFAULT.withColor(red).withTransmission(0.75)),
+                Arguments.of(
+                        "Kd 1 0 0\nTr 0.25",
+                        Material.DEFAULT.withColor(red).withTransmission(0.25).withIor(1)),
                 Arguments.of("Kd 1 0 0\nd 1\nTr 1", Material.DEFAULT.withColor(red)),
                 Arguments.of(
                         "Pm 1\nPr 0.5", Material.DEFAULT.withReflectivity(48).withRoughness(0.5)));

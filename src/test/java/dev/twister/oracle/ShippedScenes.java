@@ -40,10 +40,16 @@ public final class ShippedScenes {
         return with(shipped, shipped.scene().settings().withSize(320, 180));
     }
 
-    /** Quick to draw for the oracle too: at most 48 shadow samples, and thousands of spheres at 96 x 54 with 4. */
+    /**
+     * Quick to draw for the oracle too: at most 48 shadow samples, thousands of spheres at 96 x 54 with 4, thousands of
+     * triangles at 32 x 18 with 1 and 2 bounces.
+     */
     public static LitScene quick(String name) {
         LitScene small = small(name);
         RenderSettings settings = small.scene().settings();
+        if (!small.scene().meshes().isEmpty()) {
+            return with(small, settings.withSize(32, 18).withShadows(1).withBounces(2));
+        }
         return small.scene().spheres().size() > MANY_SPHERES
                 ? with(small, settings.withSize(96, 54).withShadows(4))
                 : with(small, settings.withShadows(Math.min(settings.shadowSamples(), 48)));

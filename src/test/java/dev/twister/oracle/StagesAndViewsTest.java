@@ -45,7 +45,8 @@ class StagesAndViewsTest {
                 .withSettings(settings.withSize(160, 90)
                         .withShadows(Math.min(settings.shadowSamples(), 16))
                         .withSamplesPerPixel(2));
-        FrameInput input = World.of(scene, shipped.images()).snapshot().showing(picture);
+        FrameInput input =
+                World.of(scene, shipped.images(), shipped.meshes()).snapshot().showing(picture);
         float[] actual = Pictures.radiance(JvmEngines.SEQUENTIAL, input);
         Oracle oracle = new Oracle(new LitScene(sceneOf(picture, scene), shipped.images()));
         int odd = 0;
