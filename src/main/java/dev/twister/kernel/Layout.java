@@ -190,8 +190,11 @@ public final class Layout {
     /** No node has more ancestors. */
     public static final int MOST_ANCESTORS = 48;
 
-    /** How many candidates a shadow remembers; where there are more, each sample looks through the hierarchy. */
-    public static final int MOST_CANDIDATES = 64;
+    /**
+     * How many candidates a shadow remembers; where there are more, each sample looks through the hierarchy. So few that
+     * PoCL has room for the scratch of 4,096 pixels on a stack of 8 MB.
+     */
+    public static final int MOST_CANDIDATES = 32;
 
     /** From one remembered candidate to the next: its place in the shadow's frame a, u, w, and its radius squared. */
     public static final int CANDIDATE_STRIDE = 4;
