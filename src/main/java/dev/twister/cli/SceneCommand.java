@@ -1,11 +1,14 @@
 package dev.twister.cli;
 
 import dev.twister.files.PrintableText;
+import dev.twister.mesh.MeshFile;
+import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneGenerator;
 import dev.twister.scene.SceneReader;
 import dev.twister.scene.SceneWriter;
 import dev.twister.sky.ShippedSky;
+import dev.twister.world.SceneMeshes;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -79,10 +82,22 @@ final class SceneCommand implements Callable<Integer> {
     private String check(String name) {
         Path file = SceneFiles.find(name);
         Scene scene = SceneReader.read(file);
-        SkyFiles.world(scene, spec.commandLine().getErr());
+        SceneMeshes meshes = SkyFiles.world(scene, spec.commandLine().getErr()).meshes();
         return file + ": valid, " + spheres(scene)
                 + also(scene.materials().size(), "material")
-                + also(scene.textures().size(), "texture");
+                + also(scene.textures().size(), "texture")
+                + meshes(scene, meshes);
+    }
+
+    private static String meshes(Scene scene, SceneMeshes meshes) {
+        StringBuilder text = new StringBuilder();
+        for (Mesh mesh : scene.meshes()) {
+            MeshFile held = meshes.file(mesh);
+            text.append("; %s: %d triangles".formatted(mesh.file().getFileName(), held.shownTriangles()))
+                    .append(also(held.parts().size(), "part"))
+                    .append(also(held.degenerateTriangles(), "degenerate triangle"));
+        }
+        return text.toString();
     }
 
     private String generate(Generation wanted) throws IOException {

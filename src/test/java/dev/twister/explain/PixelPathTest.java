@@ -88,10 +88,7 @@ class PixelPathTest {
     private static void shadowIsTheMeanOfItsRays(Shading shading) {
         List<ShadowRay> rays = shading.shadowRays();
         // Without rays a mesh whose face looks away from the light has 0, all else 1.
-        double mean = rays.stream()
-                .mapToDouble(ShadowRay::light)
-                .average()
-                .orElse(shading.visible() == 0 ? 0 : 1);
+        double mean = rays.stream().mapToDouble(ShadowRay::light).average().orElse(shading.visible() == 0 ? 0 : 1);
         double ray = rays.size() > 1 ? 1.0 / rays.size() : 0;
         assertThat(mean).isCloseTo(shading.visible(), within(ray + 1e-5));
     }
