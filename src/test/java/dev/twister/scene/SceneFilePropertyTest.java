@@ -112,6 +112,10 @@ class SceneFilePropertyTest {
                 .withPlane(plane.withMaterial(withFiles(plane.material())))
                 .withSpheres(scene.spheres().stream()
                         .map(sphere -> sphere.withMaterial(withFiles(sphere.material())))
+                        .toList())
+                .withMeshes(scene.meshes().stream()
+                        .map(mesh -> mesh.withFile(FOLDER.resolve(mesh.file()))
+                                .withMaterial(mesh.material().map(SceneFilePropertyTest::withFiles)))
                         .toList());
         return there.pour()
                 .map(pour -> there.withPour(pour.withMaterial(withFiles(pour.material()))))
