@@ -7,6 +7,7 @@ import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.engine.JvmEngines;
 import dev.twister.image.Frame;
+import dev.twister.oracle.MeshShapes;
 import dev.twister.oracle.PictureDifference;
 import dev.twister.oracle.RandomScenes;
 import dev.twister.scene.Scene;
@@ -14,11 +15,13 @@ import dev.twister.scene.WholeRangeScenes;
 import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
 import java.time.temporal.IsoFields;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.function.Supplier;
@@ -45,6 +48,9 @@ final class WholeRangesTest {
      * show, as where the camera is next to the surface of a planet.
      */
     private static final int DEVICE_PIXELS_AN_ODD_ONE = 200;
+
+    /** One scene in so many has its meshes, which are cubes. */
+    private static final int SCENES_A_MESH = 16;
 
     private static long thisWeek() {
         LocalDate today = LocalDate.now(ZoneOffset.UTC);
@@ -98,7 +104,10 @@ final class WholeRangesTest {
         Scene scene = WholeRangeScenes.next(random);
         Skybox sky = RandomScenes.scene(random, 0).sky();
         Skybox texture = texture(random);
-        return World.of(scene, new SceneImages(sky, Map.of(WholeRangeScenes.PICTURE, texture)))
+        // Lanes leave frames with meshes to the kernel.
+        Scene shown = number % SCENES_A_MESH == 0 ? scene : scene.withMeshes(List.of());
+        SceneMeshes meshes = SceneMeshes.of(shown, _ -> MeshShapes.file(MeshShapes.cube()));
+        return World.of(shown, new SceneImages(sky, Map.of(WholeRangeScenes.PICTURE, texture)), meshes)
                 .snapshot();
     }
 
