@@ -111,7 +111,7 @@ final class PictureView extends Pane {
         return !zoom.isFit();
     }
 
-    /** Magnifies so many times; what is at that place of the view stays there. */
+    /** Magnifies by a factor; what is at that place of the view stays there. */
     void zoom(double change, double x, double y) {
         show(zoom.times(change, across, x, down, y));
     }

@@ -114,7 +114,7 @@ public final class Branch {
         return waiting + both;
     }
 
-    /** How many surfaces the ray has left that began to wait last, of so many. */
+    /** How many surfaces the ray has left that began to wait last; {@code waiting} rays wait. */
     public static int bounce(float[] scratch, int waiting) {
         return (int) scratch[Layout.SCRATCH_RAYS + Layout.RAY_STRIDE * (waiting - 1) + Layout.RAY_BOUNCE];
     }

@@ -309,7 +309,7 @@ public final class Layout {
 
     private Layout() {}
 
-    /** How long the spheres' part of the hierarchy is where there is room for so many bodies without meshes. */
+    /** How long the spheres' part of the hierarchy is, for a number of bodies without meshes. */
     public static int spheresLength(int room) {
         int spheres = room - FIRST_SPHERE;
         return root(room) + NODE_STRIDE * (spheres > 0 ? 2 * spheres - 1 : 1);

@@ -66,7 +66,7 @@ final class Bytes {
         return new MeshException(name + ": " + problem);
     }
 
-    /** Makes sure that there are so many bytes from a position on. */
+    /** Checks that a number of bytes follows a position. */
     void require(long position, long count, String what) {
         if (position < 0 || count > length - position) {
             throw failure(length, "truncated: the file ends in " + what + "; get or export it again");

@@ -34,7 +34,7 @@ final class IntList {
         values[size++] = value;
     }
 
-    /** Leaves out what comes after so many. */
+    /** Truncates to a length. */
     void cut(int newSize) {
         size = newSize;
     }

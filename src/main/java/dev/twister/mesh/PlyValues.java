@@ -7,7 +7,7 @@ import java.nio.ByteOrder;
 interface PlyValues {
     double next(PlyType type) throws IOException;
 
-    /** Goes over so many numbers. */
+    /** Skips a number of values. */
     void skip(PlyType type, long count) throws IOException;
 
     /** Goes to the next element: in text to the next line, as some programs write more numbers than the header names. */

@@ -13,7 +13,7 @@ final class StlReader {
     private static final int TRIANGLE_BYTES = 50;
     private static final int NORMAL_BYTES = 12;
 
-    /** Text that is "solid" at first has a facet, or ends, within so many bytes. */
+    /** A text file that begins with "solid" has a facet, or ends, within this number of bytes. */
     private static final int TEXT_START = 1024;
 
     private final Bytes bytes;

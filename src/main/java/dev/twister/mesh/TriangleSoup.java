@@ -27,7 +27,7 @@ final class TriangleSoup {
     /** Per triangle, or empty where all are 0. */
     final IntList materialOf = new IntList();
 
-    /** For so many vertices and triangles to begin with. */
+    /** With initial room for a number of vertices and triangles. */
     TriangleSoup(int vertices, int triangles) {
         positions = new FloatList(3 * vertices);
         normals = new FloatList();

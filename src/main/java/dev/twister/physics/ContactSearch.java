@@ -239,7 +239,7 @@ final class ContactSearch {
     }
 
     private void addTriangles(int body, Contacts list) {
-        MeshSurface mesh = surroundings.mesh();
+        MeshCollider mesh = surroundings.mesh();
         double[] n = bodies.numbers;
         int at = BodyStore.STRIDE * body;
         int start = list.count;

@@ -63,7 +63,7 @@ public final class Simulation implements AutoCloseable {
     private long steps;
     private double ahead;
 
-    private Simulation(Scene scene, MeshSurface mesh, int threads) {
+    private Simulation(Scene scene, MeshCollider mesh, int threads) {
         this.scene = scene;
         this.threads = threads;
         List<Sphere> spheres = scene.allSpheres();
@@ -113,10 +113,10 @@ public final class Simulation implements AutoCloseable {
      * @throws IllegalArgumentException where one of the scene's meshes is not among them
      */
     public static Simulation of(Scene scene, SceneMeshes meshes, int threads) {
-        return new Simulation(scene, MeshSurface.of(scene, meshes), threads);
+        return new Simulation(scene, MeshCollider.of(scene, meshes), threads);
     }
 
-    static Simulation of(Scene scene, MeshSurface mesh, int threads) {
+    static Simulation of(Scene scene, MeshCollider mesh, int threads) {
         return new Simulation(scene, mesh, threads);
     }
 
@@ -136,7 +136,7 @@ public final class Simulation implements AutoCloseable {
             bodies.putLight(edited.light());
             return this;
         }
-        MeshSurface mesh = sameMeshes ? surroundings.mesh() : MeshSurface.of(edited, meshes);
+        MeshCollider mesh = sameMeshes ? surroundings.mesh() : MeshCollider.of(edited, meshes);
         Simulation next = new Simulation(edited, mesh, threads);
         next.takeOver(this);
         close();

@@ -20,7 +20,7 @@ record Surroundings(
         double elasticity,
         double friction,
         double damping,
-        MeshSurface mesh) {
+        MeshCollider mesh) {
     static final int GROUND = 0;
     static final int FIRST_WALL = 1;
 
@@ -30,7 +30,7 @@ record Surroundings(
     /** After the walls: for each triangle of the mesh one surface for each of its two sides. */
     static final int FIRST_TRIANGLE = FIRST_WALL + WALLS;
 
-    static Surroundings of(Scene scene, MeshSurface mesh) {
+    static Surroundings of(Scene scene, MeshCollider mesh) {
         Plane plane = scene.plane();
         Physics physics = scene.physics();
         return new Surroundings(

@@ -13,7 +13,7 @@ final class BoxTree extends RecursiveAction {
 
     private static final int FEWEST_FOR_A_THREAD = 8192;
 
-    /** From so many ancestors on, boxes are split in the middle: 2^24 of them stay within the kernel's stack. */
+    /** With more ancestors, boxes are split in the middle: 2^24 of them stay within the kernel's stack. */
     private static final int MOST_UNEVEN_ANCESTORS = Layout.MOST_ANCESTORS - 24;
 
     @SuppressWarnings("serial") // never written

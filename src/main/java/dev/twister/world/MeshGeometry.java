@@ -14,7 +14,7 @@ import dev.twister.mesh.TriangleMesh;
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
 record MeshGeometry(int nodes, int triangles, int normals, int texturePlaces, float[] floats) {
-    /** Testing so many triangles takes about as long as testing two boxes and what is left in them. */
+    /** Testing this number of triangles takes about as long as testing two boxes and what is left in them. */
     private static final int MOST_IN_LEAF = 4;
 
     static MeshGeometry of(TriangleMesh mesh) {

@@ -120,7 +120,7 @@ public final class RandomMaterials {
                         .withFocusDistance(RandomScenes.between(random, 0.3, 15));
     }
 
-    /** With few enough pixels for so many spheres, or triangles. */
+    /** With few pixels where there are many spheres or triangles. */
     static RenderSettings settings(RenderSettings plain, int spheres) {
         int shadowSamples = Math.min(plain.shadowSamples(), 40);
         double branches = Math.min(1 << plain.bounces(), 60);

@@ -38,7 +38,7 @@ class FreeFallTest {
         double drag = 0.8;
         Scene scene = Motion.scene(Physics.DEFAULT.withDamping(drag), Motion.sphere(0, 100, 0, 0.5));
         BodyStore bodies = new BodyStore(scene, scene.spheres());
-        Surroundings surroundings = Surroundings.of(scene, MeshSurface.EMPTY);
+        Surroundings surroundings = Surroundings.of(scene, MeshCollider.EMPTY);
         Integrator integrator = new Integrator(bodies, surroundings);
         integrator.setSubstep(step);
         bodies.add(scene.spheres().getFirst().position(), 0.5);

@@ -33,7 +33,7 @@ class MeshMotionTest {
         }
     }
 
-    private static double[] peaks(Physics physics, MeshSurface mesh, Sphere sphere, double ground) {
+    private static double[] peaks(Physics physics, MeshCollider mesh, Sphere sphere, double ground) {
         double[] peaks = new double[3];
         int bounces = 0;
         try (Simulation simulation = Simulation.of(Motion.scene(physics, sphere), mesh, 1)) {
@@ -117,7 +117,7 @@ class MeshMotionTest {
     }
 
     /** A square of 2 size times 2 size squares of two triangles each. */
-    private static MeshSurface field(int size, double side, double height) {
+    private static MeshCollider field(int size, double side, double height) {
         List<double[]> triangles = new ArrayList<>();
         for (int column = -size; column < size; column++) {
             for (int row = -size; row < size; row++) {
@@ -130,7 +130,7 @@ class MeshMotionTest {
         return surface(triangles);
     }
 
-    private static MeshSurface box(double half, double height) {
+    private static MeshCollider box(double half, double height) {
         List<double[]> triangles = new ArrayList<>();
         for (int axis = 0; axis < 3; axis++) {
             for (int sign = -1; sign <= 1; sign += 2) {
@@ -149,7 +149,7 @@ class MeshMotionTest {
     }
 
     /** The lower half of a sphere. */
-    private static MeshSurface bowl(double radius, double height) {
+    private static MeshCollider bowl(double radius, double height) {
         int rings = 12;
         int sectors = 24;
         List<double[]> triangles = new ArrayList<>();
@@ -179,8 +179,8 @@ class MeshMotionTest {
         return new double[] {a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]};
     }
 
-    private static MeshSurface surface(List<double[]> triangles) {
-        return new MeshSurface(
+    private static MeshCollider surface(List<double[]> triangles) {
+        return new MeshCollider(
                 triangles.stream().flatMapToDouble(java.util.Arrays::stream).toArray());
     }
 }

@@ -86,7 +86,7 @@ class RandomMotionTest {
             bodies.sleep(body);
         }
         try (Team team = new Team(1)) {
-            ContactSearch search = new ContactSearch(bodies, Surroundings.of(scene, MeshSurface.EMPTY), team, 1, 0.05);
+            ContactSearch search = new ContactSearch(bodies, Surroundings.of(scene, MeshCollider.EMPTY), team, 1, 0.05);
             search.search(new Survey(bodies, team, 1).reach(0.1, 4, 0.001), false);
             List<String> found = new ArrayList<>();
             collect(search.giantsContacts(), found);

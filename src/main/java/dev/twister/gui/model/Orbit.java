@@ -67,7 +67,7 @@ public final class Orbit {
         return at(camera, Axes.of(camera).from(center, 0, 0, -ROOM * radius / Math.sin(half)));
     }
 
-    /** The point so many meters straight ahead. */
+    /** The point straight ahead at a distance in meters. */
     public static Vector3 ahead(Camera camera, double meters) {
         return Axes.of(camera).from(camera.position(), 0, 0, meters);
     }

@@ -49,7 +49,7 @@ final class WholeRangesTest {
      */
     private static final int DEVICE_PIXELS_AN_ODD_ONE = 200;
 
-    /** One scene in so many has its meshes, which are cubes. */
+    /** One scene in this number has its meshes, which are cubes. */
     private static final int SCENES_A_MESH = 16;
 
     private static long thisWeek() {

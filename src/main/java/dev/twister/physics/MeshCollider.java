@@ -1,6 +1,7 @@
 package dev.twister.physics;
 
 import dev.twister.mesh.Affine;
+import dev.twister.mesh.MeshException;
 import dev.twister.mesh.MeshFile;
 import dev.twister.mesh.MeshPart;
 import dev.twister.mesh.MeshPlacement;
@@ -19,13 +20,16 @@ import java.util.function.IntConsumer;
  * nearest point of one is not the surface's where the other comes nearer; there only that one is touched, so that a
  * body which rolls over flat ground does not stumble over the borders in it.
  */
-final class MeshSurface {
+final class MeshCollider {
     /** Of no triangles. */
-    static final MeshSurface EMPTY = new MeshSurface(new double[0]);
+    static final MeshCollider EMPTY = new MeshCollider(new double[0]);
 
     private static final int NOTHING = -1;
 
-    /** Nodes have so many triangles at most, or two children. */
+    /** In all meshes together, those that are shown several times as often. */
+    private static final int MOST_TRIANGLES = 50_000_000;
+
+    /** The most triangles of a leaf. */
     private static final int LEAF = 4;
 
     /** Least and largest x, y and z. */
@@ -46,7 +50,7 @@ final class MeshSurface {
     /**
      * @param corners {@code double[9 * triangles]}: three corners of x, y, z each, in meters; no triangle is without an area
      */
-    MeshSurface(double[] corners) {
+    MeshCollider(double[] corners) {
         this.corners = corners;
         int triangles = corners.length / 9;
         neighbors = TriangleBorders.neighbors(corners);
@@ -61,12 +65,17 @@ final class MeshSurface {
      * The meshes of a scene, where they are.
      *
      * @throws IllegalArgumentException where one of them is not among those that were read
+     * @throws MeshException where they show more triangles than an array holds
      */
-    static MeshSurface of(Scene scene, SceneMeshes meshes) {
+    static MeshCollider of(Scene scene, SceneMeshes meshes) {
         long triangles = scene.meshes().stream()
                 .mapToLong(mesh -> meshes.file(mesh).shownTriangles())
                 .sum();
-        double[] corners = new double[Math.toIntExact(9 * triangles)];
+        if (triangles > MOST_TRIANGLES) {
+            throw new MeshException("the scene's meshes show " + triangles
+                    + " triangles together; physics takes at most " + MOST_TRIANGLES + "; use fewer or simpler meshes");
+        }
+        double[] corners = new double[(int) (9 * triangles)];
         int end = 0;
         for (Mesh mesh : scene.meshes()) {
             MeshFile file = meshes.file(mesh);
@@ -75,7 +84,7 @@ final class MeshSurface {
                 end = place(file.meshes().get(part.mesh()), placement.of(part.placement()), corners, end);
             }
         }
-        return end == 0 ? EMPTY : new MeshSurface(Arrays.copyOf(corners, end));
+        return end == 0 ? EMPTY : new MeshCollider(Arrays.copyOf(corners, end));
     }
 
     /** Writes the triangles that have an area there; returns where they end. */
