@@ -4,6 +4,7 @@ import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Plane;
+import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
@@ -17,6 +18,10 @@ public final class MeshStage {
 
     private static final double LARGEST_SIDE = 2;
     private static final double PLANE_SIZE = 20;
+
+    /** Few, as each looks through the triangles, and the picture is refined at rest. */
+    private static final int SHADOW_SAMPLES = 16;
+
     private static final double YAW_DEGREES = 20;
     private static final double PITCH_DEGREES = 15;
     private static final double FIELD_OF_VIEW_DEGREES = 40;
@@ -55,6 +60,7 @@ public final class MeshStage {
                 .withName(file.getFileName().toString())
                 .withCamera(Camera.of(eye, YAW_DEGREES, PITCH_DEGREES, FIELD_OF_VIEW_DEGREES))
                 .withLight(LIGHT)
+                .withSettings(RenderSettings.DEFAULT.withShadows(SHADOW_SAMPLES))
                 .withPlane(Plane.of(PLANE_SIZE, 0, BRIGHT, DARK, 0))
                 .withMeshes(List.of(
                         Mesh.of(file).withScale(scale).withPosition(place).withSmooth(SMOOTH_DEGREES)));
