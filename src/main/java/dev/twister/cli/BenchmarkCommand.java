@@ -34,7 +34,7 @@ import picocli.CommandLine.Spec;
 /** {@code twister benchmark}: engines by sizes, and whether they draw the same picture. */
 @Command(
         name = "benchmark",
-        description = "Measures how fast the engines draw, and compares their pictures with sequential's.",
+        description = "Measures the frame times of the engines and compares their pictures with sequential's.",
         footer = {
             "",
             "Examples:",
@@ -45,7 +45,7 @@ import picocli.CommandLine.Spec;
             "  twister benchmark --paper --quick --output my-machine",
             "  twister benchmark --quick --engine vector --engine parallel --jit c2,graal",
             "",
-            "Exit code 1 says that an engine failed or drew another picture."
+            "Exit code 1: an engine failed, or its picture differs."
         })
 final class BenchmarkCommand implements Callable<Integer> {
     private static final int SHADOW_SAMPLES = 200;
@@ -69,22 +69,21 @@ final class BenchmarkCommand implements Callable<Integer> {
             completionCandidates = Completions.OfScene.class,
             arity = "0..1",
             defaultValue = "benchmark",
-            description = "A scene file, or the name of a shipped scene; ${DEFAULT-VALUE} where not said.")
+            description = "A scene file, or the name of a shipped scene (default: ${DEFAULT-VALUE}).")
     private String sceneName;
 
     @Option(
             names = "--engine",
             paramLabel = "ENGINE",
             completionCandidates = Completions.OfEngine.class,
-            description = "May be given several times; all that work here but 'auto' where not said.")
+            description = "Repeatable. Default: every available engine except auto.")
     private List<String> engines = new ArrayList<>();
 
     @Option(
             names = "--size",
             paramLabel = "SIZE",
             converter = PictureSizeConverter.class,
-            description =
-                    "Such as 1280x720, or 720p, 1080p, 4k; may be given several times; those three where not said.")
+            description = "Such as 1280x720 or 720p. Repeatable. Default: 720p, 1080p and 4k.")
     private List<PictureSize> sizes = new ArrayList<>();
 
     @Mixin
@@ -97,31 +96,31 @@ final class BenchmarkCommand implements Callable<Integer> {
 
     @Option(
             names = "--quick",
-            description = "Minutes on a small machine: 720p and 1080p, 5 frames, 10 seconds each with the warm-up.")
+            description = "Take minutes on a small machine: 720p and 1080p, 5 frames, at most 10 seconds each.")
     private boolean quick;
 
     @Option(
             names = "--warmup",
             paramLabel = "N",
-            description = "Frames before the measured ones, and small pictures before the first of them until they get"
-                    + " no faster; " + WARMUP_FRAMES + " where not said, and none of either with 0.")
+            description = "Warm-up frames per size (default: " + WARMUP_FRAMES + "); small frames run first until times"
+                    + " settle. 0 disables both.")
     private Optional<Integer> warmup = Optional.empty();
 
-    @Option(names = "--frames", paramLabel = "N", description = "Measured frames; 10 where not said.")
+    @Option(names = "--frames", paramLabel = "N", description = "Measured frames per size (default: 10).")
     private Optional<Integer> frames = Optional.empty();
 
     @Option(
             names = "--max-seconds",
             paramLabel = "S",
             description =
-                    "For each engine at each size, at most half of it warm-up, and at most as long again for an engine's"
-                            + " small pictures; 30 where not said.")
+                    "Time limit per engine and size, warm-up included (default: 30). The small frames before the first"
+                            + " size have the same limit.")
     private Optional<Double> maxSeconds = Optional.empty();
 
-    @Option(names = "--json", paramLabel = "FILE", description = "Write the report as JSON, too.")
+    @Option(names = "--json", paramLabel = "FILE", description = "Also write the report as JSON.")
     private Optional<Path> json = Optional.empty();
 
-    @Option(names = "--csv", paramLabel = "FILE", description = "Write the report as CSV, too.")
+    @Option(names = "--csv", paramLabel = "FILE", description = "Also write the report as CSV.")
     private Optional<Path> csv = Optional.empty();
 
     @Option(
@@ -133,7 +132,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     @Option(
             names = "--output",
             paramLabel = "DIR",
-            description = "The folder for --paper; " + PAPER_FOLDER + " where not said.")
+            description = "The folder for --paper (default: " + PAPER_FOLDER + ").")
     private Optional<Path> output = Optional.empty();
 
     @Option(
@@ -160,7 +159,7 @@ final class BenchmarkCommand implements Callable<Integer> {
 
     private int compareJits() throws IOException {
         if (paper || csv.isPresent()) {
-            throw new BadInputException("--jit does not go with --paper and --csv");
+            throw new BadInputException("--jit excludes --paper and --csv");
         }
         ReportFiles files = new ReportFiles(json, Optional.empty());
         files.check();

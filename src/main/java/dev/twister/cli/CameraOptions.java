@@ -18,28 +18,28 @@ final class CameraOptions {
             description = "The camera's position, in meters.")
     private Optional<Vector3> position = Optional.empty();
 
-    @Option(names = "--yaw", paramLabel = "DEGREES", description = "Turn to the right.")
+    @Option(names = "--yaw", paramLabel = "DEGREES", description = "Turn of the camera to the right.")
     private Optional<Double> yaw = Optional.empty();
 
-    @Option(names = "--pitch", paramLabel = "DEGREES", description = "Turn down, -90 to 90.")
+    @Option(names = "--pitch", paramLabel = "DEGREES", description = "Turn of the camera down, -90 to 90.")
     private Optional<Double> pitch = Optional.empty();
 
     @Option(
             names = "--fov",
             paramLabel = "DEGREES",
-            description = "The angle over the picture's shorter side, 1 to 179.")
+            description = "Field of view over the picture's shorter side, 1 to 179.")
     private Optional<Double> fieldOfView = Optional.empty();
 
     @Option(
             names = "--aperture",
             paramLabel = "METERS",
-            description = "The lens's radius, 0 or more; with 0 everything is sharp.")
+            description = "Radius of the lens, 0 or more; with 0 everything is in focus.")
     private Optional<Double> aperture = Optional.empty();
 
     @Option(
             names = "--focus",
             paramLabel = "METERS",
-            description = "How far ahead things are sharp, with an aperture above 0.")
+            description = "Distance that is in focus, when the aperture is above 0.")
     private Optional<Double> focusDistance = Optional.empty();
 
     Camera over(Camera camera) {

@@ -13,8 +13,8 @@ record ChoiceConverter<E extends Enum<E>>(Class<E> choices) implements ITypeConv
         return Stream.of(choices.getEnumConstants())
                 .filter(choice -> choice.name().equalsIgnoreCase(text))
                 .findFirst()
-                .orElseThrow(() ->
-                        new TypeConversionException("'" + text + "' is none of " + String.join(", ", names(choices))));
+                .orElseThrow(() -> new TypeConversionException(
+                        "unknown value '" + text + "'; expected one of: " + String.join(", ", names(choices))));
     }
 
     /** As a user is told them. */

@@ -21,7 +21,7 @@ import picocli.CommandLine.Spec;
 /** {@code twister devices}: what can draw here, and what keeps the rest from it. */
 @Command(
         name = "devices",
-        description = "Shows the engines and devices that work here, and for those that do not, what to install.",
+        description = "Lists engines and devices, and says what to install for those that do not work here.",
         footer = {
             "",
             "Examples:",
@@ -30,7 +30,7 @@ import picocli.CommandLine.Spec;
             "  twister devices --check",
             "  twister devices --check --engine tornado:0:0 --json device.json",
             "",
-            "Exit code 1 says that in a check an engine failed or drew another picture."
+            "Exit code 1: in a check, an engine failed or its picture differs."
         })
 final class DevicesCommand implements Callable<Integer> {
     private static final double NANOS_PER_MILLI = 1e6;
@@ -40,7 +40,7 @@ final class DevicesCommand implements Callable<Integer> {
 
     @Option(
             names = "--measure",
-            description = "Measure anew which engine 'auto' takes, and wait until devices are ready for it.")
+            description = "Measure again which engine is fastest, for 'auto'; waits until devices are ready.")
     private boolean measure;
 
     @Option(
@@ -64,10 +64,10 @@ final class DevicesCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         PrintWriter out = spec.commandLine().getOut();
         if (!check && (json.isPresent() || !engines.isEmpty())) {
-            throw new BadInputException("--engine and --json go with --check");
+            throw new BadInputException("--engine and --json require --check");
         }
         if (check && measure) {
-            throw new BadInputException("--check and --measure are two tasks; give one of them");
+            throw new BadInputException("--check and --measure exclude each other; give one of them");
         }
         if (check) {
             DeviceChecking checking = new DeviceChecking(

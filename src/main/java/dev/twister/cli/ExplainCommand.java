@@ -49,7 +49,7 @@ final class ExplainCommand implements Callable<Integer> {
             description = "Column and row; 0,0 is the pixel at the top left.")
     private PixelConverter.Pixel pixel;
 
-    @Option(names = "--sample", paramLabel = "N", description = "Which of the pixel's samples, from 0 (default: 0).")
+    @Option(names = "--sample", paramLabel = "N", description = "Index of the pixel's sample, from 0 (default: 0).")
     private int sample;
 
     @Option(
@@ -62,7 +62,7 @@ final class ExplainCommand implements Callable<Integer> {
             names = "--size",
             paramLabel = "SIZE",
             converter = PictureSizeConverter.class,
-            description = "Of the picture, such as 1280x720; or 720p, 1080p, 4k.")
+            description = "Size of the picture, such as 1280x720 or 720p, 1080p, 4k.")
     private Optional<PictureSize> size = Optional.empty();
 
     @Option(names = "--json", description = "Print JSON, with every shadow ray.")

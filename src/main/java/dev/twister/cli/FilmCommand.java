@@ -26,7 +26,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "film",
         description =
-                "Makes a film of numbered PNG files: H.264 by ffmpeg where it is on the PATH, else an animated PNG.",
+                "Makes a film from numbered PNG files: H.264 if ffmpeg is on the PATH, otherwise an animated PNG.",
         footer = {
             "",
             "Examples:",
@@ -41,7 +41,7 @@ final class FilmCommand implements Callable<Integer> {
 
     @Parameters(
             paramLabel = "FILES",
-            description = "The pictures' name; %%04d or #### is the place of their number, as in 'twister render'.")
+            description = "Name of the pictures; %%04d or #### stands for their number, as in 'twister render'.")
     private Path pattern;
 
     @Option(
@@ -55,7 +55,7 @@ final class FilmCommand implements Callable<Integer> {
             names = "--frames",
             paramLabel = "RANGE",
             converter = FrameRange.Converter.class,
-            description = "Frames A-B, or 0 to N-1 by N (default: all that are there).")
+            description = "N: frames 0 to N-1; A-B: frames A to B. Default: all frames found.")
     private Optional<FrameRange> frames = Optional.empty();
 
     @Option(names = "--fps", paramLabel = "R", description = "Frames per second (default: 60).")
@@ -140,7 +140,7 @@ final class FilmCommand implements Callable<Integer> {
                     .orElseThrow(() -> new BadInputException(file + " is no PNG"));
         } catch (IOException problem) {
             throw new IOException(
-                    Files.isReadable(file) ? file + " is damaged, or not whole" : file + " cannot be read", problem);
+                    Files.isReadable(file) ? file + " is damaged or incomplete" : file + " cannot be read", problem);
         }
     }
 }

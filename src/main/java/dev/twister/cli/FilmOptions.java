@@ -32,7 +32,7 @@ final class FilmOptions {
     @Option(
             names = "--turntable",
             paramLabel = "SECONDS",
-            description = "Move the camera once around the spheres in that time.")
+            description = "Turn the camera once around the spheres in this time.")
     private Optional<Double> turntable = Optional.empty();
 
     @Option(

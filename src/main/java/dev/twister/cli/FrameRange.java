@@ -42,8 +42,9 @@ record FrameRange(int first, int last, boolean counted) {
         public FrameRange convert(String text) {
             Matcher parts = TEXT.matcher(text);
             if (!parts.matches()) {
-                throw new TypeConversionException("'" + text + "' is no range of frames; write how many, such as 600,"
-                        + " or the first and the last one, such as 240-299");
+                throw new TypeConversionException(
+                        "'" + text + "' is not a range of frames; write a number of frames, such as 600,"
+                                + " or the first and the last one, such as 240-299");
             }
             int first = Integer.parseInt(parts.group("first"));
             if (parts.group("last") == null) {

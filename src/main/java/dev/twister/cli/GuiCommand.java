@@ -14,7 +14,7 @@ import picocli.CommandLine.Parameters;
 /** {@code twister gui}: the window. */
 @Command(
         name = "gui",
-        description = "Opens the window; 'twister' alone does too.",
+        description = "Opens the window, as 'twister' without a command does.",
         footer = {"", "Examples:", "  twister gui mirrors", "  twister gui my-scene.json --engine vector"})
 final class GuiCommand implements Callable<Integer> {
     static final String FIRST_SCENE = "benchmark";
@@ -23,8 +23,8 @@ final class GuiCommand implements Callable<Integer> {
             paramLabel = "SCENE",
             completionCandidates = Completions.OfScene.class,
             arity = "0..1",
-            description = "A scene file, the name of a shipped scene, or a panorama to see a scene under; "
-                    + FIRST_SCENE + " where not said.")
+            description = "A scene file, the name of a shipped scene, or a panorama to see a scene under. "
+                    + "Default: " + FIRST_SCENE + ".")
     private Optional<String> sceneName = Optional.empty();
 
     @Option(
@@ -32,7 +32,7 @@ final class GuiCommand implements Callable<Integer> {
             paramLabel = "ENGINE",
             completionCandidates = Completions.OfEngine.class,
             description =
-                    "What draws at first (see 'twister devices'); where not said, the one chosen last in the window, or auto.")
+                    "The engine to start with (see 'twister devices'). Default: the last one chosen in the window, or auto.")
     private Optional<String> engineId = Optional.empty();
 
     @Override

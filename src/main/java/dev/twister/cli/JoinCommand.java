@@ -28,8 +28,8 @@ import picocli.CommandLine.Spec;
 /** {@code twister join}: from parts of a picture to the picture. */
 @Command(
         name = "join",
-        description = "Joins parts of a picture, which 'twister render --tile' and '--sample-range' wrote: puts tiles"
-                + " together and averages ranges of samples.",
+        description = "Joins parts of a picture from 'twister render --tile' or '--sample-range': puts tiles together"
+                + " and averages sample ranges.",
         footer = {
             "",
             "Examples:",
@@ -50,7 +50,7 @@ final class JoinCommand implements Callable<Integer> {
             names = {"-o", "--output"},
             required = true,
             paramLabel = "FILE",
-            description = "The picture: .exr keeps everything; .hdr and .png have the colors.")
+            description = "The picture: .exr keeps all channels; .hdr and .png keep the colors.")
     private Path output;
 
     @Mixin

@@ -10,18 +10,13 @@ final class MotionOptions {
     private static final double MAX_RATE = 1000;
     private static final double MAX_START_SECONDS = 86_400;
 
-    @Option(
-            names = "--physics",
-            description = "Let the bodies move as the scene's physics has it, and come what the scene pours.")
+    @Option(names = "--physics", description = "Simulate physics, including poured spheres.")
     private boolean physics;
 
     @Option(names = "--fps", paramLabel = "R", description = "Frames per second of the film (default: 60).")
     private Optional<Double> rate = Optional.empty();
 
-    @Option(
-            names = "--start",
-            paramLabel = "S",
-            description = "Simulated seconds before the first frame; 0 where not said.")
+    @Option(names = "--start", paramLabel = "S", description = "Simulated seconds before the first frame (default: 0).")
     private Optional<Double> start = Optional.empty();
 
     boolean isOn() {
@@ -31,7 +26,7 @@ final class MotionOptions {
     /** Refuses what makes no sense without motion. */
     void check() {
         if (isTimeGiven() && !physics) {
-            throw new BadInputException("--fps and --start go with --physics only: without it nothing moves");
+            throw new BadInputException("--fps and --start require --physics: without it nothing moves");
         }
         secondsPerFrame();
         startSeconds();
@@ -44,7 +39,7 @@ final class MotionOptions {
     /** Refuses a start where only the camera moves. */
     void checkStart() {
         if (start.isPresent() && !physics) {
-            throw new BadInputException("--start goes with --physics only; use --frames to begin a film later");
+            throw new BadInputException("--start requires --physics; use --frames to begin a film later");
         }
         secondsPerFrame();
         startSeconds();

@@ -49,7 +49,7 @@ final class PartOptions {
             public Tile convert(String text) {
                 Matcher parts = TEXT.matcher(text);
                 if (!parts.matches()) {
-                    throw new TypeConversionException("'" + text + "' is no tile; write K/N, such as 2/7");
+                    throw new TypeConversionException("'" + text + "' is not a tile; write K/N, such as 2/7");
                 }
                 int count = Ranges.check(
                         "the number of tiles of --tile", Integer.parseInt(parts.group(2)), 1, RenderSettings.MAX_SIDE);
@@ -73,7 +73,7 @@ final class PartOptions {
                 Matcher parts = TEXT.matcher(text);
                 if (!parts.matches()) {
                     throw new TypeConversionException(
-                            "'" + text + "' is no range of samples; write the first and the last one, such as 0-63");
+                            "'" + text + "' is not a range of samples; write the first and the last one, such as 0-63");
                 }
                 int first = Ranges.check("--sample-range", Integer.parseInt(parts.group(1)), 0, MOST);
                 int most = first + RenderSettings.MAX_SAMPLES_PER_PIXEL - 1;

@@ -10,12 +10,12 @@ final class PathConverter implements ITypeConverter<Path> {
     @Override
     public Path convert(String text) {
         if (text.isEmpty()) {
-            throw new TypeConversionException("a file's name cannot be empty");
+            throw new TypeConversionException("the file name is empty");
         }
         try {
             return Path.of(text);
         } catch (InvalidPathException problem) {
-            throw new TypeConversionException("this cannot be a file's name: " + problem.getMessage());
+            throw new TypeConversionException("not a valid file name: " + problem.getMessage());
         }
     }
 }

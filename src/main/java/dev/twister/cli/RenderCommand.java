@@ -34,7 +34,7 @@ import picocli.CommandLine.Spec;
 /** {@code twister render}: from a scene to a picture. */
 @Command(
         name = "render",
-        description = "Draws a scene into a file. What no option says is as the scene has it.",
+        description = "Renders a scene to a file. Options override the scene's own settings.",
         footer = {
             "",
             "Examples:",
@@ -77,7 +77,7 @@ final class RenderCommand implements Callable<Integer> {
             names = "--size",
             paramLabel = "SIZE",
             converter = PictureSizeConverter.class,
-            description = "Such as 1280x720, 1x1 to 16384x16384; or 720p, 1080p, 4k.")
+            description = "Size of the picture, 1x1 to 16384x16384, such as 1280x720; or 720p, 1080p, 4k.")
     private Optional<PictureSize> size = Optional.empty();
 
     @Option(
@@ -85,7 +85,7 @@ final class RenderCommand implements Callable<Integer> {
             paramLabel = "ENGINE",
             completionCandidates = Completions.OfEngine.class,
             defaultValue = FastestEngine.AUTO,
-            description = "What draws (see 'twister devices'); ${DEFAULT-VALUE} where not said.")
+            description = "The engine that renders, see 'twister devices' (default: ${DEFAULT-VALUE}).")
     private String engineId;
 
     @Mixin

@@ -13,7 +13,7 @@ final class SampleOptions {
     @Option(
             names = "--samples",
             paramLabel = "N",
-            description = "View rays for each pixel, 1 to " + RenderSettings.MAX_SAMPLES_PER_PIXEL
+            description = "View rays per pixel, 1 to " + RenderSettings.MAX_SAMPLES_PER_PIXEL
                     + "; with --noise, the limit (default: " + RenderSettings.MAX_SAMPLES_PER_PIXEL + ").")
     private Optional<Integer> samples = Optional.empty();
 
@@ -40,7 +40,7 @@ final class SampleOptions {
     void check(List<Picture> pictures) {
         if (noise.isPresent() && !pictures.stream().allMatch(Picture::isColor)) {
             throw new BadInputException(
-                    "--noise goes with pictures of colors only; give --samples with views of numbers");
+                    "--noise works for pictures of colors only; use --samples for views of numbers");
         }
     }
 

@@ -22,7 +22,7 @@ import picocli.CommandLine.Spec;
 /** {@code twister scene}: makes scenes, and checks them. */
 @Command(
         name = "scene",
-        description = "Makes a scene of many spheres, or checks a scene file, its skybox and its textures.",
+        description = "Makes a scene of many spheres, or checks a scene file with its skybox, textures and meshes.",
         footer = {
             "",
             "Examples:",
@@ -42,7 +42,7 @@ final class SceneCommand implements Callable<Integer> {
                 names = "--check",
                 required = true,
                 paramLabel = "FILE",
-                description = "Say whether this scene is valid, and if not, where and why.")
+                description = "Check this scene file, and say where and why it is not valid.")
         private Optional<String> checked = Optional.empty();
 
         @ArgGroup(exclusive = false)
@@ -55,10 +55,10 @@ final class SceneCommand implements Callable<Integer> {
                 names = "--spheres",
                 required = true,
                 paramLabel = "N",
-                description = "How many, 1 to " + SceneGenerator.MAX_SPHERES + ".")
+                description = "Number of spheres, 1 to " + SceneGenerator.MAX_SPHERES + ".")
         private int count;
 
-        @Option(names = "--seed", paramLabel = "S", description = "Another number, another scene; 1 where not said.")
+        @Option(names = "--seed", paramLabel = "S", description = "Random seed (default: 1).")
         private long seed = 1;
 
         @ArgGroup(exclusive = false)

@@ -40,7 +40,7 @@ final class SceneFiles {
         try {
             return Path.of(text);
         } catch (InvalidPathException problem) {
-            throw new BadInputException("SCENE cannot be a file's name: " + problem.getMessage());
+            throw new BadInputException("SCENE is not a valid file name: " + problem.getMessage());
         }
     }
 

@@ -16,7 +16,7 @@ final class ShadingOptions {
     @Option(
             names = "--bounces",
             paramLabel = "N",
-            description = "Limit of reflections, 0 to " + RenderSettings.MAX_BOUNCES + ".")
+            description = "Most reflections per ray, 0 to " + RenderSettings.MAX_BOUNCES + ".")
     private Optional<Integer> bounces = Optional.empty();
 
     int shadowSamplesOr(int usual) {

@@ -27,7 +27,7 @@ import picocli.CommandLine.Spec;
                 + " 'twister render --motion'.",
         footer = {
             "",
-            "Run it again after it was stopped: it keeps the frames that are there and goes on behind them.",
+            "Run it again to resume: it keeps the frames that are complete and adds the missing ones.",
             "",
             "Examples:",
             "  twister simulate pour-1000 -o pour.motion --frames 600",
@@ -67,7 +67,7 @@ final class SimulateCommand implements Callable<Integer> {
     @Option(
             names = "--export",
             paramLabel = "FORMAT",
-            description = "Also write the spheres' centers as FILE.pc2, a point cache for Blender and 3ds Max: pc2.")
+            description = "pc2: also write the spheres' centers to FILE.pc2, a point cache for Blender and 3ds Max.")
     private Optional<String> export = Optional.empty();
 
     @Mixin

@@ -46,26 +46,28 @@ final class SkyCommand implements Callable<Integer> {
             paramLabel = "NAME",
             completionCandidates = Completions.OfPreset.class,
             defaultValue = "day",
-            description =
-                    "day, sunset or overcast: what the other options do not say; ${DEFAULT-VALUE} where not said.")
+            description = "Defaults of the other options: day, sunset or overcast (default: ${DEFAULT-VALUE}).")
     private ShippedSky preset;
 
-    @Option(names = "--elevation", paramLabel = "DEGREES", description = "The sun's height, 0 to 90.")
+    @Option(names = "--elevation", paramLabel = "DEGREES", description = "Elevation of the sun, 0 to 90.")
     private Optional<Double> elevation = Optional.empty();
 
     @Option(
             names = "--azimuth",
             paramLabel = "DEGREES",
-            description = "Where the sun stands: 0 ahead (+z), 90 to the right (+x).")
+            description = "Azimuth of the sun: 0 ahead (+z), 90 to the right (+x).")
     private Optional<Double> azimuth = Optional.empty();
 
     @Option(
             names = "--turbidity",
             paramLabel = "T",
-            description = "How hazy the air is: 2 very clear, 3 clear, 6 hazy, 10 nearly fog.")
+            description = "Haze: 2 very clear, 3 clear, 6 hazy, 10 nearly fog.")
     private Optional<Double> turbidity = Optional.empty();
 
-    @Option(names = "--clouds", paramLabel = "PART", description = "0 a clear sky, 1 an even layer that hides the sun.")
+    @Option(
+            names = "--clouds",
+            paramLabel = "PART",
+            description = "Cloud cover: 0 a clear sky, 1 an even layer that hides the sun.")
     private Optional<Double> clouds = Optional.empty();
 
     @Option(
@@ -77,7 +79,7 @@ final class SkyCommand implements Callable<Integer> {
     @Option(
             names = "--sun",
             negatable = true,
-            description = "Draw the sun itself, some texels thousands of times brighter than the sky.")
+            description = "Include the sun, a few texels thousands of times brighter than the sky.")
     private Optional<Boolean> sun = Optional.empty();
 
     @Option(
@@ -85,7 +87,7 @@ final class SkyCommand implements Callable<Integer> {
             paramLabel = "SIZE",
             converter = PictureSizeConverter.class,
             defaultValue = ShippedSky.WIDTH + "x" + ShippedSky.HEIGHT,
-            description = "Texels, 1x1 to 16384x8192; ${DEFAULT-VALUE} where not said.")
+            description = "Width and height in texels, 1x1 to 16384x8192 (default: ${DEFAULT-VALUE}).")
     private PictureSize size;
 
     @Override

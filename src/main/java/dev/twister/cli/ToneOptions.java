@@ -10,7 +10,7 @@ final class ToneOptions {
     @Option(
             names = "--exposure",
             paramLabel = "STOPS",
-            description = "The picture is 2^STOPS times as bright, -20 to 20; .hdr and .exr files keep the radiance.")
+            description = "Multiply the brightness by 2^STOPS, -20 to 20. .hdr and .exr files keep the radiance.")
     private Optional<Double> exposure = Optional.empty();
 
     @Option(

@@ -25,6 +25,6 @@ final class Vector3Converter implements ITypeConverter<Vector3> {
     }
 
     private static TypeConversionException malformed(String text) {
-        return new TypeConversionException("'" + text + "' is not a place; write x,y,z in meters, such as 0,-5,-15");
+        return new TypeConversionException("'" + text + "' is not a position; write x,y,z in meters, such as 0,-5,-15");
     }
 }

@@ -15,8 +15,8 @@ public final class SystemReason {
     public static String of(IOException failure) {
         return switch (failure) {
             // Their messages are the file's name alone.
-            case NoSuchFileException _ -> "there is no such file or folder";
-            case FileAlreadyExistsException _ -> "there is something of that name already";
+            case NoSuchFileException _ -> "file not found";
+            case FileAlreadyExistsException _ -> "a file of that name already exists";
             case AccessDeniedException _ -> "permission denied";
             case FileSystemException system -> orKind(system.getReason(), system);
             default -> orKind(failure.getMessage(), failure);

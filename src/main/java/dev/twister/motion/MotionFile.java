@@ -37,7 +37,7 @@ public final class MotionFile implements AutoCloseable {
      */
     public static MotionFile open(Path path, Scene scene) throws IOException {
         if (!Files.isRegularFile(path)) {
-            throw new IOException(path + (Files.exists(path) ? " is no regular file" : ": file not found"));
+            throw new IOException(path + (Files.exists(path) ? " is not a regular file" : ": file not found"));
         }
         FileChannel channel;
         try {

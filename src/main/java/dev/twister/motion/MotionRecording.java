@@ -40,7 +40,7 @@ public final class MotionRecording implements AutoCloseable {
      */
     public static MotionRecording open(Path path, Scene scene, int firstFrame, double rate) throws IOException {
         if (Files.exists(path) && !Files.isRegularFile(path)) {
-            throw new IOException(path + " is no regular file");
+            throw new IOException(path + " is not a regular file");
         }
         MotionHeader header = MotionHeader.of(scene, firstFrame, rate);
         FileChannel channel;

@@ -46,7 +46,7 @@ final class SourceFile {
             }
             return decode(name, bytes(file, name));
         } catch (NoSuchFileException e) {
-            throw failure(name, "there is no such file");
+            throw failure(name, "file not found");
         } catch (IOException e) {
             throw failure(name, "cannot be read: " + Excerpt.sentence(SystemReason.of(e)));
         }

@@ -73,7 +73,7 @@ final class RadianceScanlines {
             boolean run = code > LONGEST_LITERAL;
             int count = run ? code - LONGEST_LITERAL : code;
             if (count == 0) {
-                throw new IOException("a run of no texels");
+                throw new IOException("zero-length run in scanline");
             }
             checkFits(count, done);
             int different = run ? 1 : count;

@@ -56,7 +56,7 @@ public final class SkyboxReader {
 
     private static Skybox readFile(Path file, Consumer<String> warnings, Decoder decoder) throws IOException {
         if (!Files.exists(file)) {
-            throw new IOException("there is no such file");
+            throw new IOException("file not found");
         }
         if (!Files.isRegularFile(file)) {
             throw new IOException("not a file but a folder or a device");

@@ -52,7 +52,7 @@ class BadInputTest {
                 "render benchmark -o FOLDER/a.png --samples 1025 | --samples is 1025, but must be from 1 to 1024",
                 "render benchmark -o FOLDER/a.png --exposure NaN | --exposure is NaN, but must be from -20 to 20",
                 "render benchmark -o FOLDER/a.png --exposure Infinity | from -20 to 20",
-                "render benchmark -o FOLDER/a.png --tone-map film | '--tone-map': 'film' is none of clamp, reinhard, aces",
+                "render benchmark -o FOLDER/a.png --tone-map film | '--tone-map': unknown value 'film'; expected one of: clamp, reinhard, aces",
                 "render benchmark -o FOLDER/a.png --camera 1,2 | x,y,z",
                 "render benchmark -o FOLDER/a.png --camera 1,NaN,2 | --camera's y is NaN",
                 "render benchmark -o FOLDER/a.png --yaw Infinity | --yaw is Infinity",
@@ -63,15 +63,15 @@ class BadInputTest {
                 "render benchmark -o FOLDER/a.png --skybox FOLDER/none.hdr | none.hdr",
                 "gui --engine warp | no engine is called 'warp'",
                 "benchmark --engine sequential --engine warp | must be one of sequential",
-                "benchmark --jit c3 | 'c3' is none of c2, graal",
-                "benchmark --jit c2 --paper | --jit does not go with --paper and --csv",
-                "benchmark --jit c2 --csv FOLDER/r.csv | --jit does not go with --paper and --csv",
+                "benchmark --jit c3 | unknown value 'c3'; expected one of: c2, graal",
+                "benchmark --jit c2 --paper | --jit excludes --paper and --csv",
+                "benchmark --jit c2 --csv FOLDER/r.csv | --jit excludes --paper and --csv",
                 "benchmark --jit c2 --engine warp | must be one of sequential",
-                "devices --json FOLDER/d.json | --engine and --json go with --check",
-                "devices --check --measure | --check and --measure are two tasks",
+                "devices --json FOLDER/d.json | --engine and --json require --check",
+                "devices --check --measure | --check and --measure exclude each other",
                 "devices --check --engine warp | must be one of sequential",
                 "devices --check --engine sequential --json FOLDER/missing/d.json | --json",
-                "benchmark --fps 30 | twister: --fps and --start go with --physics only",
+                "benchmark --fps 30 | twister: --fps and --start require --physics",
                 "benchmark --frames 0 | --frames is 0, but must be from 1",
                 "benchmark --warmup -1 | --warmup is -1, but must be from 0",
                 "benchmark --max-seconds NaN | --max-seconds is NaN",
@@ -95,11 +95,11 @@ class BadInputTest {
                 "sky -o FOLDER/a.hdr --azimuth NaN | --azimuth",
                 "sky -o FOLDER/a.hdr --turbidity 1 | --turbidity is 1.0, but must be from 2 to 10",
                 "sky -o FOLDER/a.hdr --size 100x9000 | --size's height is 9000, but must be from 1 to 8192",
-                "sky -o FOLDER/a.hdr --preset night | 'night' is none of day, sunset, overcast",
+                "sky -o FOLDER/a.hdr --preset night | unknown value 'night'; expected one of: day, sunset, overcast",
                 "scene | --check",
                 "scene --spheres 0 -o FOLDER/a.json | --spheres is 0, but must be from 1",
                 "scene --spheres 5 | --output",
-                "scene --spheres 5 --skybox FOLDER/none.hdr -o FOLDER/a.json | none.hdr: there is no such file",
+                "scene --spheres 5 --skybox FOLDER/none.hdr -o FOLDER/a.json | none.hdr: file not found",
                 "scene --check FOLDER/none.json | none.json",
                 "scene --check a.json --spheres 5 -o b.json | mutually exclusive"
             })
@@ -172,7 +172,7 @@ class BadInputTest {
         assertThat(outcome.exitCode()).isEqualTo(Main.BAD_INPUT);
         assertThat(outcome.err())
                 .startsWith("twister: ")
-                .contains("--output", "cannot be a file's name")
+                .contains("--output", "not a valid file name")
                 .doesNotContain("Exception")
                 .hasLineCount(2);
     }

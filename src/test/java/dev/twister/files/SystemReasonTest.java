@@ -15,9 +15,9 @@ import org.junit.jupiter.params.provider.MethodSource;
 class SystemReasonTest {
     static Stream<Arguments> failures() {
         return Stream.of(
-                Arguments.of(new NoSuchFileException("/a"), "there is no such file or folder"),
+                Arguments.of(new NoSuchFileException("/a"), "file not found"),
                 Arguments.of(new AccessDeniedException("/a"), "permission denied"),
-                Arguments.of(new FileAlreadyExistsException("/a"), "there is something of that name already"),
+                Arguments.of(new FileAlreadyExistsException("/a"), "a file of that name already exists"),
                 Arguments.of(new FileSystemException("/a", "/b", "File name too long"), "File name too long"),
                 Arguments.of(new FileSystemException("/a"), "FileSystemException"),
                 Arguments.of(new IOException("No space left on device"), "No space left on device"),

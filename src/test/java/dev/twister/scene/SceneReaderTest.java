@@ -341,7 +341,7 @@ class SceneReaderTest {
     @Test
     void refusesWhatIsNoFile() {
         Path missing = folder.resolve("none.json");
-        assertThat(message(missing)).isEqualTo(missing + ": there is no such file");
+        assertThat(message(missing)).isEqualTo(missing + ": file not found");
         assertThat(message(folder)).isEqualTo(folder + ": is a folder, but must be a scene file");
     }
 

@@ -240,7 +240,7 @@ class RadianceReaderTest {
         byte[] otherWidth = {2, 2, 0, 9, (byte) 136, 5, 0, 5, 0, 5, 0, 5, 0, 5, 0, 5};
         byte[] oldFirst = {1, 1, 1, 8, 0, 5, 0, 5, 0, 5, 0, 5, 0, 5, 0, 5};
         byte[] oldLong = {5, 5, 5, 5, 1, 1, 1, 8, 0, 5, 0, 5};
-        assertThatThrownBy(() -> read(joined(start, zero))).hasMessage("a run of no texels");
+        assertThatThrownBy(() -> read(joined(start, zero))).hasMessage("zero-length run in scanline");
         assertThatThrownBy(() -> read(joined(start, long8)))
                 .hasMessage("a run of 9 texels where 8 are left in its scanline of 8");
         assertThatThrownBy(() -> read(joined(start, otherWidth)))

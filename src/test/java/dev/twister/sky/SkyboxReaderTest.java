@@ -143,7 +143,7 @@ class SkyboxReaderTest {
         Path missing = folder.resolve("missing.hdr");
         assertThatThrownBy(() -> SkyboxReader.read(missing))
                 .isInstanceOf(SkyException.class)
-                .hasMessage(missing + ": there is no such file");
+                .hasMessage(missing + ": file not found");
         assertThatThrownBy(() -> SkyboxReader.read(folder))
                 .hasMessage(folder + ": not a file but a folder or a device");
         Path empty = Files.write(folder.resolve("empty.hdr"), new byte[0]);

@@ -71,7 +71,7 @@ class SceneImagesTest {
                         "$.spheres[1].texture: " + file + ": not a texture by its first bytes; PNG and JPEG are read");
         assertThatThrownBy(() -> SceneImages.read(scene.withPlane(plane(folder.resolve("none.png"))), warnings::add))
                 .isInstanceOf(SkyException.class)
-                .hasMessage("$.plane.texture: " + folder.resolve("none.png") + ": there is no such file");
+                .hasMessage("$.plane.texture: " + folder.resolve("none.png") + ": file not found");
     }
 
     @Test

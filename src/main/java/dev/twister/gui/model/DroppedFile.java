@@ -51,7 +51,7 @@ public final class DroppedFile {
         return file
                 + (Files.exists(file)
                         ? ": neither a scene (.json) nor a panorama (.hdr, .png, .jpg)"
-                        : ": there is no such file");
+                        : ": file not found");
     }
 
     private static Kind kindByContent(Path file) {

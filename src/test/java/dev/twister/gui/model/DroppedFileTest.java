@@ -47,7 +47,7 @@ class DroppedFileTest {
         assertThat(DroppedFile.kind(folder.resolve("gone.hdr"))).isEqualTo(Kind.SKYBOX);
         Path gone = folder.resolve("gone");
         assertThat(DroppedFile.kind(gone)).isEqualTo(Kind.NEITHER);
-        assertThat(DroppedFile.complaint(gone)).isEqualTo(gone + ": there is no such file");
+        assertThat(DroppedFile.complaint(gone)).isEqualTo(gone + ": file not found");
     }
 
     @Test
