@@ -126,14 +126,14 @@ class RoomsTest {
                         "gui"));
     }
 
-    private static Arguments room(String room, String... neighbours) {
-        return Arguments.of(room, neighbours);
+    private static Arguments room(String room, String... neighbors) {
+        return Arguments.of(room, neighbors);
     }
 
     @ParameterizedTest(name = "{0}")
     @MethodSource("rooms")
-    void roomLeansOnItsNeighboursOnly(String room, String[] neighbours) {
-        String[] allowed = Stream.concat(Stream.of(room), Arrays.stream(neighbours))
+    void roomLeansOnItsNeighborsOnly(String room, String[] neighbors) {
+        String[] allowed = Stream.concat(Stream.of(room), Arrays.stream(neighbors))
                 .map(name -> "dev.twister." + name)
                 .toArray(String[]::new);
         classes()

@@ -44,7 +44,7 @@ public class CrowdBenchmark {
     private World world;
     private FrameInput input;
 
-    /** What the lowest and the highest centre leave between them, along x, y and z. */
+    /** What the lowest and the highest center leave between them, along x, y and z. */
     private final float[] low = new float[3];
 
     private final float[] high = new float[3];

@@ -142,8 +142,8 @@ final class PaperPlots {
                         .toList();
                 XYSeries series = chart.addSeries(engine, places, fps);
                 series.setMarker(SeriesMarkers.CIRCLE);
-                series.setMarkerColor(colour(engine));
-                series.setLineColor(colour(engine));
+                series.setMarkerColor(color(engine));
+                series.setLineColor(color(engine));
                 series.setLineStyle(new BasicStroke(LINE_WIDTH));
                 values.addAll(fps);
             }
@@ -184,11 +184,11 @@ final class PaperPlots {
         settings.forEach(setting -> bars.add(value.apply(setting).orElse(null)));
         bars.stream().filter(bar -> bar != null).forEach(values::add);
         CategorySeries series = chart.addSeries(name, places, bars);
-        series.setFillColor(colour(name));
+        series.setFillColor(color(name));
         return series;
     }
 
-    private Color colour(String engine) {
-        return PlotLook.colour(Math.max(0, report.engines().indexOf(engine)));
+    private Color color(String engine) {
+        return PlotLook.color(Math.max(0, report.engines().indexOf(engine)));
     }
 }

@@ -29,8 +29,8 @@ final class PlotLook {
     /** Room above the largest value, for its label. */
     private static final double HEADROOM = 1.1;
 
-    /** Paul Tol's bright colours, which people who see colours differently can tell apart. */
-    private static final List<Color> COLOURS = List.of(
+    /** Paul Tol's bright colors, which people who see colors differently can tell apart. */
+    private static final List<Color> COLORS = List.of(
             new Color(0x4477AA),
             new Color(0xEE6677),
             new Color(0x228833),
@@ -44,12 +44,12 @@ final class PlotLook {
 
     private PlotLook() {}
 
-    /** The colour of the engine at that place of the plan: the same in all plots. */
-    static Color colour(int engine) {
-        return COLOURS.get(engine % COLOURS.size());
+    /** The color of the engine at that place of the plan: the same in all plots. */
+    static Color color(int engine) {
+        return COLORS.get(engine % COLORS.size());
     }
 
-    /** The colour of the paper's own figures. */
+    /** The color of the paper's own figures. */
     static Color published() {
         return PUBLISHED;
     }

@@ -5,7 +5,7 @@ import dev.twister.scene.ToneMap;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
-/** How linear colour becomes a pixel. */
+/** How linear color becomes a pixel. */
 final class ToneOptions {
     @Option(
             names = "--exposure",

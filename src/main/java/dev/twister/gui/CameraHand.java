@@ -14,7 +14,7 @@ import javafx.collections.ObservableMap;
 final class CameraHand {
     private final Studio studio;
     private final ObservableMap<Integer, Camera> views = FXCollections.observableHashMap();
-    private final ObjectProperty<Double> speed = new SimpleObjectProperty<>(CameraMotion.WALK_METRES_PER_SECOND);
+    private final ObjectProperty<Double> speed = new SimpleObjectProperty<>(CameraMotion.WALK_METERS_PER_SECOND);
     private Walk walk = Walk.STILL;
     private Turn turn = Turn.STILL;
 
@@ -67,7 +67,7 @@ final class CameraHand {
         studio.moveCamera(camera -> CameraMotion.walk(
                 CameraMotion.turn(camera, turn, seconds),
                 walk,
-                seconds * speed.get() / CameraMotion.WALK_METRES_PER_SECOND,
+                seconds * speed.get() / CameraMotion.WALK_METERS_PER_SECOND,
                 studio.scene().plane()));
     }
 }

@@ -33,7 +33,7 @@ final class CameraSection {
                 studio::notice);
         studio.hand()
                 .speedProperty()
-                .subscribe(now -> speed.show(CameraNumbers.SPEEDS, now, CameraMotion.WALK_METRES_PER_SECOND));
+                .subscribe(now -> speed.show(CameraNumbers.SPEEDS, now, CameraMotion.WALK_METERS_PER_SECOND));
         studio.sceneProperty().subscribe(_ -> refresh());
         studio.originalProperty().subscribe(_ -> refresh());
     }

@@ -8,7 +8,7 @@ import javafx.scene.Node;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.ListCell;
 
-/** One of several things; those that cannot be had are grey and say why. */
+/** One of several things; those that cannot be had are gray and say why. */
 final class ChoiceRow<T> extends PanelRow {
     private final ComboBox<T> box = new ComboBox<>();
     private final Consumer<T> choose;
@@ -115,7 +115,7 @@ final class ChoiceRow<T> extends PanelRow {
                 setDisable(false);
             } else {
                 Look shownAs = look.apply(item);
-                // A grey line takes no pointer, so it would show no tooltip.
+                // A gray line takes no pointer, so it would show no tooltip.
                 setText(shownAs.obstacle()
                         .map(why -> text.apply(shownAs) + "\n" + inLines(why))
                         .orElse(text.apply(shownAs)));

@@ -33,8 +33,8 @@ final class ColorRow extends PanelRow {
     /**
      * A row that shows nothing until {@link #show}.
      *
-     * @param reader the colour of a scene, each channel in [0, 1]
-     * @param writer the scene with another colour
+     * @param reader the color of a scene, each channel in [0, 1]
+     * @param writer the scene with another color
      */
     ColorRow(
             String label,
@@ -54,7 +54,7 @@ final class ColorRow extends PanelRow {
                         new Rgb(color.getRed(), color.getGreen(), color.getBlue()), isSrgb(studio.scene())));
             }
         });
-        // While it is open, a drag in the dialog of custom colours sets one value after the other.
+        // While it is open, a drag in the dialog of custom colors sets one value after the other.
         picker.showingProperty().subscribe(open -> {
             if (open) {
                 Window.getWindows().addListener(dialogs);
@@ -67,7 +67,7 @@ final class ColorRow extends PanelRow {
         addControls(picker);
     }
 
-    /** Shows the scene's colour; a reset leads to the usual scene's. */
+    /** Shows the scene's color; a reset leads to the usual scene's. */
     void show(Scene scene, Scene usual) {
         Rgb rgb = reader.apply(scene);
         showing = true;

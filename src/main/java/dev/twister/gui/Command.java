@@ -52,7 +52,7 @@ enum Command {
     MOVE(Group.PHYSICS, "Physics on or off", "F5", "Lets bodies fall and collide, or puts them back."),
     PAUSE(Group.PHYSICS, "Pause", "F6", "Stops the time of moving bodies, or lets it go on."),
     STEP(Group.PHYSICS, "Step", "F7", "Lets 1/120 of a second pass, and stops."),
-    RANDOMISE(Group.PHYSICS, "Randomise", "F8", "Throws the spheres into the air, anywhere over the plane."),
+    RANDOMIZE(Group.PHYSICS, "Randomize", "F8", "Throws the spheres into the air, anywhere over the plane."),
     CONTROLS(Group.HELP, "Controls", "F1", "Shows this list."),
     ABOUT(Group.HELP, "About Twister", "Shift+F1", "Says which version this is.");
 

@@ -38,7 +38,7 @@ final class MenuView extends MenuBar {
             Command.FRAME,
             Command.PANEL,
             Command.FULL_SCREEN,
-            Command.RANDOMISE,
+            Command.RANDOMIZE,
             Command.ABOUT);
 
     private static final Set<Command> SWITCHES = EnumSet.of(

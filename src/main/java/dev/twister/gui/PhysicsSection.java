@@ -37,7 +37,7 @@ final class PhysicsSection {
                     studio.endGesture();
                 });
         pause = button(Command.PAUSE, actions);
-        buttons = new HBox(pause, button(Command.STEP, actions), button(Command.RANDOMISE, actions));
+        buttons = new HBox(pause, button(Command.STEP, actions), button(Command.RANDOMIZE, actions));
         buttons.getStyleClass().add("buttons");
         studio.motionProperty().subscribe(motion -> show(motion));
         studio.sceneProperty().subscribe(scene -> show(scene, studio.original()));

@@ -225,7 +225,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.Q_UP, () -> settings.change(kept -> kept.withQUp(!kept.qUp())))
                 .on(Command.PAUSE, studio::togglePause)
                 .on(Command.STEP, studio::stepOnce)
-                .on(Command.RANDOMISE, this::randomise)
+                .on(Command.RANDOMIZE, this::randomize)
                 .on(Command.FULL_SCREEN, () -> stage.setFullScreen(!stage.isFullScreen()))
                 .on(Command.CONTROLS, this::showControls)
                 .on(Command.ABOUT, help::showAbout);
@@ -282,7 +282,7 @@ final class Workbench implements AutoCloseable {
     }
 
     /** Half a million spheres take a while to place, and may be edited meanwhile. */
-    private void randomise() {
+    private void randomize() {
         Scene before = studio.scene();
         long document = studio.document();
         errands.run(
@@ -297,10 +297,10 @@ final class Workbench implements AutoCloseable {
 
     private void place(Scene thrown) {
         if (ThrownSpheres.fit(thrown, studio.scene())) {
-            studio.edit("randomise", scene -> ThrownSpheres.placed(thrown, scene));
+            studio.edit("randomize", scene -> ThrownSpheres.placed(thrown, scene));
             studio.endGesture();
         } else {
-            randomise();
+            randomize();
         }
     }
 

@@ -321,17 +321,17 @@ public final class Shadow {
                 float distance = path[Layout.LIGHT_DISTANCE];
                 float tangent = path[Layout.DISC_TANGENT];
                 float secant = path[Layout.DISC_SECANT];
-                int judgement = judge(a, u, w, radius, distance, tangent, secant);
+                int judgment = judge(a, u, w, radius, distance, tangent, secant);
                 if (transmission(looks, body, materials) > 0f) {
-                    judgement =
+                    judgment =
                             mayReach(a, u * u + w * w, radius, distance, tangent, secant) != 0 ? CANDIDATE : HARMLESS;
                 }
-                if (judgement == CANDIDATE) {
+                if (judgment == CANDIDATE) {
                     remember(count, a, u, w, radius, scratch);
                     rememberTransmission(count, transmission(looks, body, materials), scratch, materials);
                     count = count + 1;
                 }
-                count = judgement == HIDES_ALL ? ALL_HIDDEN : count;
+                count = judgment == HIDES_ALL ? ALL_HIDDEN : count;
             }
         }
         return count;
@@ -360,11 +360,11 @@ public final class Shadow {
      */
     public static int judge(float a, float u, float w, float radius, float distance, float tangent, float secant) {
         float across = u * u + w * w;
-        int judgement = HARMLESS;
+        int judgment = HARMLESS;
         if (mayMeet(a, across, radius, distance, tangent, secant) != 0) {
-            judgement = hidesDisc(a, across, radius, distance, tangent, secant) != 0 ? HIDES_ALL : CANDIDATE;
+            judgment = hidesDisc(a, across, radius, distance, tangent, secant) != 0 ? HIDES_ALL : CANDIDATE;
         }
-        return judgement;
+        return judgment;
     }
 
     /** 1 where a sphere may meet the cone, with its center at a along the axis and a square of {@code across} beside it. */

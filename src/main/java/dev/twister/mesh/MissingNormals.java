@@ -161,7 +161,7 @@ final class MissingNormals {
         soup.normalOf = normalOf;
     }
 
-    /** Adds the sum as a normal, or where faces back to back have cancelled each other, that of the first of them. */
+    /** Adds the sum as a normal, or where faces back to back have canceled each other, that of the first of them. */
     private void addNormal(FloatList sums, int at, int face) {
         double x = sums.get(at);
         double y = sums.get(at + 1);

@@ -20,14 +20,14 @@ final class BodyStore {
     /** Numbers for each body: places 0 to 11. */
     static final int STRIDE = 12;
 
-    /** The centre, in meters: x, y, z. */
+    /** The center, in meters: x, y, z. */
     static final int POSITION = 0;
 
     /** In meters. */
     static final int RADIUS = 3;
 
     /**
-     * What the centre moved in the last sub-step, in meters: the position less the previous one of Verlet's method,
+     * What the center moved in the last sub-step, in meters: the position less the previous one of Verlet's method,
      * which is kept instead of that one because it loses no digits far from the origin.
      */
     static final int MOVE = 4;
@@ -52,10 +52,10 @@ final class BodyStore {
 
     final double[] numbers;
 
-    /** How far from the centre something may touch the body until the pairs are looked for again, in meters. */
+    /** How far from the center something may touch the body until the pairs are looked for again, in meters. */
     final double[] reach;
 
-    /** Where the centres were one step ago: 3 for each body. */
+    /** Where the centers were one step ago: 3 for each body. */
     final double[] before;
 
     /** For how many sub-steps a body counts as held up by others: above 0 where it lay on them a moment ago. */

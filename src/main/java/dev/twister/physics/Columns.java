@@ -3,12 +3,12 @@ package dev.twister.physics;
 import java.util.Arrays;
 
 /**
- * The bodies in square columns of space, in rows of two colours by turns: what is done to the pairs of one row touches no
- * body that the pairs of another one of the same colour touch. So rows of one colour go to any threads in any order and
+ * The bodies in square columns of space, in rows of two colors by turns: what is done to the pairs of one row touches no
+ * body that the pairs of another one of the same color touch. So rows of one color go to any threads in any order and
  * the result is the same. Along a row each column's bodies are still in the cache when the next one's pairs need them.
  */
 final class Columns {
-    static final int COLOURS = 2;
+    static final int COLORS = 2;
 
     /** As many a side at most: there is work for many threads, and few columns without any. */
     private static final int MAX_SIDE = 48;
@@ -22,10 +22,10 @@ final class Columns {
     /**
      * Puts all slots but the giants' into columns, each in the order of the slots.
      *
-     * @param minX and the other three: where the bodies' centres are
+     * @param minX and the other three: where the bodies' centers are
      */
-    void sort(NeighbourGrid grid, double minX, double maxX, double minZ, double maxZ) {
-        // A column between two of one colour has to keep the pairs of both apart.
+    void sort(NeighborGrid grid, double minX, double maxX, double minZ, double maxZ) {
+        // A column between two of one color has to keep the pairs of both apart.
         double least = 2 * grid.farthestPair();
         double widthX = Math.max(least, (maxX - minX) / MAX_SIDE);
         double widthZ = Math.max(least, (maxZ - minZ) / MAX_SIDE);
@@ -79,14 +79,14 @@ final class Columns {
         return columnsZ;
     }
 
-    /** How many rows of columns a colour has. */
-    int rows(int colour) {
-        return (columnsZ + 1 - colour) / COLOURS;
+    /** How many rows of columns a color has. */
+    int rows(int color) {
+        return (columnsZ + 1 - color) / COLORS;
     }
 
-    /** The number, among all rows, of one of a colour. */
-    int row(int colour, int index) {
-        return COLOURS * index + colour;
+    /** The number, among all rows, of one of a color. */
+    int row(int color, int index) {
+        return COLORS * index + color;
     }
 
     /** The first column of a row; the others follow it. */

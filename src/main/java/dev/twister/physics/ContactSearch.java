@@ -26,7 +26,7 @@ final class ContactSearch {
     private final Surroundings surroundings;
     private final Team team;
     private final int firstBody;
-    private final NeighbourGrid grid;
+    private final NeighborGrid grid;
     private final Columns columns = new Columns();
     private int[] ends = {};
     private boolean unbalanced;
@@ -38,7 +38,7 @@ final class ContactSearch {
         this.surroundings = surroundings;
         this.team = team;
         this.firstBody = firstBody;
-        grid = new NeighbourGrid(bodies, typicalReach);
+        grid = new NeighborGrid(bodies, typicalReach);
         contacts = new ContactBook(bodies.state.length);
         earlier = new ContactBook(bodies.state.length);
     }
@@ -74,7 +74,7 @@ final class ContactSearch {
     /**
      * Finds all pairs whose bodies' reaches meet.
      *
-     * @param bounds where the centres are: least and largest x, y, z
+     * @param bounds where the centers are: least and largest x, y, z
      * @param anyJustWoken whether a body's contacts are to be found that are out of balance
      */
     void search(double[] bounds, boolean anyJustWoken) {
@@ -95,11 +95,11 @@ final class ContactSearch {
         if (ends.length < columns.count()) {
             ends = new int[columns.count()];
         }
-        for (int colour = 0; colour < Columns.COLOURS; colour++) {
-            int own = colour;
-            int rows = columns.rows(colour);
+        for (int color = 0; color < Columns.COLORS; color++) {
+            int own = color;
+            int rows = columns.rows(color);
             // The giants' pairs are one more task.
-            team.each(colour == 0 ? rows + 1 : rows, index -> {
+            team.each(color == 0 ? rows + 1 : rows, index -> {
                 if (index < rows) {
                     searchRow(columns.row(own, index));
                 } else {

@@ -33,7 +33,7 @@ final class ContactSolver {
     /** A body this near, in radii, wakes one that sleeps when it moves. */
     private static final double WAKE_GAP = 0.1;
 
-    /** Below it, relative to the pair's radii, centres are taken to be one point. */
+    /** Below it, relative to the pair's radii, centers are taken to be one point. */
     private static final double COINCIDENT = 1e-9;
 
     /** From so many times the radius on, whether the lighter body gives way to the heavier one depends on its backing. */

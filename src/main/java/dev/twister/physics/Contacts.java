@@ -17,7 +17,7 @@ final class Contacts {
     private static final int[] NO_BODIES = {};
     private static final double[] NO_IMPULSES = {};
 
-    /** The body whose neighbours were looked for; those of one body follow each other. */
+    /** The body whose neighbors were looked for; those of one body follow each other. */
     int[] first = NO_BODIES;
 
     /** The other body, or {@code -1 - k} for surface k of the {@link Surroundings}. */

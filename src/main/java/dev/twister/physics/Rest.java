@@ -8,7 +8,7 @@ final class Rest {
     /** Of the speed of a fall through a radius: slower than that is calm. */
     private static final double CALM_SHARE = 0.02;
 
-    /** How many times faster than calm a neighbour has to be to wake a body. */
+    /** How many times faster than calm a neighbor has to be to wake a body. */
     private static final double WAKE_FACTOR = 4;
 
     /** How long a body has to be calm before it sleeps. */

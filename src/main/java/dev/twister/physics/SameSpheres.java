@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Which sphere of an edited scene is which one of the scene before the edits: the one with the same centre, whatever its number is
+ * Which sphere of an edited scene is which one of the scene before the edits: the one with the same center, whatever its number is
  * now. Where there are as many as before, one that is nowhere to be found is the one of its number, put elsewhere.
  */
 public final class SameSpheres {
@@ -26,7 +26,7 @@ public final class SameSpheres {
         return same;
     }
 
-    /** The same where as many may have come as have gone: each is told by its centre alone. */
+    /** The same where as many may have come as have gone: each is told by its center alone. */
     public static int[] byPlace(List<Sphere> before, List<Sphere> edited) {
         int[] same = new int[edited.size()];
         Arrays.fill(same, NONE);

@@ -38,7 +38,7 @@ public final class Simulation implements AutoCloseable {
 
     private static final int REORDER_STEPS = 16;
 
-    /** How much further than its radius a body at rest is looked around for neighbours. */
+    /** How much further than its radius a body at rest is looked around for neighbors. */
     private static final double MARGIN = 0.05;
 
     private static final double TYPICAL_SHARE = 0.99;
@@ -337,9 +337,9 @@ public final class Simulation implements AutoCloseable {
             bracing.brace(search);
         }
         for (int sub = 1; sub <= SUBSTEPS; sub++) {
-            for (int colour = 0; colour < Columns.COLOURS; colour++) {
-                int own = colour;
-                team.each(columns.rows(colour), index -> solveRow(columns.row(own, index)));
+            for (int color = 0; color < Columns.COLORS; color++) {
+                int own = color;
+                team.each(columns.rows(color), index -> solveRow(columns.row(own, index)));
             }
             solver.solve(search.giantsContacts(), 0, search.giantsContacts().count);
             inChunks(sub < SUBSTEPS ? this::moveAndAccelerate : integrator::move);

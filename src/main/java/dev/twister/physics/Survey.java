@@ -46,7 +46,7 @@ final class Survey {
      * @param margin of each body, in its radii
      * @param moves how many sub-steps there are until then
      * @param fall what gravity adds until then, in meters
-     * @return where the centres are: least and largest x, y, z; overwritten by the next call
+     * @return where the centers are: least and largest x, y, z; overwritten by the next call
      */
     double[] reach(double margin, double moves, double fall) {
         double[] found = look((from, to, at) -> setReach(from, to, at, margin, moves, fall));

@@ -7,11 +7,11 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The scan of a {@link NeighbourGrid} with eight neighbours at once, by the Vector API. It finds the same in the same
+ * The scan of a {@link NeighborGrid} with eight neighbors at once, by the Vector API. It finds the same in the same
  * order; its lanes are no wider than what the grid's arrays have to spare at their ends.
  */
 final class WideScan {
-    /** Neighbours at once. */
+    /** Neighbors at once. */
     static final int LANES = 8;
 
     /** With fewer there is little to gain. */
@@ -38,7 +38,7 @@ final class WideScan {
      * @param end the one after the last
      * @param firstKey the least key of a cell that counts, and how many more do
      */
-    static void scan(NeighbourGrid grid, int slot, int start, int end, int firstKey, int span, Contacts contacts) {
+    static void scan(NeighborGrid grid, int slot, int start, int end, int firstKey, int span, Contacts contacts) {
         float own = Math.abs(grid.reach[slot]);
         float least = grid.reach[slot] > 0 ? Float.NEGATIVE_INFINITY : 0;
         int[] found = contacts.roomFor(end - start + LANES);

@@ -2,7 +2,7 @@ package dev.twister.scene;
 
 import java.util.List;
 
-/** Smooth runs of colours. */
+/** Smooth runs of colors. */
 public enum Palette {
     /** From night blue through crimson to yellow. */
     DUSK(
@@ -35,7 +35,7 @@ public enum Palette {
         this.stops = List.of(stops);
     }
 
-    /** The colour at a place in [0, 1], linear between stops. */
+    /** The color at a place in [0, 1], linear between stops. */
     Rgb at(double place) {
         double scaled = Math.clamp(place, 0, 1) * (stops.size() - 1);
         int low = Math.min((int) scaled, stops.size() - 2);

@@ -8,14 +8,14 @@ import java.util.List;
  *
  * @param count how many, 1 or more
  * @param rate spheres a second, at most {@link #maxRate}
- * @param position the spout's centre, in meters; the spheres' centres start in the level disc about it
+ * @param position the spout's center, in meters; the spheres' centers start in the level disc about it
  * @param width the disc's diameter, in meters
  * @param speed downwards at the spout, in m/s, above 0
  * @param minRadius of a sphere, in meters, above 0
  * @param maxRadius of a sphere, in meters; the radii are even between the two
- * @param palette the colours
+ * @param palette the colors
  * @param material what the spheres are made of; their colors are the palette's
- * @param seed another one gives other places, radii and colours
+ * @param seed another one gives other places, radii and colors
  */
 public record Pour(
         int count,

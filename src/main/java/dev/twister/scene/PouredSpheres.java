@@ -29,7 +29,7 @@ final class PouredSpheres {
         return List.copyOf(spheres);
     }
 
-    // Colours move along the palette as time goes on, so that layers of what was poured can be told apart.
+    // Colors move along the palette as time goes on, so that layers of what was poured can be told apart.
     private static Sphere sphere(Pour pour, int place, double progress, Random random) {
         // Half a turn's start keeps the innermost points as far apart as the others.
         double outward = places(pour) == 1 ? 0 : spacing(pour) * StrictMath.sqrt(place + 0.5);

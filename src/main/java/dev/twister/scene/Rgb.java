@@ -1,4 +1,4 @@
 package dev.twister.scene;
 
-/** A linear colour (albedo or radiance); each component is 0 or more, for an albedo at most 1. */
+/** A linear color (albedo or radiance); each component is 0 or more, for an albedo at most 1. */
 public record Rgb(double red, double green, double blue) {}

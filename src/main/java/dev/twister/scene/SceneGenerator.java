@@ -14,12 +14,12 @@ public final class SceneGenerator {
     private SceneGenerator() {}
 
     /**
-     * Makes a scene of spheres of varied size, colour and reflectivity on and over a checkered plane, none of which
+     * Makes a scene of spheres of varied size, color and reflectivity on and over a checkered plane, none of which
      * overlap, with the camera and the light placed for it: up to 1,000 as a meadow about three large ones, more as a
      * vortex of spiral waves.
      *
      * @param count how many spheres, 1 to {@value #MAX_SPHERES}
-     * @param seed any number; another one gives other colours and places
+     * @param seed any number; another one gives other colors and places
      * @param skybox the panorama's file; not looked at
      * @throws SceneException if the count is out of range
      */
@@ -35,7 +35,7 @@ public final class SceneGenerator {
         return Scene.under(skybox)
                 .withName("Meadow of " + count + (count == 1 ? " sphere" : " spheres"))
                 .withDescription("Spheres strewn about three large ones; made by Twister, seed " + seed + ".")
-                .withCamera(lookingAtCentre(2.15 * reach, 0.5 * reach, 0.06 * reach, 29))
+                .withCamera(lookingAtCenter(2.15 * reach, 0.5 * reach, 0.06 * reach, 29))
                 .withLight(light(new Vector3(-0.8 * reach, 1.6 * reach, -1.3 * reach), 0.12 * reach))
                 .withPlane(plane(4 * reach, new Rgb(0.62, 0.6, 0.56), new Rgb(0.4, 0.39, 0.38)))
                 .withSpheres(SphereMeadow.spheres(count, seed))
@@ -48,7 +48,7 @@ public final class SceneGenerator {
         return Scene.under(skybox)
                 .withName("Vortex of " + count + " spheres")
                 .withDescription("Spiral waves of spheres about a mirror; made by Twister, seed " + seed + ".")
-                .withCamera(lookingAtCentre(1.45 * reach, 0.75 * reach, 0, 40))
+                .withCamera(lookingAtCenter(1.45 * reach, 0.75 * reach, 0, 40))
                 .withLight(light(new Vector3(-0.7 * reach, 0.9 * reach, -0.5 * reach), 0.06 * reach))
                 .withPlane(plane(2.6 * reach, new Rgb(0.42, 0.42, 0.44), new Rgb(0.24, 0.24, 0.26)))
                 .withSpheres(spheres)
@@ -56,7 +56,7 @@ public final class SceneGenerator {
     }
 
     // From in front of the spheres, so that the point at a height on the y axis is in the picture's middle.
-    private static Camera lookingAtCentre(double distance, double height, double targetHeight, double fieldOfView) {
+    private static Camera lookingAtCenter(double distance, double height, double targetHeight, double fieldOfView) {
         double pitch = StrictMath.toDegrees(StrictMath.atan2(height - targetHeight, distance));
         Vector3 position = new Vector3(0, height, -distance);
         return Camera.of(Rounding.of(position), 0, Rounding.of(pitch), fieldOfView);

@@ -6,7 +6,7 @@ import java.util.Random;
 
 /**
  * Thousands of spheres in Vogel's sunflower order, lifted into spiral waves about one large mirror. Vogel's order keeps
- * neighbours about equally far apart however many there are, so none touches another.
+ * neighbors about equally far apart however many there are, so none touches another.
  */
 final class SphereVortex {
     /** The radius of the disc that holds the spheres, in meters. */
@@ -17,7 +17,7 @@ final class SphereVortex {
     private static final double HOLE_RADIUS = 6.5;
     static final double GOLDEN_ANGLE = Math.PI * (3 - StrictMath.sqrt(5));
 
-    /** Neighbours are more than 1.5 spacings apart, found by trying all; half of that, less a gap, is the most. */
+    /** Neighbors are more than 1.5 spacings apart, found by trying all; half of that, less a gap, is the most. */
     static final double MAX_RADIUS_IN_SPACINGS = 0.72;
 
     private final int count;

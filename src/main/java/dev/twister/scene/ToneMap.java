@@ -1,6 +1,6 @@
 package dev.twister.scene;
 
-/** How linear colour becomes [0, 1]; the formulas are the kernel's. */
+/** How linear color becomes [0, 1]; the formulas are the kernel's. */
 public enum ToneMap {
     /** {@code min(1, c)}, the paper's. */
     CLAMP,

@@ -3,7 +3,7 @@ package dev.twister.sky;
 /**
  * What a daylight sky depends on.
  *
- * @param sunElevationDegrees of the sun's centre above the horizon, 0 to 90
+ * @param sunElevationDegrees of the sun's center above the horizon, 0 to 90
  * @param sunAzimuthDegrees where the sun stands: 0 straight ahead of the default camera (+z), 90 to its right (+x); any
  *     finite number
  * @param turbidity how hazy the air is: 2 very clear, 3 clear, 6 hazy, 10 nearly fog; 2 to 10

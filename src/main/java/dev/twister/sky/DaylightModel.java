@@ -6,7 +6,7 @@ final class DaylightModel {
     private static final double HAZE = 0.002;
 
     /** The hue of soil and dry grass, of luminance 1. */
-    private static final Colour SOIL = new Colour(1.15, 0.98, 0.75);
+    private static final Color SOIL = new Color(1.15, 0.98, 0.75);
 
     /** Optical thickness of a cloud cover of 0.5. */
     private static final double THICKNESS_OF_HALF_COVER = 10;
@@ -20,7 +20,7 @@ final class DaylightModel {
     private final Direction sun;
     private final double cloudCover;
     private final double cloudZenithLuminance;
-    private final Colour ground;
+    private final Color ground;
     private final double meanSkyLuminance;
 
     DaylightModel(Daylight daylight, Sun sun) {
@@ -30,7 +30,7 @@ final class DaylightModel {
         this.cloudCover = daylight.cloudCover();
         this.cloudZenithLuminance = cloudZenithLuminance(elevation);
 
-        Colour irradiance =
+        Color irradiance =
                 sun.radiance().times(sunThroughCloud(cloudCover) * Sun.SOLID_ANGLE * StrictMath.sin(elevation));
         double luminance = 0;
         for (int row = 0; row < SUM_ROWS / 2; row++) {
@@ -38,7 +38,7 @@ final class DaylightModel {
             double rowElevation = Equirectangular.elevation(row, SUM_ROWS);
             for (int column = 0; column < SUM_COLUMNS; column++) {
                 Direction direction = Direction.of(rowElevation, Equirectangular.longitude(column, SUM_COLUMNS));
-                Colour light = sky(direction).times(solidAngle);
+                Color light = sky(direction).times(solidAngle);
                 irradiance = irradiance.plus(light.times(direction.y()));
                 luminance += light.luminance();
             }
@@ -57,13 +57,13 @@ final class DaylightModel {
         return cloudCover < 1 ? StrictMath.exp(-THICKNESS_OF_HALF_COVER * cloudCover / (1 - cloudCover)) : 0;
     }
 
-    Colour radiance(Direction direction) {
+    Color radiance(Direction direction) {
         return direction.y() >= 0 ? sky(direction) : groundInHaze(direction);
     }
 
-    private Colour sky(Direction direction) {
-        Colour clear = clearSky.radiance(direction.y(), direction.dot(sun));
-        return clear.mixedWith(Colour.grey(cloudLuminance(direction.y())), cloudCover);
+    private Color sky(Direction direction) {
+        Color clear = clearSky.radiance(direction.y(), direction.dot(sun));
+        return clear.mixedWith(Color.gray(cloudLuminance(direction.y())), cloudCover);
     }
 
     /** The standard overcast sky, three times as bright overhead as on the horizon (Moon and Spencer 1942, CIE). */
@@ -76,8 +76,8 @@ final class DaylightModel {
         return 0.123 + 8.6 * StrictMath.sin(sunElevation);
     }
 
-    /** A dull ground lit by sun and sky, behind ever more haze of the horizon's colour the flatter one looks at it. */
-    private Colour groundInHaze(Direction direction) {
+    /** A dull ground lit by sun and sky, behind ever more haze of the horizon's color the flatter one looks at it. */
+    private Color groundInHaze(Direction direction) {
         double horizontal = StrictMath.sqrt(Math.max(0, 1 - direction.y() * direction.y()));
         // Straight down there is no direction on the horizon, and no haze either.
         Direction horizon = horizontal > 0

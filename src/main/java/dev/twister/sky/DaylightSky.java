@@ -43,7 +43,7 @@ public final class DaylightSky {
         if (!daylight.sunDisc()) {
             return new Skybox(width, height, radiance);
         }
-        Colour disc = sun.radiance().times(scale * DaylightModel.sunThroughCloud(daylight.cloudCover()));
+        Color disc = sun.radiance().times(scale * DaylightModel.sunThroughCloud(daylight.cloudCover()));
         SunDisc.add(sun.direction(), disc, width, height, radiance);
         return new Skybox(width, height, radiance);
     }
@@ -56,7 +56,7 @@ public final class DaylightSky {
             double longitude = Equirectangular.longitude(column, width);
             Direction direction =
                     new Direction(horizontal * StrictMath.sin(longitude), up, horizontal * StrictMath.cos(longitude));
-            Colour light = model.radiance(direction).times(scale);
+            Color light = model.radiance(direction).times(scale);
             int target = 3 * (row * width + column);
             radiance[target] = (float) light.red();
             radiance[target + 1] = (float) light.green();

@@ -2,17 +2,17 @@ package dev.twister.sky;
 
 /**
  * Where directions lie in a panorama: {@code u = 0.5 + atan2(x, z) / (2 pi)}, {@code v = 0.5 - asin(y) / pi}, a texel's
- * centre at {@code ((column + 0.5) / width, (row + 0.5) / height)}.
+ * center at {@code ((column + 0.5) / width, (row + 0.5) / height)}.
  */
 final class Equirectangular {
     private Equirectangular() {}
 
-    /** The angle {@code atan2(x, z)} at a column's centre, in radians. */
+    /** The angle {@code atan2(x, z)} at a column's center, in radians. */
     static double longitude(int column, int width) {
         return 2 * Math.PI * ((column + 0.5) / width - 0.5);
     }
 
-    /** The angle above the horizon at a row's centre, in radians. */
+    /** The angle above the horizon at a row's center, in radians. */
     static double elevation(int row, int height) {
         return Math.PI * (0.5 - (row + 0.5) / height);
     }

@@ -2,14 +2,14 @@ package dev.twister.sky;
 
 /**
  * The clear sky of Preetham, Shirley and Smits, "A Practical Analytic Model for Daylight" (SIGGRAPH 1999), appendix A.2:
- * luminance in kcd/m² and colour in any direction above the horizon.
+ * luminance in kcd/m² and color in any direction above the horizon.
  *
  * <p>Of the chromaticity only x is the paper's; y follows from it by the CIE's daylight locus, {@code y = -3 x^2 + 2.87 x -
- * 0.275} (CIE 15). The paper's own fit of y strays from the colours daylight has: pink at a noon's horizon, green at an
+ * 0.275} (CIE 15). The paper's own fit of y strays from the colors daylight has: pink at a noon's horizon, green at an
  * evening's.
  */
 final class PreethamSky {
-    /** Where the locus is kept from running into colours that no sky has. */
+    /** Where the locus is kept from running into colors that no sky has. */
     private static final double BLUEST_X = 0.23;
 
     private static final double REDDEST_X = 0.48;
@@ -42,12 +42,12 @@ final class PreethamSky {
         xFactor = zenithX(sunZenithAngle, t) / xShape.relative(1, cosSun, sunZenithAngle);
     }
 
-    /** Linear sRGB radiance in kcd/m², colours beyond the gamut cut at 0. */
-    Colour radiance(double cosTheta, double cosGamma) {
+    /** Linear sRGB radiance in kcd/m², colors beyond the gamut cut at 0. */
+    Color radiance(double cosTheta, double cosGamma) {
         double gamma = StrictMath.acos(Math.clamp(cosGamma, -1, 1));
         double x = Math.clamp(xFactor * xShape.relative(cosTheta, cosGamma, gamma), BLUEST_X, REDDEST_X);
         double y = (2.870 - 3.000 * x) * x - 0.275;
-        return Colour.ofChromaticity(x, y, luminanceFactor * luminanceShape.relative(cosTheta, cosGamma, gamma));
+        return Color.ofChromaticity(x, y, luminanceFactor * luminanceShape.relative(cosTheta, cosGamma, gamma));
     }
 
     /** Luminance straight up, in kcd/m². */

@@ -57,17 +57,17 @@ final class RadianceTexels {
                     default -> third;
                 };
                 radiance[3 * target + channel] =
-                        finite(matrix.length > 0 ? colour(matrix[channel], first, second, third) : value);
+                        finite(matrix.length > 0 ? color(matrix[channel], first, second, third) : value);
             }
             target += step;
         }
     }
 
-    private static double colour(double[] row, double x, double y, double z) {
+    private static double color(double[] row, double x, double y, double z) {
         return row[0] * x + row[1] * y + row[2] * z;
     }
 
-    /** A colour outside the primaries has negative parts, and a small exposure can lead beyond a float's range. */
+    /** A color outside the primaries has negative parts, and a small exposure can lead beyond a float's range. */
     private static float finite(double value) {
         return (float) Math.clamp(value, 0, Float.MAX_VALUE);
     }

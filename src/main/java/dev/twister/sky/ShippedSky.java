@@ -9,7 +9,7 @@ public enum ShippedSky {
     DAY("day.hdr", new Daylight(42, -140, 3, 0, 0.35, 0.85, false)),
     /** The sun low and to the right of the default view. */
     SUNSET("sunset.hdr", new Daylight(4, 35, 4, 0, 0.2, 0.35, false)),
-    /** An even grey, without shadows to speak of. */
+    /** An even gray, without shadows to speak of. */
     OVERCAST("overcast.hdr", new Daylight(40, -140, 4, 0.92, 0.3, 0.8, false));
 
     /** Texels around the horizon of every shipped panorama. */

@@ -19,16 +19,16 @@ final class Sun {
     private static final double BLUE = 0.465;
 
     private final Direction direction;
-    private final Colour radiance;
+    private final Color radiance;
 
     /**
-     * @param elevation of the disc's centre in radians
+     * @param elevation of the disc's center in radians
      * @param azimuth in radians, 0 along +z
      * @param turbidity 2 to 10
      */
     Sun(double elevation, double azimuth, double turbidity) {
         direction = Direction.of(elevation, azimuth);
-        radiance = new Colour(
+        radiance = new Color(
                         transmittance(RED, elevation, turbidity),
                         transmittance(GREEN, elevation, turbidity),
                         transmittance(BLUE, elevation, turbidity))
@@ -40,7 +40,7 @@ final class Sun {
     }
 
     /** Of the disc, linear sRGB in kcd/m². */
-    Colour radiance() {
+    Color radiance() {
         return radiance;
     }
 

@@ -18,7 +18,7 @@ final class SunDisc {
      * @param radiance of the disc, in the panorama's unit
      * @param panorama {@code 3 * width * height} floats as in {@link Skybox}
      */
-    static void add(Direction sun, Colour radiance, int width, int height, float[] panorama) {
+    static void add(Direction sun, Color radiance, int width, int height, float[] panorama) {
         double texelsAcross = 2 * Sun.ANGULAR_RADIUS * height / Math.PI;
         int shares = (int) Math.clamp(SHARES_PER_TEXEL * texelsAcross * texelsAcross, FEWEST_SHARES, MOST_SHARES);
         Direction side = perpendicular(sun);

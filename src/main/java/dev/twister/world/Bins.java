@@ -3,7 +3,7 @@ package dev.twister.world;
 import dev.twister.kernel.Layout;
 import java.util.Arrays;
 
-/** Equal bins along one axis over the centres of some spheres: how many are in each, and the box about them. */
+/** Equal bins along one axis over the centers of some spheres: how many are in each, and the box about them. */
 final class Bins {
     private static final int MOST = 16;
 
@@ -12,7 +12,7 @@ final class Bins {
 
     private static final float NOWHERE = Float.MAX_VALUE;
 
-    /** The last centre must not fall beyond the last bin. */
+    /** The last center must not fall beyond the last bin. */
     private static final float INSIDE = 0.99999f;
 
     private final int[] counts = new int[MOST];
@@ -34,7 +34,7 @@ final class Bins {
      * Empties the bins.
      *
      * @param items how many are to be sorted
-     * @param low the least coordinate of a centre
+     * @param low the least coordinate of a center
      * @param high the greatest, above it
      */
     void start(int items, float low, float high) {
@@ -82,7 +82,7 @@ final class Bins {
         boxes[at + 3] = Math.max(boxes[at + 3], high);
     }
 
-    /** The bin of a centre there. */
+    /** The bin of a center there. */
     int bin(float coordinate) {
         return (int) ((coordinate - start) * scale);
     }

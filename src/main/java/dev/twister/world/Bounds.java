@@ -2,11 +2,11 @@ package dev.twister.world;
 
 import dev.twister.kernel.Layout;
 
-/** The boxes about some spheres and about their centres alone; grows with each sphere added. */
+/** The boxes about some spheres and about their centers alone; grows with each sphere added. */
 final class Bounds {
     private static final float NOWHERE = Float.MAX_VALUE;
 
-    /** Of its extent and place, far above the rounding of centres and sides and of what the kernel does with them. */
+    /** Of its extent and place, far above the rounding of centers and sides and of what the kernel does with them. */
     private static final float PLACE_MARGIN = 3.0e-7f;
 
     private static final float SIZE_MARGIN = 4.0e-6f;
@@ -18,7 +18,7 @@ final class Bounds {
     float highY;
     float highZ;
 
-    /** The centres'. */
+    /** The centers'. */
     float firstX;
 
     float firstY;
@@ -89,7 +89,7 @@ final class Bounds {
         lastZ = -NOWHERE;
     }
 
-    /** Adds a box of low x, y, z and high x, y, z; its middle counts as the centre. */
+    /** Adds a box of low x, y, z and high x, y, z; its middle counts as the center. */
     void add(float[] sides, int at) {
         lowX = Math.min(lowX, sides[at]);
         lowY = Math.min(lowY, sides[at + 1]);
@@ -113,7 +113,7 @@ final class Bounds {
         return 0.5f * (sides[at] + sides[at + 3]);
     }
 
-    /** Along which the centres lie farthest apart: 0 for x, 1 for y, 2 for z. */
+    /** Along which the centers lie farthest apart: 0 for x, 1 for y, 2 for z. */
     int longestAxis() {
         float x = lastX - firstX;
         float y = lastY - firstY;
@@ -121,7 +121,7 @@ final class Bounds {
         return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
     }
 
-    /** The least coordinate of a centre along that axis. */
+    /** The least coordinate of a center along that axis. */
     float first(int axis) {
         return axis == 0 ? firstX : axis == 1 ? firstY : firstZ;
     }

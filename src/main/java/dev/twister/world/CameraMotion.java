@@ -7,14 +7,14 @@ import dev.twister.scene.Vector3;
 
 /** How a person moves the camera; the same at any frame rate. */
 public final class CameraMotion {
-    public static final double WALK_METRES_PER_SECOND = 5;
-    public static final double RUN_METRES_PER_SECOND = 20;
+    public static final double WALK_METERS_PER_SECOND = 5;
+    public static final double RUN_METERS_PER_SECOND = 20;
 
     public static final double TURN_DEGREES_PER_SECOND = 45;
     public static final double FAST_TURN_DEGREES_PER_SECOND = 135;
 
     /** The camera stays this far above the plane, in meters. */
-    public static final double CLEARANCE_METRES = 0.1;
+    public static final double CLEARANCE_METERS = 0.1;
 
     /** Field of view that one notch of the wheel leaves of it. */
     public static final double ZOOM_OF_A_NOTCH = 0.95;
@@ -34,7 +34,7 @@ public final class CameraMotion {
             return camera;
         }
         double length = Math.hypot(Math.hypot(walk.right(), walk.up()), walk.forward());
-        double meters = (walk.running() ? RUN_METRES_PER_SECOND : WALK_METRES_PER_SECOND) * seconds;
+        double meters = (walk.running() ? RUN_METERS_PER_SECOND : WALK_METERS_PER_SECOND) * seconds;
         double scale = meters / Math.max(1, length);
         double yaw = Math.toRadians(camera.yawDegrees());
         Vector3 from = camera.position();
@@ -76,7 +76,7 @@ public final class CameraMotion {
 
     /** The camera, lifted over the plane where it is below. */
     public static Camera above(Camera camera, Plane plane) {
-        double lowest = plane.height() + CLEARANCE_METRES;
+        double lowest = plane.height() + CLEARANCE_METERS;
         Vector3 position = camera.position();
         return position.y() >= lowest ? camera : at(camera, new Vector3(position.x(), lowest, position.z()));
     }

@@ -4,7 +4,7 @@ import dev.twister.kernel.Layout;
 import java.util.stream.IntStream;
 
 /**
- * Spheres sorted into the cells of a grid over their centres, and the box about each cell's spheres: what is split in the
+ * Spheres sorted into the cells of a grid over their centers, and the box about each cell's spheres: what is split in the
  * upper levels of a hierarchy in place of single spheres (Ganestam and others 2015 do so with small trees). All cores
  * work on it; the order is the same however many they are.
  */
@@ -17,7 +17,7 @@ final class SphereCells {
     /** Runs of the spheres that threads take. */
     private static final int RUNS = 8;
 
-    /** The last centre must not fall beyond the last cell. */
+    /** The last center must not fall beyond the last cell. */
     private static final float INSIDE = 0.99999f;
 
     /** The spheres, cell by cell, as {@link Layout} has them. */

@@ -8,7 +8,7 @@ final class SunflowerDisc {
 
     /**
      * {@code 2 * count} floats: x and y of {@code sqrt(i / n) * (cos, sin)(i * golden angle)}, i from 0. The first is
-     * the centre, so that one sample is the hard shadow.
+     * the center, so that one sample is the hard shadow.
      */
     static float[] points(int count) {
         float[] points = new float[2 * count];

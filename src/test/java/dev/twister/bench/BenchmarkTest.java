@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Test;
 class BenchmarkTest {
     private static final PictureSize SMALL = new PictureSize(5, 3);
     private static final PictureSize LARGE = new PictureSize(9, 4);
-    private static final int GREY = 0xff808080;
+    private static final int GRAY = 0xff808080;
     private static final double START = 0.5;
     private static final Scene POURED = TestWorld.scene()
             .withPour(Pour.DEFAULT
@@ -347,11 +347,11 @@ class BenchmarkTest {
 
     private static Engine open(String id) {
         return switch (id) {
-            case "sequential" -> new FakeEngine(id, GREY, FrameTimes.onJvm(8_000_000));
-            case "parallel", "becomes parallel" -> new FakeEngine("parallel", GREY, FrameTimes.onJvm(4_000_000));
-            case "other" -> new FakeEngine(id, GREY, FrameTimes.onJvm(2_000_000));
-            case "wrong" -> new FakeEngine(id, GREY + 2, FrameTimes.onJvm(1_000_000));
-            case "device" -> new FakeEngine(id, GREY, new FrameTimes(11_000_000, 6_000_000, 1_000_000, 3_000_000));
+            case "sequential" -> new FakeEngine(id, GRAY, FrameTimes.onJvm(8_000_000));
+            case "parallel", "becomes parallel" -> new FakeEngine("parallel", GRAY, FrameTimes.onJvm(4_000_000));
+            case "other" -> new FakeEngine(id, GRAY, FrameTimes.onJvm(2_000_000));
+            case "wrong" -> new FakeEngine(id, GRAY + 2, FrameTimes.onJvm(1_000_000));
+            case "device" -> new FakeEngine(id, GRAY, new FrameTimes(11_000_000, 6_000_000, 1_000_000, 3_000_000));
             case "greedy" -> new GreedyEngine(open("sequential"), id, LARGE.width());
             default -> throw new EngineException("out of order");
         };

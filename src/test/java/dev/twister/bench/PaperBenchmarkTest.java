@@ -26,7 +26,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 class PaperBenchmarkTest {
-    private static final int GREY = 0xff808080;
+    private static final int GRAY = 0xff808080;
     private static final List<PictureSize> SIZES = List.of(new PictureSize(8, 4), new PictureSize(12, 6));
     private static final BenchmarkPlan PLAN = PaperPlan.of(
             List.of("sequential", "parallel", "<fast>", "broken"), SIZES, List.of(1, 200), List.of(1, 2, 3));
@@ -269,9 +269,9 @@ class PaperBenchmarkTest {
 
     private static Engine open(String id) {
         return switch (id) {
-            case "sequential" -> new FakeEngine(id, GREY, FrameTimes.onJvm(8_000_000));
-            case "parallel", "becomes parallel" -> new FakeEngine("parallel", GREY, FrameTimes.onJvm(4_000_000));
-            case "<fast>" -> new FakeEngine(id, GREY, FrameTimes.onJvm(20_000));
+            case "sequential" -> new FakeEngine(id, GRAY, FrameTimes.onJvm(8_000_000));
+            case "parallel", "becomes parallel" -> new FakeEngine("parallel", GRAY, FrameTimes.onJvm(4_000_000));
+            case "<fast>" -> new FakeEngine(id, GRAY, FrameTimes.onJvm(20_000));
             case "greedy" -> new GreedyEngine(open("sequential"), id, 12);
             default -> throw new EngineException("out of order");
         };

@@ -44,7 +44,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** Each control of the panel, used by hand. One window for all: every test starts from the scene as it was opened. */
 class PanelTest {
     private static final int SPHERE = Layout.FIRST_SPHERE + 1;
-    private static final int SOME_COLOUR = 40;
+    private static final int SOME_COLOR = 40;
     private static WindowDriver driver;
 
     @BeforeAll
@@ -392,7 +392,7 @@ class PanelTest {
     }
 
     @Test
-    void enginesThatCannotRunAreGreyWithTheReason() {
+    void enginesThatCannotRunAreGrayWithTheReason() {
         ComboBox<String> box = WindowDriver.call(() -> {
             @SuppressWarnings("unchecked")
             ComboBox<String> engines = (ComboBox<String>) row("Engine").firstControl();
@@ -492,14 +492,14 @@ class PanelTest {
     }
 
     @Test
-    void coloursAreChosenFromThePalette() {
+    void colorsAreChosenFromThePalette() {
         for (String label : List.of("Light color", "Color")) {
             PanelRow row = row(label);
             Scene before = scene();
             ColorPicker picker = openPalette(row);
             driver.click(WindowDriver.call(() -> Window.getWindows().stream()
                     .flatMap(window -> window.getScene().getRoot().lookupAll(".color-square").stream())
-                    .skip(SOME_COLOUR)
+                    .skip(SOME_COLOR)
                     .findFirst()
                     .orElseThrow()));
             assertThat(scene()).as(label).isNotEqualTo(before);
@@ -520,7 +520,7 @@ class PanelTest {
     }
 
     @Test
-    void aDragInTheDialogOfCustomColoursIsOneEdit() {
+    void aDragInTheDialogOfCustomColorsIsOneEdit() {
         PanelRow row = row("Light color");
         Scene before = scene();
         ColorPicker picker = openPalette(row);

@@ -175,12 +175,12 @@ class PhysicsTest {
     }
 
     @Test
-    void anEditOfColourLightOrGravityDoesNotStopAFall() {
+    void anEditOfColorLightOrGravityDoesNotStopAFall() {
         double fallen = HEIGHT - height(awaitSteps(60));
         driver.run(() -> {
             driver.studio.edit("light", scene -> BodyEdits.moved(scene, Layout.LIGHT, new Vector3(1, 7, 1)));
             driver.studio.edit(
-                    "colour",
+                    "color",
                     scene -> BodyMaterials.edited(scene, Layout.FIRST_SPHERE, old -> old.withColor(new Rgb(0, 1, 0))));
             driver.studio.edit(
                     "gravity", scene -> scene.withPhysics(scene.physics().withGravity(new Vector3(0, 0, 0))));
@@ -309,7 +309,7 @@ class PhysicsTest {
     @Test
     void spheresAreThrownAndThatCanBeUndone() {
         Scene before = scene();
-        driver.click(driver.find("#randomise", Button.class));
+        driver.click(driver.find("#randomize", Button.class));
         driver.await(() -> !driver.studio.scene().spheres().equals(before.spheres()));
         driver.awaitCurrentPicture();
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
@@ -349,7 +349,7 @@ class PhysicsTest {
     /** JavaFX's thread shows what was thrown, and is busy with the edit until then. */
     private static Scene editWhileSpheresAreThrown(UnaryOperator<Scene> edit) {
         return WindowDriver.call(() -> {
-            driver.find("#randomise", Button.class).fire();
+            driver.find("#randomize", Button.class).fire();
             driver.studio.edit("meanwhile", edit);
             driver.studio.endGesture();
             return driver.studio.scene();
@@ -364,11 +364,11 @@ class PhysicsTest {
     void aSceneThatIsOpenedWhileAnothersSpheresAreThrownKeepsItsOwn() {
         Scene opened = scene();
         driver.run(() -> {
-            Button randomise = driver.find("#randomise", Button.class);
-            randomise.fire();
+            Button randomize = driver.find("#randomize", Button.class);
+            randomize.fire();
             driver.studio.show(new OpenedScene(Path.of("test.json"), opened));
             // What is done after it tells that it is done.
-            randomise.fire();
+            randomize.fire();
         });
         driver.await(() -> isThrown(opened.spheres().getFirst()));
 

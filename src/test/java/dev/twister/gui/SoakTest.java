@@ -82,7 +82,7 @@ class SoakTest {
         assertThat(driver.studio.awaitEnd(PATIENCE)).isTrue();
     }
 
-    /** Every pixel is drawn, and a whole picture of these scenes is never of one colour. */
+    /** Every pixel is drawn, and a whole picture of these scenes is never of one color. */
     private static void assertSound(DrawnPicture picture) {
         int[] argb = picture.frame().argb();
         assertThat(Arrays.stream(argb).allMatch(pixel -> pixel >>> 24 == OPAQUE))

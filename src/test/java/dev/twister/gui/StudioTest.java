@@ -69,7 +69,7 @@ class StudioTest {
         Camera usual = scene.camera();
         Scene buried = scene.withCamera(
                 usual.withPosition(new Vector3(0, -5, -8)).withYaw(0).withPitch(0));
-        double lowest = scene.plane().height() + CameraMotion.CLEARANCE_METRES;
+        double lowest = scene.plane().height() + CameraMotion.CLEARANCE_METERS;
         try (Studio first = start(buried)) {
             assertThat(first.scene().camera().position()).isEqualTo(new Vector3(0, lowest, -8));
             assertThat(first.toSave().scene()).isEqualTo(first.scene());

@@ -60,9 +60,9 @@ class GoldenPicturesTest {
     private static int[] enlarged(int[] actual, int[] expected) {
         int[] differences = new int[actual.length];
         Arrays.setAll(differences, pixel -> {
-            int grey = Math.min(
+            int gray = Math.min(
                     255, DIFFERENCE_GAIN * PictureDifference.channelDifference(actual[pixel], expected[pixel]));
-            return 0xFF000000 | grey << 16 | grey << 8 | grey;
+            return 0xFF000000 | gray << 16 | gray << 8 | gray;
         });
         return differences;
     }

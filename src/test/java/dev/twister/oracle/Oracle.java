@@ -59,7 +59,7 @@ public final class Oracle {
         moves = new RayMoves();
     }
 
-    /** Linear colour of a pixel, before exposure and tone map. */
+    /** Linear color of a pixel, before exposure and tone map. */
     public Rgb radiance(int column, int row) {
         Color average = average(column, row);
         return new Rgb(average.red(), average.green(), average.blue());
@@ -88,7 +88,7 @@ public final class Oracle {
     }
 
     /**
-     * Between what colours a pixel swings where its samples' places, its view rays or the spheres' radii are changed by a
+     * Between what colors a pixel swings where its samples' places, its view rays or the spheres' radii are changed by a
      * few roundings of a float: at an edge, or where mirrors amplify, far; elsewhere not at all. The radii count where a
      * sphere is large as a planet: beside its surface, distances are small differences of large numbers. So do the points
      * on it, and all of that at once: where a planet comes out of the plane, rounding may hit the planet just below the

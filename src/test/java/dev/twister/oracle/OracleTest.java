@@ -36,7 +36,7 @@ class OracleTest {
     }
 
     @Test
-    void groundBelowTheLightIsItsColourTimesTheCosine() {
+    void groundBelowTheLightIsItsColorTimesTheCosine() {
         double cosine = 10 / Math.sqrt(100.5);
         assertThat(middle(DOWN, 0, MATTE).red()).isCloseTo(0.8 * cosine, within(1e-7));
     }
@@ -80,7 +80,7 @@ class OracleTest {
     }
 
     @Test
-    void lightIsItsOwnColour() {
+    void lightIsItsOwnColor() {
         Camera below = Camera.of(new Vector3(0, 5, 0), 0, -90, 60);
         assertThat(middle(below, 0, MATTE)).isEqualTo(new Rgb(1, 1, 1));
     }

@@ -2,7 +2,7 @@ package dev.twister.oracle;
 
 import dev.twister.scene.RenderSettings;
 
-/** From linear colour to what a pixel shows. */
+/** From linear color to what a pixel shows. */
 final class OracleTone {
     private final RenderSettings settings;
 

@@ -121,7 +121,7 @@ public final class RandomScenes {
                         random.nextBoolean());
     }
 
-    /** Inside the sphere, and not at its very centre. */
+    /** Inside the sphere, and not at its very center. */
     static Vector3 near(Random random, Sphere sphere) {
         double reach = 0.5 * sphere.radius();
         return new Vector3(

@@ -51,7 +51,7 @@ class EditedMotionTest {
     }
 
     @Test
-    void colourReflectivityAndTheLightMoveNothing() {
+    void colorReflectivityAndTheLightMoveNothing() {
         Scene poured = FALLING.withPour(POUR);
         float[] unedited = positions(poured, scene -> scene);
         float[] edited = positions(
@@ -165,7 +165,7 @@ class EditedMotionTest {
                     }
                 }
             }
-            // One that lay on the brink may roll, into its neighbour.
+            // One that lay on the brink may roll, into its neighbor.
             assertThat(moved).hasSizeLessThanOrEqualTo(2);
             assertThat(farthest).isPositive().isLessThan(SMALLEST_RADIUS / 2);
         }

@@ -52,7 +52,7 @@ class DaylightSkyTest {
                 for (int texel = 0; texel < WIDTH * HEIGHT; texel++) {
                     brightest = luminance(sky, texel) > luminance(sky, brightest) ? texel : brightest;
                 }
-                Direction found = centre(brightest);
+                Direction found = center(brightest);
                 assertThat(found.dot(sun)).isGreaterThan(Math.cos(Math.toRadians(3)));
                 assertThat(luminance(sky, brightest)).isGreaterThan(20);
             }
@@ -63,7 +63,7 @@ class DaylightSkyTest {
     void theSunsLightIsTheSameAtEverySize() {
         for (int height : new int[] {8, 64, 300, 1024}) {
             float[] panorama = new float[3 * 2 * height * height];
-            SunDisc.add(Direction.of(0.7, 2), new Colour(1, 2, 3), 2 * height, height, panorama);
+            SunDisc.add(Direction.of(0.7, 2), new Color(1, 2, 3), 2 * height, height, panorama);
             double light = 0;
             for (int texel = 0; texel < 2 * height * height; texel++) {
                 light += panorama[3 * texel] * Equirectangular.solidAngle(texel / (2 * height), 2 * height, height);
@@ -76,10 +76,10 @@ class DaylightSkyTest {
     void theDiscIsAsBrightAsTheSunWhereTexelsAreSmall() {
         int height = 4096;
         float[] panorama = new float[3 * 2 * height * height];
-        SunDisc.add(Direction.of(0.2, 0), new Colour(1, 1, 1), 2 * height, height, panorama);
-        int centre = Equirectangular.row(Direction.of(0.2, 0), height) * 2 * height
+        SunDisc.add(Direction.of(0.2, 0), new Color(1, 1, 1), 2 * height, height, panorama);
+        int center = Equirectangular.row(Direction.of(0.2, 0), height) * 2 * height
                 + Equirectangular.column(Direction.of(0.2, 0), 2 * height);
-        assertThat(panorama[3 * centre]).isCloseTo(1f, within(0.05f));
+        assertThat(panorama[3 * center]).isCloseTo(1f, within(0.05f));
     }
 
     @Test
@@ -90,8 +90,8 @@ class DaylightSkyTest {
             for (int column = 0; column < WIDTH; column++) {
                 int texel = row * WIDTH + column;
                 int mirrored = row * WIDTH + WIDTH - 1 - column;
-                Direction here = centre(texel);
-                assertThat(centre(mirrored).x()).isCloseTo(-here.x(), within(1e-12));
+                Direction here = center(texel);
+                assertThat(center(mirrored).x()).isCloseTo(-here.x(), within(1e-12));
                 if (here.dot(Direction.of(Math.toRadians(35), 0)) < 0.99) {
                     assertThat(luminance(sky, texel)).isCloseTo(luminance(sky, mirrored), within(1e-6));
                 }
@@ -138,7 +138,7 @@ class DaylightSkyTest {
         assertThatIllegalArgumentException().isThrownBy(() -> DaylightSky.panorama(16385, 2, 10, 0, 3));
     }
 
-    private static Direction centre(int texel) {
+    private static Direction center(int texel) {
         double elevation = Equirectangular.elevation(texel / WIDTH, HEIGHT);
         double longitude = Equirectangular.longitude(texel % WIDTH, WIDTH);
         return new Direction(
@@ -149,6 +149,6 @@ class DaylightSkyTest {
 
     private static double luminance(Skybox sky, int texel) {
         float[] radiance = sky.radiance();
-        return new Colour(radiance[3 * texel], radiance[3 * texel + 1], radiance[3 * texel + 2]).luminance();
+        return new Color(radiance[3 * texel], radiance[3 * texel + 1], radiance[3 * texel + 2]).luminance();
     }
 }

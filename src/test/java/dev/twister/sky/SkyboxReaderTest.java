@@ -78,10 +78,10 @@ class SkyboxReaderTest {
     }
 
     @Test
-    void readsGreyAsSrgb() throws IOException {
-        BufferedImage grey = new BufferedImage(1, 1, BufferedImage.TYPE_BYTE_GRAY);
-        grey.getRaster().setSample(0, 0, 0, 188);
-        assertRadiance(png(grey), HALF, HALF, HALF);
+    void readsGrayAsSrgb() throws IOException {
+        BufferedImage gray = new BufferedImage(1, 1, BufferedImage.TYPE_BYTE_GRAY);
+        gray.getRaster().setSample(0, 0, 0, 188);
+        assertRadiance(png(gray), HALF, HALF, HALF);
         BufferedImage deep = new BufferedImage(1, 1, BufferedImage.TYPE_USHORT_GRAY);
         deep.getRaster().setSample(0, 0, 0, 188 * 257);
         assertRadiance(png(deep), HALF, HALF, HALF);

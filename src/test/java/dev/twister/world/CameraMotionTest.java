@@ -48,7 +48,7 @@ class CameraMotionTest {
         }
 
         assertThat(camera.position().z())
-                .isCloseTo(CAMERA.position().z() + CameraMotion.WALK_METRES_PER_SECOND, within(1e-6));
+                .isCloseTo(CAMERA.position().z() + CameraMotion.WALK_METERS_PER_SECOND, within(1e-6));
         assertThat(camera.position().x()).isEqualTo(CAMERA.position().x());
         assertThat(camera.position().y()).isEqualTo(CAMERA.position().y());
     }
@@ -59,7 +59,7 @@ class CameraMotionTest {
             @ForAll @DoubleRange(min = 0, max = 1000) double seconds) {
         Camera moved = CameraMotion.walk(CAMERA, new Walk(0.5, up, -1, true), seconds, PLANE);
 
-        assertThat(moved.position().y()).isGreaterThanOrEqualTo(PLANE.height() + CameraMotion.CLEARANCE_METRES);
+        assertThat(moved.position().y()).isGreaterThanOrEqualTo(PLANE.height() + CameraMotion.CLEARANCE_METERS);
     }
 
     @Test
@@ -69,7 +69,7 @@ class CameraMotionTest {
         Camera moved = CameraMotion.walk(right, FORWARD, 1, PLANE);
 
         assertThat(moved.position().x())
-                .isCloseTo(CAMERA.position().x() + CameraMotion.WALK_METRES_PER_SECOND, within(TINY));
+                .isCloseTo(CAMERA.position().x() + CameraMotion.WALK_METERS_PER_SECOND, within(TINY));
         assertThat(moved.position().z()).isCloseTo(CAMERA.position().z(), within(TINY));
     }
 
@@ -80,9 +80,9 @@ class CameraMotionTest {
 
         Camera moved = CameraMotion.walk(turned, new Walk(1, 0, 0, false), 1, PLANE);
 
-        assertThat((moved.position().x() - CAMERA.position().x()) / CameraMotion.WALK_METRES_PER_SECOND)
+        assertThat((moved.position().x() - CAMERA.position().x()) / CameraMotion.WALK_METERS_PER_SECOND)
                 .isCloseTo(basis[Layout.CAMERA_RIGHT], within(1e-6));
-        assertThat((moved.position().z() - CAMERA.position().z()) / CameraMotion.WALK_METRES_PER_SECOND)
+        assertThat((moved.position().z() - CAMERA.position().z()) / CameraMotion.WALK_METERS_PER_SECOND)
                 .isCloseTo(basis[Layout.CAMERA_RIGHT + 2], within(1e-6));
     }
 
@@ -95,7 +95,7 @@ class CameraMotionTest {
                         moved.position().x() - CAMERA.position().x(),
                         moved.position().y() - CAMERA.position().y()),
                 moved.position().z() - CAMERA.position().z());
-        assertThat(meters).isCloseTo(CameraMotion.RUN_METRES_PER_SECOND, within(TINY));
+        assertThat(meters).isCloseTo(CameraMotion.RUN_METERS_PER_SECOND, within(TINY));
     }
 
     @Test

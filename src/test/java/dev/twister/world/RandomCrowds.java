@@ -5,7 +5,7 @@ import java.util.Random;
 
 /**
  * Spheres that look for trouble: tiny and huge, near and a million meters away, apart, in one another, in one place, on
- * a line and on a grid whose centres tie.
+ * a line and on a grid whose centers tie.
  *
  * @param places of a light, a plane and the spheres, as {@link Bodies} has them
  */

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** The tables that are made once on the host: the shadow's disc and the samples' places. */
 class TablesTest {
     @Test
-    void oneShadowSampleIsTheLightsCentre() {
+    void oneShadowSampleIsTheLightsCenter() {
         assertThat(SunflowerDisc.points(1)).containsExactly(0, 0);
     }
 

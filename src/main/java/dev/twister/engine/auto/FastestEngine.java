@@ -50,9 +50,9 @@ public final class FastestEngine {
         /**
          * How long the engine takes for a small picture; empty where it fails, or has not drawn one within the limit.
          *
-         * @param cancelled asked again and again; once it is true, the answer does not count and comes soon
+         * @param canceled asked again and again; once it is true, the answer does not count and comes soon
          */
-        Optional<Duration> frameTime(EngineOffer offer, Duration limit, BooleanSupplier cancelled);
+        Optional<Duration> frameTime(EngineOffer offer, Duration limit, BooleanSupplier canceled);
     }
 
     /**
@@ -66,7 +66,7 @@ public final class FastestEngine {
     /** Lets so much time go by, or less where nobody waits for what comes after it. */
     @FunctionalInterface
     interface Waiting {
-        void await(Duration time, BooleanSupplier cancelled);
+        void await(Duration time, BooleanSupplier canceled);
     }
 
     FastestEngine(Trial trial, ChoiceStore store, Waiting waiting) {
@@ -118,7 +118,7 @@ public final class FastestEngine {
         Engine drawing = openWarming(standIn, id, candidates);
         return new AutoEngine(
                 drawing,
-                new Successor(cancelled -> confirmedBeside(drawing, standIn.id(), all, cancelled)),
+                new Successor(canceled -> confirmedBeside(drawing, standIn.id(), all, canceled)),
                 () -> openUnmeasured(candidates));
     }
 
@@ -133,16 +133,16 @@ public final class FastestEngine {
 
     /** Whether what draws is the fastest of all engines, now that there is time to look for all of them. */
     private Optional<Engine> confirmedBeside(
-            Engine drawing, String standIn, Supplier<List<EngineOffer>> all, BooleanSupplier cancelled) {
-        waiting.await(Successor.WARMING, cancelled);
-        if (cancelled.getAsBoolean()) {
+            Engine drawing, String standIn, Supplier<List<EngineOffer>> all, BooleanSupplier canceled) {
+        waiting.await(Successor.WARMING, canceled);
+        if (canceled.getAsBoolean()) {
             return Optional.empty();
         }
         List<EngineOffer> candidates = candidates(all.get());
         Optional<String> known = remembered(candidates);
         known.ifPresent(id -> store.write(MachineKey.beforeDevices(candidates), id));
-        return known.or(() -> fastestBeside(drawing, standIn, candidates, cancelled))
-                .filter(fastest -> !fastest.equals(drawing.id()) && !cancelled.getAsBoolean())
+        return known.or(() -> fastestBeside(drawing, standIn, candidates, canceled))
+                .filter(fastest -> !fastest.equals(drawing.id()) && !canceled.getAsBoolean())
                 .flatMap(fastest -> Engines.find(candidates, fastest))
                 .flatMap(FastestEngine::opened);
     }
@@ -152,19 +152,19 @@ public final class FastestEngine {
      * has lost to it.
      */
     private Optional<String> fastestBeside(
-            Engine drawing, String standIn, List<EngineOffer> candidates, BooleanSupplier cancelled) {
+            Engine drawing, String standIn, List<EngineOffer> candidates, BooleanSupplier canceled) {
         boolean beaten = !drawing.id().equals(standIn);
         List<EngineOffer> rivals = candidates.stream()
                 .filter(offer -> !beaten || !offer.id().equals(standIn))
                 .toList();
         Optional<String> fastest =
-                rivals.size() == 1 ? Optional.of(rivals.getFirst().id()) : fastestOf(measure(rivals, cancelled));
-        remember(candidates, fastest, cancelled);
+                rivals.size() == 1 ? Optional.of(rivals.getFirst().id()) : fastestOf(measure(rivals, canceled));
+        remember(candidates, fastest, canceled);
         return fastest;
     }
 
-    private void remember(List<EngineOffer> candidates, Optional<String> fastest, BooleanSupplier cancelled) {
-        fastest.filter(_ -> !cancelled.getAsBoolean()).ifPresent(id -> {
+    private void remember(List<EngineOffer> candidates, Optional<String> fastest, BooleanSupplier canceled) {
+        fastest.filter(_ -> !canceled.getAsBoolean()).ifPresent(id -> {
             store.write(MachineKey.beforeDevices(candidates), id);
             // Last: who finds this one finds all that is remembered.
             store.write(MachineKey.of(candidates), id);
@@ -196,9 +196,9 @@ public final class FastestEngine {
         return openFirst(candidates, measureAll(candidates));
     }
 
-    private static void sleep(Duration time, BooleanSupplier cancelled) {
+    private static void sleep(Duration time, BooleanSupplier canceled) {
         long end = System.nanoTime() + time.toNanos();
-        while (System.nanoTime() < end && !cancelled.getAsBoolean()) {
+        while (System.nanoTime() < end && !canceled.getAsBoolean()) {
             LockSupport.parkNanos(LOOK_NANOS);
         }
     }
@@ -226,10 +226,10 @@ public final class FastestEngine {
     }
 
     /** The JVM's engines come first: they need no compiler that could still be at work beside the next trial. */
-    private List<Time> measure(List<EngineOffer> candidates, BooleanSupplier cancelled) {
+    private List<Time> measure(List<EngineOffer> candidates, BooleanSupplier canceled) {
         return candidates.stream()
                 .sorted(Comparator.comparing(offer -> Engines.isDevice(offer.id())))
-                .map(offer -> new Time(offer.id(), trial.frameTime(offer, limit(offer, candidates), cancelled)))
+                .map(offer -> new Time(offer.id(), trial.frameTime(offer, limit(offer, candidates), canceled)))
                 .sorted(Comparator.comparing(
                         time -> time.frame().orElse(null), Comparator.nullsLast(Comparator.naturalOrder())))
                 .toList();

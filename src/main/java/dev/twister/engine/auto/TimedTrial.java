@@ -29,13 +29,13 @@ final class TimedTrial implements FastestEngine.Trial {
      * stopped: it is left to end by itself.
      */
     @Override
-    public Optional<Duration> frameTime(EngineOffer offer, Duration limit, BooleanSupplier cancelled) {
+    public Optional<Duration> frameTime(EngineOffer offer, Duration limit, BooleanSupplier canceled) {
         BestTime best = new BestTime();
         AtomicBoolean over = new AtomicBoolean();
         CountDownLatch done = new CountDownLatch(1);
         Thread.ofPlatform().daemon().name("trial of " + offer.id()).start(() -> {
             try {
-                draw(offer, best, () -> over.get() || cancelled.getAsBoolean());
+                draw(offer, best, () -> over.get() || canceled.getAsBoolean());
             } finally {
                 done.countDown();
             }
@@ -43,7 +43,7 @@ final class TimedTrial implements FastestEngine.Trial {
         try {
             long end = System.nanoTime() + limit.toNanos();
             boolean ended = false;
-            while (!ended && System.nanoTime() < end && !cancelled.getAsBoolean()) {
+            while (!ended && System.nanoTime() < end && !canceled.getAsBoolean()) {
                 ended = done.await(LOOK_MILLIS, TimeUnit.MILLISECONDS);
             }
         } catch (InterruptedException _) {

@@ -17,7 +17,7 @@ import java.util.function.Supplier;
  * an engine need not send it to its device again. Used by the drawing thread alone.
  */
 final class LivingWorld implements AutoCloseable {
-    private static final float GREY = 0.5f;
+    private static final float GRAY = 0.5f;
 
     private final SkyShelf skies;
     private final Supplier<Optional<Scene>> newest;
@@ -28,7 +28,7 @@ final class LivingWorld implements AutoCloseable {
     private Optional<Scene> scene = Optional.empty();
     private Optional<World> world = Optional.empty();
     private Optional<FrameInput> last = Optional.empty();
-    private Skybox sky = new Skybox(1, 1, new float[] {GREY, GREY, GREY});
+    private Skybox sky = new Skybox(1, 1, new float[] {GRAY, GRAY, GRAY});
     private Optional<Path> skyFile = Optional.empty();
     private long skyEdition;
     private Optional<String> complaint = Optional.empty();

@@ -59,7 +59,7 @@ public final class BodyEdits {
         return scene.spheres().get(BodyNumber.sphere(body));
     }
 
-    /** The centre of a movable body. */
+    /** The center of a movable body. */
     public static Vector3 position(Scene scene, int body) {
         return body == BodyNumber.LIGHT
                 ? scene.light().position()

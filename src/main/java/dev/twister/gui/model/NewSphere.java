@@ -17,7 +17,7 @@ public final class NewSphere {
     /** Where the middle of the picture shows the sky. */
     private static final double DISTANCE = 15;
 
-    /** Turns of the hue from one sphere to the next, so that neighbours differ. */
+    /** Turns of the hue from one sphere to the next, so that neighbors differ. */
     private static final double GOLDEN_RATIO = 0.6180339887;
 
     private NewSphere() {}

@@ -3,7 +3,7 @@ package dev.twister.gui.model;
 import dev.twister.scene.Rgb;
 
 /**
- * A light's colour as a person sets it: a hue that a colour chooser can show, and how strong it is.
+ * A light's color as a person sets it: a hue that a color chooser can show, and how strong it is.
  *
  * @param hue its largest channel is 1
  * @param strength 0 or more
@@ -21,7 +21,7 @@ public record Radiance(Rgb hue, double strength) {
                 new Rgb(color.red() / strength, color.green() / strength, color.blue() / strength), strength);
     }
 
-    /** The same strength in the hue of another colour, however dark that is; black is white. */
+    /** The same strength in the hue of another color, however dark that is; black is white. */
     public Radiance withHueOf(Rgb color) {
         return new Radiance(of(color).hue(), strength);
     }

@@ -6,7 +6,7 @@ import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
 
 /**
- * Moves a body with the pointer, in the plane through its centre that faces the camera: its distance from the camera,
+ * Moves a body with the pointer, in the plane through its center that faces the camera: its distance from the camera,
  * along the view direction, stays, and so does the spot under the pointer.
  */
 public final class SphereDrag {
@@ -18,7 +18,7 @@ public final class SphereDrag {
         this.grip = grip;
     }
 
-    /** Takes hold of a body whose centre lies there, at a place on the picture in pixels. */
+    /** Takes hold of a body whose center lies there, at a place on the picture in pixels. */
     public static SphereDrag start(FrameInput input, Vector3 center, double x, double y) {
         float[] camera = input.view().camera();
         Vector3 seen = input.bodies().seen(center);
@@ -29,7 +29,7 @@ public final class SphereDrag {
         return new SphereDrag(depth, new Vector3(center.x() - held.x(), center.y() - held.y(), center.z() - held.z()));
     }
 
-    /** Where the centre lies once the pointer is there; the camera may have moved meanwhile. */
+    /** Where the center lies once the pointer is there; the camera may have moved meanwhile. */
     public Vector3 centerAt(FrameInput input, double x, double y) {
         Vector3 held = pointAt(input, depth, x, y);
         return new Vector3(

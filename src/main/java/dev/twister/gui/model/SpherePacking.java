@@ -40,7 +40,7 @@ final class SpherePacking {
         return grids.stream().noneMatch(grid -> grid.touches(center, radius));
     }
 
-    /** Its cells are as wide as its largest sphere, so that only neighbours can touch. */
+    /** Its cells are as wide as its largest sphere, so that only neighbors can touch. */
     private static final class Grid {
         private final Map<Cell, List<Placed>> cells = new HashMap<>();
         private final double largest;

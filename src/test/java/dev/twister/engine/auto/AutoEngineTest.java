@@ -282,8 +282,8 @@ class AutoEngineTest {
     @Test
     void closingTellsWhoStillLooksForTheFastest() throws InterruptedException {
         CountDownLatch told = new CountDownLatch(1);
-        Engine auto = auto(cancelled -> {
-            while (!cancelled.getAsBoolean()) {
+        Engine auto = auto(canceled -> {
+            while (!canceled.getAsBoolean()) {
                 Thread.onSpinWait();
             }
             told.countDown();

@@ -37,7 +37,7 @@ class FastestEngineTest {
     private static final Map<String, Integer> MILLIS =
             Map.of("sequential", 40, "parallel", 20, "vector", 5, "tornado:0:0", 9, "auto", 1);
 
-    private static final FastestEngine.Waiting NO_WAIT = (time, cancelled) -> {};
+    private static final FastestEngine.Waiting NO_WAIT = (time, canceled) -> {};
 
     @TempDir
     private Path folder;
@@ -144,7 +144,7 @@ class FastestEngineTest {
     void whereNoneIsReadyInTimeParallelIsTakenAndNothingRemembered() {
         List<EngineOffer> offers = offers("sequential", "parallel");
         FastestEngine fastest = new FastestEngine(
-                (offer, limit, cancelled) -> Optional.empty(), new ChoiceStore(Optional.of(folder)), NO_WAIT);
+                (offer, limit, canceled) -> Optional.empty(), new ChoiceStore(Optional.of(folder)), NO_WAIT);
 
         try (Engine engine = fastest.openMeasured(offers)) {
             assertThat(engine.id()).isEqualTo("parallel");
@@ -174,9 +174,9 @@ class FastestEngineTest {
         CountDownLatch begun = new CountDownLatch(1);
         CountDownLatch cancelledTrials = new CountDownLatch(2);
         FastestEngine fastest = new FastestEngine(
-                (offer, limit, cancelled) -> {
+                (offer, limit, canceled) -> {
                     begun.countDown();
-                    while (!cancelled.getAsBoolean()) {
+                    while (!canceled.getAsBoolean()) {
                         Thread.onSpinWait();
                     }
                     cancelledTrials.countDown();
@@ -354,7 +354,7 @@ class FastestEngineTest {
         }
     }
 
-    private Optional<Duration> time(EngineOffer offer, Duration limit, BooleanSupplier cancelled) {
+    private Optional<Duration> time(EngineOffer offer, Duration limit, BooleanSupplier canceled) {
         tried.add(offer.id());
         return Optional.ofNullable(MILLIS.get(offer.id())).map(Duration::ofMillis);
     }

@@ -167,9 +167,9 @@ final class VectorEngineTest {
     @ParameterizedTest
     @ValueSource(ints = {128, 256, 512})
     void drawsTheShadowsOfTinySpheresUnderAWideLight(int bits) {
-        Skybox grey = new Skybox(1, 1, new float[] {0.5f, 0.5f, 0.5f});
+        Skybox gray = new Skybox(1, 1, new float[] {0.5f, 0.5f, 0.5f});
         for (double radius : new double[] {3e-4, 1e-2}) {
-            FrameInput input = World.of(underAWideLight(radius), grey).snapshot();
+            FrameInput input = World.of(underAWideLight(radius), gray).snapshot();
             for (int crowd : new int[] {0, Integer.MAX_VALUE}) {
                 try (Engine vector = WidthLoader.openForCrowds(bits, 2, crowd)) {
                     assertSame(vector, input);

@@ -11,7 +11,7 @@ import java.util.concurrent.Semaphore;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 
-/** An engine of one colour, of which one can see how many are open, and which one can hold up or break. */
+/** An engine of one color, of which one can see how many are open, and which one can hold up or break. */
 final class TestEngine implements Engine {
     private static final int ANY_NUMBER = 1_000_000_000;
 
@@ -74,7 +74,7 @@ final class TestEngine implements Engine {
         }
 
         EngineOffer offer() {
-            return EngineOffer.working(look.id(), "a test", "one colour", () -> {
+            return EngineOffer.working(look.id(), "a test", "one color", () -> {
                 alive.incrementAndGet();
                 opened.incrementAndGet();
                 return new TestEngine(this);

@@ -7,7 +7,7 @@ import uk.ac.manchester.tornado.api.exceptions.TornadoOutOfMemoryException;
 
 /** Says what went wrong on a device, and what to do about it. TornadoVM throws whatever its parts threw. */
 final class DeviceFailure {
-    /** TornadoVM colours its messages for a terminal. */
+    /** TornadoVM colors its messages for a terminal. */
     private static final Pattern COLOR = Pattern.compile("\\u001B\\[[;\\d]*m");
 
     /** And puts where it happened into the message itself, in some thousand characters. */

@@ -23,7 +23,7 @@ public final class TornadoEngines implements EngineProvider {
     private static final String RUNTIME_PROPERTY = "tornado.load.runtime.implementation";
 
     /** Of a terminal: TornadoVM's messages have some. */
-    private static final Pattern COLOURS = Pattern.compile("\u001B\\[[0-9;]*m");
+    private static final Pattern COLORS = Pattern.compile("\u001B\\[[0-9;]*m");
 
     private static final Pattern DRIVER_VERSION = Pattern.compile("^Driver version *: *(\\S.*)$", Pattern.MULTILINE);
 
@@ -51,7 +51,7 @@ public final class TornadoEngines implements EngineProvider {
         while (cause.getCause() != null) {
             cause = cause.getCause();
         }
-        String message = COLOURS.matcher(String.valueOf(cause.getMessage())).replaceAll("");
+        String message = COLORS.matcher(String.valueOf(cause.getMessage())).replaceAll("");
         return "TornadoVM does not start in this JVM (" + cause.getClass().getSimpleName() + ": " + message + "). "
                 // Without any driver its OpenCL part fails instead of finding nothing.
                 + (hasOptions ? DRIVER : "Start with scripts/twister, which gives the JVM the SDK's options");

@@ -24,7 +24,7 @@ final class TornadoOptions {
                 // A kernel that does not compile is an error, never a silent run of the Java code.
                 "tornado.recover.bailout",
                 "False",
-                // TornadoVM's own choice, fast relaxed maths, moves pixels on some drivers.
+                // TornadoVM's own choice, fast relaxed math, moves pixels on some drivers.
                 "tornado.opencl.compiler.flags",
                 "-w",
                 "tornado.enable.nativeFunctions",

@@ -32,7 +32,7 @@ class DeviceFailureTest {
     }
 
     @Test
-    void coloursAndTracesInTornadosMessagesAreLeftOut() {
+    void colorsAndTracesInTornadosMessagesAreLeftOut() {
         String message = "\u001B[31mBailout is disabled. Reason: \u001B[31mUnable to compile\nthe task\u001B[0m"
                 + " Stacktrace: [a.B.c(B.java:613), d.E.f(E.java:638)]\u001B[0m\u001B[0m";
         assertThat(DeviceFailure.message("the first device", new IllegalStateException(message)))

@@ -58,9 +58,9 @@ public final class Beam {
         slab.set(origin, origin, direction - SPREAD, direction + SPREAD);
     }
 
-    /** Ends the rays after so many metres. */
-    public void endAt(float metres) {
-        end = Math.min(metres * (1f + SPREAD), EVERYWHERE);
+    /** Ends the rays after so many meters. */
+    public void endAt(float meters) {
+        end = Math.min(meters * (1f + SPREAD), EVERYWHERE);
     }
 
     /**

@@ -28,7 +28,7 @@ public final class PacketBeams {
     /** The t at which the lines end. */
     static final int END = 6 * AXES;
 
-    /** Metres a metre of t, lowest and highest. */
+    /** Meters a meter of t, lowest and highest. */
     private static final int LOW = END + Lanes.COUNT;
 
     private static final int HIGH = LOW + AXES;

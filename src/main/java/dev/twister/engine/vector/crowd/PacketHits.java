@@ -87,7 +87,7 @@ public final class PacketHits {
         }
     }
 
-    /** Metres along the rays beyond which nothing matters to any of them. */
+    /** Meters along the rays beyond which nothing matters to any of them. */
     private static float farthest(Tile tile, int at) {
         return Float.intBitsToFloat((int) farthestBits(tile, at));
     }

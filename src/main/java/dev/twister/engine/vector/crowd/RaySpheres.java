@@ -21,7 +21,7 @@ public final class RaySpheres {
     /** Numbers of spheres met, counted along the blocks, with the numbers of their beams above {@link WideHierarchy#BEAM_SHIFT}. */
     private final int[] met = new int[ROOM + MOST_A_LEAF];
 
-    /** How far along the ray their centres are, and by how much the squared radius is more than the squared distance from it. */
+    /** How far along the ray their centers are, and by how much the squared radius is more than the squared distance from it. */
     private final float[] along = new float[ROOM + MOST_A_LEAF];
 
     private final float[] within = new float[ROOM + MOST_A_LEAF];

@@ -12,7 +12,7 @@ public final class BodyColumns {
     /** No distance undercuts it: what has this radius is never met. */
     private static final float NOTHING_THERE = -1e30f;
 
-    /** What {@link #surfaces} tell of a body: its centre, its radius, red, green, blue and its reflectivity. */
+    /** What {@link #surfaces} tell of a body: its center, its radius, red, green, blue and its reflectivity. */
     public static final int SURFACE_NUMBERS = 8;
 
     /** By how many numbers a sphere's y, z and radius lie behind its x. */

@@ -36,7 +36,7 @@ public final class Drawing {
     public int pixelSamples;
     public float ambient;
 
-    /** Metres of the viewport from one pixel to the next. */
+    /** Meters of the viewport from one pixel to the next. */
     public float viewportStep;
 
     public float planeHeight;
@@ -63,7 +63,7 @@ public final class Drawing {
 
     public float[] discY = {};
 
-    /** How far the outermost sample lies from the disc's centre, as a part of its radius. */
+    /** How far the outermost sample lies from the disc's center, as a part of its radius. */
     public float rim;
 
     /** For frames with all shortcuts, of bodies that lanes know. */

@@ -18,7 +18,7 @@ public final class ShadowColumns {
 
     private static final int FRAME_LENGTH = U_Y + 7 * Lanes.COUNT;
 
-    /** A candidate's centre along A, U and W, and its squared radius: less than 0 in lanes it cannot shade. */
+    /** A candidate's center along A, U and W, and its squared radius: less than 0 in lanes it cannot shade. */
     public static final int ALONG = Lanes.BORDER;
 
     public static final int ACROSS_U = ALONG + Lanes.COUNT;

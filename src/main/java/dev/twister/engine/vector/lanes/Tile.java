@@ -5,7 +5,7 @@ import dev.twister.kernel.Layout;
 
 /**
  * 16 x 16 pixels on their way, as one thread draws them: columns of {@value #SIZE} floats, one value a pixel, in one array so that
- * one bounds check covers neighbouring columns.
+ * one bounds check covers neighboring columns.
  *
  * <p>Pixels lie in blocks of 4 x 4, row by row within a block and block by block within the tile, so that a packet of 16
  * lanes is 4 x 4 pixels, one of 8 is 4 x 2, and one of 4 is 4 x 1: rays close together take the same way.
@@ -32,7 +32,7 @@ public final class Tile {
     public static final int ORIGIN_Y = DIRECTION_X + 4 * SIZE;
     public static final int ORIGIN_Z = DIRECTION_X + 5 * SIZE;
 
-    /** Metres along the ray to what it meets. */
+    /** Meters along the ray to what it meets. */
     public static final int DISTANCE = DIRECTION_X + 6 * SIZE;
 
     /** The body met, as a float (exact far beyond any scene): {@link Layout}'s numbers, or {@link #ENDED}. */
@@ -63,7 +63,7 @@ public final class Tile {
     public static final int ALBEDO_BLUE = DIRECTION_X + 21 * SIZE;
     public static final int REFLECTIVITY = DIRECTION_X + 22 * SIZE;
 
-    /** The light, seen from the surface: a unit vector, metres. */
+    /** The light, seen from the surface: a unit vector, meters. */
     public static final int TO_LIGHT_X = DIRECTION_X + 23 * SIZE;
 
     public static final int TO_LIGHT_Y = DIRECTION_X + 24 * SIZE;
@@ -71,7 +71,7 @@ public final class Tile {
     public static final int LIGHT_DISTANCE = DIRECTION_X + 26 * SIZE;
     public static final int NORMAL_DOT_LIGHT = DIRECTION_X + 27 * SIZE;
 
-    /** The point met, seen from its sphere's centre; needed only until the light's direction is. */
+    /** The point met, seen from its sphere's center; needed only until the light's direction is. */
     public static final int FROM_CENTER_X = TO_LIGHT_X;
 
     public static final int FROM_CENTER_Y = TO_LIGHT_Y;

@@ -38,7 +38,7 @@ public final class LoneCandidates {
     private final float[][] facts = new float[COLUMNS][8 * Lanes.COUNT];
     private int count;
 
-    /** Metres to the disc. */
+    /** Meters to the disc. */
     private float distance;
 
     /** From the unit disc to the plane at distance 1. */

@@ -47,7 +47,7 @@ public final class Hull {
     float cosine;
     float sine;
 
-    /** Metres along the axis to where the region ends. */
+    /** Meters along the axis to where the region ends. */
     float end;
 
     /** Whether the region is everything. */

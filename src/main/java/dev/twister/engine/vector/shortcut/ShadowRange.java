@@ -16,7 +16,7 @@ import jdk.incubator.vector.VectorOperators;
  * and ends somewhere along it, and what lies before and behind is free of it; and from some place on it may hide all.
  *
  * <p>The planes through the point that touch the sphere at (a, u, w) and are across the direction meet the disc's plane at
- * {@code (a c -+ r sqrt(a^2 + c^2 - r^2)) / (a^2 - r^2) / s} radii from its centre, c being the sphere's centre along the
+ * {@code (a c -+ r sqrt(a^2 + c^2 - r^2)) / (a^2 - r^2) / s} radii from its center, c being the sphere's center along the
  * direction and s the scale: the shadow lies between them. And the conic of {@link ShadowConics} is nowhere in the unit disc
  * above {@code s^2 (a^2 + u^2 + w^2 - r^2) + u^2 + w^2 - r^2 + 2 a s (|l| - c X)} at X along the direction, l being the
  * centre's place beside it: that is below 0 on one side of some X.
@@ -33,7 +33,7 @@ public final class ShadowRange {
 
     private ShadowRange() {}
 
-    /** Chooses the direction, from the disc's centre to the first candidate as one of the packet's points sees it. */
+    /** Chooses the direction, from the disc's center to the first candidate as one of the packet's points sees it. */
     public static void choose(ShadowColumns scratch, Drawing drawing) {
         scratch.sorted = scratch.conical
                 && drawing.shadowSamples >= DiscOrders.FEW

@@ -11,7 +11,7 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * The panorama's radiance where all lanes of a packet look at a few neighbouring texels, as view rays do: each texel is
+ * The panorama's radiance where all lanes of a packet look at a few neighboring texels, as view rays do: each texel is
  * read once and weighed in all lanes, which is the bilinear mean with the weights of far texels 0.
  */
 public final class SkyPatches {
@@ -62,7 +62,7 @@ public final class SkyPatches {
             FloatVector green = Lanes.all(0f);
             FloatVector blue = Lanes.all(0f);
             for (int row = 0; row < patches.rows[k]; row++) {
-                // A texel's part along one side: 1 at its centre, 0 from the next texel's centre on.
+                // A texel's part along one side: 1 at its center, 0 from the next texel's center on.
                 FloatVector high =
                         Lanes.larger(Lanes.all(1f).sub(toBottom.sub(row).abs()), Lanes.all(0f));
                 int texel = PaddedSky.NUMBERS_A_TEXEL * ((patches.top[k] + row) * sky.stride() + patches.left[k]);

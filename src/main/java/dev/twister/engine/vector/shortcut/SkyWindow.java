@@ -10,7 +10,7 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * The texels of the sky that a tile's rays look at, where so few are enough that a colour of all of them is two vectors of 16
+ * The texels of the sky that a tile's rays look at, where so few are enough that a color of all of them is two vectors of 16
  * lanes, out of which each lane picks its four. Without helpers, for the reason that {@link ShadowConics} has; not even
  * {@link Lanes#fma}, as in {@link SkyRows}.
  */
@@ -23,7 +23,7 @@ public final class SkyWindow {
 
     private static final int MOST = 2 * HALF;
 
-    /** The bits of the texels' colours, row by row: red ones from {@link Lanes#BORDER} on, then green ones, then blue ones. */
+    /** The bits of the texels' colors, row by row: red ones from {@link Lanes#BORDER} on, then green ones, then blue ones. */
     private final int[] texels = new int[Lanes.BORDER + PaddedSky.NUMBERS_A_TEXEL * MOST];
 
     private int left;

@@ -109,7 +109,7 @@ public final class CameraLanes {
         }
     }
 
-    /** Makes the lanes' colours black. */
+    /** Makes the lanes' colors black. */
     public static void blacken(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {

@@ -10,7 +10,7 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** The plane where it is met: points, normals and the checker's colours, written to all lanes of a packet. */
+/** The plane where it is met: points, normals and the checker's colors, written to all lanes of a packet. */
 public final class GroundSurface {
     private GroundSurface() {}
 

@@ -62,7 +62,7 @@ public final class SkyDirection {
 
     /**
      * Turns the arc tangents into angles about the vertical, in [-pi, pi], and those into columns of the padded sky, in
-     * texels, whole where a texel's centre is.
+     * texels, whole where a texel's center is.
      */
     static void findColumns(Tile tile, PaddedSky sky) {
         float[] t = tile.values;
@@ -79,7 +79,7 @@ public final class SkyDirection {
                     .mul(TURNS_PER_RADIAN)
                     .add(0.5f)
                     .sub(sky.turn);
-            // The border counts 1 more, and the texels' centres lie half a texel in.
+            // The border counts 1 more, and the texels' centers lie half a texel in.
             turns.blend(turns.add(1f), turns.compare(VectorOperators.LT, 0f))
                     .mul(sky.width)
                     .add(0.5f)

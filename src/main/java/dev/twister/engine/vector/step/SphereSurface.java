@@ -20,7 +20,7 @@ public final class SphereSurface {
         findPoints(tile);
     }
 
-    /** Copies each lane's sphere into the lane. The centre goes to the normal's columns. */
+    /** Copies each lane's sphere into the lane. The center goes to the normal's columns. */
     static void fetch(Tile tile, Drawing drawing) {
         if (drawing.bodies.fitLanes()) {
             pick(tile, drawing.bodies);
@@ -103,7 +103,7 @@ public final class SphereSurface {
         }
     }
 
-    /** Writes the points met, seen from the centres. */
+    /** Writes the points met, seen from the centers. */
     static void findOffsets(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.spheres.count; k++) {
@@ -121,7 +121,7 @@ public final class SphereSurface {
                 .intoArray(t, at + offset);
     }
 
-    /** Turns the centres into normals, and places the points on the spheres along them. */
+    /** Turns the centers into normals, and places the points on the spheres along them. */
     static void findPoints(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.spheres.count; k++) {

@@ -139,7 +139,7 @@ public final class TileOutput {
         }
     }
 
-    /** Writes the linear colours, times {@code scale}. */
+    /** Writes the linear colors, times {@code scale}. */
     static void writeLinear(Tile tile, Frame frame, float scale) {
         float[] t = tile.values;
         for (int pixel = 0; pixel < Tile.SIZE; pixel++) {

@@ -8,7 +8,7 @@ import dev.twister.kernel.Tone;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorOperators;
 
-/** From a tile's linear colours to 8-bit ARGB: {@link Tone}. */
+/** From a tile's linear colors to 8-bit ARGB: {@link Tone}. */
 public final class ToneLanes {
     /** Added to a number up to 255, it leaves the nearest whole one in the last byte, and no other bits but in the first. */
     private static final float ROUNDER = 0x1p23f;

@@ -18,7 +18,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 
 final class GroundAloneTest {
-    private static final Rgb GREY = new Rgb(0.5, 0.5, 0.5);
+    private static final Rgb GRAY = new Rgb(0.5, 0.5, 0.5);
     private static final int SIDE = 4 * Tile.SIDE;
 
     private final Drawing drawing = new Drawing();
@@ -83,8 +83,8 @@ final class GroundAloneTest {
         World world = World.of(
                 Scene.under(Path.of("none.hdr"))
                         .withCamera(Camera.of(new Vector3(0, height, 0), 0, pitch, 90))
-                        .withLight(Light.of(new Vector3(0, 30, 0), 1, GREY))
-                        .withPlane(Plane.of(size, 0, GREY, GREY, reflectivity))
+                        .withLight(Light.of(new Vector3(0, 30, 0), 1, GRAY))
+                        .withPlane(Plane.of(size, 0, GRAY, GRAY, reflectivity))
                         .withAmbient(0.05)
                         .withSettings(RenderSettings.DEFAULT
                                 .withSize(SIDE, SIDE)

@@ -26,7 +26,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 final class OpenGroundTest {
     private static final Skybox SKY = SkyboxReader.read(Path.of("skyboxes", "day.hdr"));
 
-    /** Metres above the ground, and off along the view. */
+    /** Meters above the ground, and off along the view. */
     @ParameterizedTest
     @CsvSource({
         "2, 6, 32, 1, 1",

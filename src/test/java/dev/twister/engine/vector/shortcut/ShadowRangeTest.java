@@ -22,7 +22,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 final class ShadowRangeTest {
-    /** From the point to the disc, in metres. */
+    /** From the point to the disc, in meters. */
     private static final float DISTANCE = 10f;
 
     private static final Scene SCENE = SceneReader.read(Path.of("scenes/teaching.json"));
@@ -61,7 +61,7 @@ final class ShadowRangeTest {
         return drawing;
     }
 
-    /** Candidates as a packet's neighbouring points see them, wholly between the points and the disc. */
+    /** Candidates as a packet's neighboring points see them, wholly between the points and the disc. */
     private void place(int candidates) {
         scratch.startPacket();
         scratch.reserveBodies(candidates);

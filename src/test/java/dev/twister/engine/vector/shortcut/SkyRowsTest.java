@@ -26,7 +26,7 @@ final class SkyRowsTest {
     private final Tile tile = new Tile();
     private final PaddedSky sky = new PaddedSky();
 
-    /** Every texel another colour, of few enough bits to be halved. */
+    /** Every texel another color, of few enough bits to be halved. */
     @BeforeEach
     void paintSky() {
         assumeTrue(SkyRows.FIT);

@@ -39,7 +39,7 @@ final class SkyWindowTest {
         }
     }
 
-    /** Every texel another colour; whole numbers are halved, thirds are not. */
+    /** Every texel another color; whole numbers are halved, thirds are not. */
     private void paintSky(boolean halved) {
         float[] radiance = new float[3 * WIDTH * HEIGHT];
         for (int number = 0; number < radiance.length; number++) {

@@ -5,11 +5,11 @@ import java.util.Arrays;
 /**
  * A hashed grid in levels: each body is in the level whose cells are just wider than twice its reach, so that whatever
  * it may touch is, in that level and in all coarser ones, in its own cell or in one beside it (Ericson, "Real-Time
- * Collision Detection", 7.2). Cells side by side along x are side by side in memory, and their neighbours not far.
+ * Collision Detection", 7.2). Cells side by side along x are side by side in memory, and their neighbors not far.
  *
  * <p>Bodies are in the cells in the order of their numbers, so that nothing depends on how many threads work.
  */
-final class NeighbourGrid {
+final class NeighborGrid {
     /** Odd numbers without a pattern: no two cells near each other have one key. */
     private static final int Y_FACTOR = 0x9E3779B1;
 
@@ -56,7 +56,7 @@ final class NeighbourGrid {
     private double largestRounding;
 
     /**
-     * By slot, which is the order of the cells: the body, its cell's key, its centre, its reach (below 0 asleep). As few
+     * By slot, which is the order of the cells: the body, its cell's key, its center, its reach (below 0 asleep). As few
      * bits as do, for a search waits for memory.
      */
     final int[] body;
@@ -77,7 +77,7 @@ final class NeighbourGrid {
     /** The coarsest level whose bodies are many; those above it are giants, whose pairs are sought one by one. */
     int topLevel;
 
-    NeighbourGrid(BodyStore bodies, double typicalReach) {
+    NeighborGrid(BodyStore bodies, double typicalReach) {
         this.bodies = bodies;
         baseCell = 2 * typicalReach;
         for (int level = 0; level < LEVELS; level++) {
