@@ -9,14 +9,17 @@ import java.io.UncheckedIOException;
 import java.util.Arrays;
 import java.util.Map;
 import java.util.Properties;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.IntPredicate;
 
 /**
- * Loads the engine's classes anew, with a width of its own: lanes are a constant of a class, so that each width is other
- * classes. All else comes from the loader above.
+ * Loads the engine's classes once for each width: lanes are a constant of a class, so that each width is other classes.
+ * All else comes from the loader above. Tests of one width share its classes, which are compiled by then.
  */
 final class WidthLoader extends ClassLoader {
     private static final String PACKAGE = VectorEngines.class.getPackageName() + ".";
+
+    private static final Map<Map<String, String>, WidthLoader> LOADERS = new ConcurrentHashMap<>();
 
     private WidthLoader() {
         super(WidthLoader.class.getClassLoader());
@@ -55,7 +58,8 @@ final class WidthLoader extends ClassLoader {
         Properties before = (Properties) System.getProperties().clone();
         System.getProperties().putAll(properties);
         try {
-            Class<?> engines = new WidthLoader().loadClass(VectorEngines.class.getName());
+            Class<?> engines = LOADERS.computeIfAbsent(properties, _ -> new WidthLoader())
+                    .loadClass(VectorEngines.class.getName());
             Class<?>[] types = Arrays.stream(arguments)
                     .map(argument -> argument instanceof Integer ? int.class : IntPredicate.class)
                     .toArray(Class<?>[]::new);
