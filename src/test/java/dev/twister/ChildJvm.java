@@ -12,7 +12,7 @@ public final class ChildJvm {
 
     private ChildJvm() {}
 
-    /** Starts one that is ended where it takes minutes, so that whoever reads its output or waits for it goes on. */
+    /** Starts one that is ended after some minutes, so that a test that reads its output or waits for it goes on. */
     public static Process start(ProcessBuilder builder) throws IOException {
         Process java = builder.start();
         java.onExit().orTimeout(MOST_SECONDS, TimeUnit.SECONDS).exceptionally(_ -> java.destroyForcibly());

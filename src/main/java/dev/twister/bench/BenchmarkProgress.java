@@ -7,7 +7,7 @@ import dev.twister.image.PictureSize;
 public interface BenchmarkProgress {
     BenchmarkProgress SILENT = new BenchmarkProgress() {};
 
-    /** An engine starts on a size, with so many frames to come at most; or what comes before them, with so many steps. */
+    /** An engine starts on a size, with this number of frames at most; or its warm-up, with this number of steps. */
     default void begins(String engine, PictureSize size, int frames) {}
 
     /** A frame, warm-up or measured, is there; or a step of what comes before. */

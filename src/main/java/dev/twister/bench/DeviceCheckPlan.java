@@ -36,7 +36,7 @@ public record DeviceCheckPlan(
                 maxSeconds);
     }
 
-    /** Frames of one engine in so many scenes, at most; the references and a frame's warm-up with them. */
+    /** Frames of one engine in this number of scenes, at most; the references and a frame's warm-up with them. */
     public int framesEach(int scenes) {
         return scenes + 2 + 1 + 2 * (warmupFrames + frames);
     }

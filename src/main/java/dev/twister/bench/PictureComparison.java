@@ -11,7 +11,7 @@ public record PictureComparison(int pixels, int differingPixels, int largestDiff
     /** Rounding moves a channel by one step at most. */
     public static final int CHANNEL_TOLERANCE = 1;
 
-    /** One pixel in so many may differ by more: where rounding moves an edge. */
+    /** One pixel in this number may differ by more: where rounding moves an edge. */
     public static final int PIXELS_PER_DIFFERENCE = 5000;
 
     /**

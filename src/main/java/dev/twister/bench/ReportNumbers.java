@@ -14,7 +14,7 @@ public final class ReportNumbers {
     private ReportNumbers() {}
 
     /**
-     * With so many decimals, and with more where fewer than two digits would count: the rate of an engine that needs a
+     * With this number of decimals, and with more where fewer than two digits would count: the rate of an engine that needs a
      * minute for a frame is not 0.
      */
     public static String legible(double value, int decimals) {

@@ -120,7 +120,7 @@ final class PictureOutput {
         return OutputFile.endsIn(output, EXR);
     }
 
-    /** Bytes for each pixel that drawing and writing so many pictures take. */
+    /** Bytes per pixel that rendering and writing this number of pictures takes. */
     long bytesPerPixel(List<Picture> pictures) {
         long drawn = pictures.stream()
                 .mapToLong(picture -> BandedDrawing.bytesPerPixel(isLinear() || !picture.isColor()))

@@ -9,7 +9,7 @@ import java.util.Optional;
 /**
  * The samples of a picture's pixels.
  *
- * @param samples of each pixel; at most so many where there is a bound of the noise
+ * @param samples of each pixel; the limit where there is a bound of the noise
  * @param noise as a share of white
  */
 record Sampling(int samples, Optional<Double> noise) {

@@ -4,7 +4,7 @@ import com.sun.management.HotSpotDiagnosticMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.Optional;
 
-/** The options that this JVM runs with, whoever set them. */
+/** The options that this JVM runs with, from the command line and the environment. */
 public final class JvmOptions {
     private JvmOptions() {}
 

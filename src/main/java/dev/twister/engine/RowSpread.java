@@ -27,7 +27,7 @@ record RowSpread(int height, int step) {
         return b == 0 ? a : divisor(b, a % b);
     }
 
-    /** The row that comes after so many others. */
+    /** The row at this place of the order. */
     int row(int index) {
         return (int) ((long) index * step % height);
     }

@@ -140,7 +140,7 @@ final class TemporaryFile implements AutoCloseable {
                 }
             }
         } catch (IOException _) {
-            // They are only in the way of whoever looks at the folder: no reason to stop.
+            // Files left behind only clutter the folder: no reason to stop.
         }
     }
 

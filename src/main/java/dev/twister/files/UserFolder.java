@@ -29,7 +29,7 @@ public enum UserFolder {
         this.xdgName = xdgName;
     }
 
-    /** Twister's own folder there for whoever runs this program; it need not exist yet. */
+    /** Twister's own folder there, for the user who runs this program; it need not exist yet. */
     public Optional<Path> ofThisUser() {
         return find(System.getProperty("os.name", ""), UserHome.ofThisUser(), System.getenv());
     }

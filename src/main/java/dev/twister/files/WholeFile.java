@@ -11,7 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 
-/** Writes a file whole or not at all: whoever looks at its path sees the old content or the new, never a part. */
+/** Writes a file whole or not at all: readers of its path see the old content or the new, never a part. */
 public final class WholeFile {
     private static final int BUFFER_BYTES = 1 << 16;
 

@@ -23,7 +23,7 @@ import javafx.util.Duration;
 final class CameraMouse {
     private final Node picture;
     private final Studio studio;
-    /** Whoever turns the wheel on after that begins anew. */
+    /** A turn of the wheel after that time starts a new gesture. */
     private final PauseTransition turning = new PauseTransition(Duration.seconds(1));
 
     private Optional<HiddenPointer> pointer = Optional.empty();

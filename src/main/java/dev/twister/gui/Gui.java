@@ -44,7 +44,7 @@ public final class Gui {
             throw new NoDisplayException(Display.explain(problem), problem);
         }
         try {
-            // Whoever closed the window need not see it while the last files are written.
+            // The window is hidden while the last files are written.
             end.join().run();
         } finally {
             Platform.exit();

@@ -62,7 +62,7 @@ final class Reading {
     void cancel() {
         present.get().ifPresent(task -> {
             present.set(Optional.empty());
-            // Which closes the file under whoever reads it.
+            // Which closes the file under the thread that reads it.
             task.thread().interrupt();
             task.canceled().run();
         });

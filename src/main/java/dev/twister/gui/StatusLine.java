@@ -53,7 +53,7 @@ final class StatusLine extends HBox implements AutoCloseable {
         return label;
     }
 
-    /** A label that may be cut off; whoever points at it reads all of it. */
+    /** A label that may be cut off; its tooltip has the whole text. */
     private static Label label(String id) {
         Label label = new Label();
         label.setId(id);

@@ -1,6 +1,6 @@
 package dev.twister.kernel;
 
-/** A path of rays from one that is given to its end. Whoever draws a part of a path by other means may take it up here. */
+/** A path of rays from a given one to its end. An engine that renders part of a path by other means continues it here. */
 public final class Path {
     private Path() {}
 

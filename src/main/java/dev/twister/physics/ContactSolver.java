@@ -36,7 +36,7 @@ final class ContactSolver {
     /** Below it, relative to the pair's radii, centers are taken to be one point. */
     private static final double COINCIDENT = 1e-9;
 
-    /** From so many times the radius on, whether the lighter body gives way to the heavier one depends on its backing. */
+    /** From this multiple of the radius on, whether the lighter body gives way to the heavier one depends on its backing. */
     private static final double UNEQUAL_RADII = 3;
 
     /**

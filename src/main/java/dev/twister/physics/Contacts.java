@@ -124,7 +124,7 @@ final class Contacts {
     }
 
     /**
-     * Keeps the pairs from one on that are smallest by a measure, at most so many, in the order in which they are.
+     * Keeps the pairs from one on that are smallest by a measure, at most that number, in their present order.
      *
      * @param measure of the other body, at least 0
      */

@@ -87,7 +87,7 @@ final class NeighborGrid {
         keyOfBody = new int[room];
         bucketOfBody = new int[room];
         levelOfBody = new byte[room];
-        // The last slots too may be read so many at once.
+        // The last slots too may be read by whole vectors.
         body = new int[room + WideScan.LANES];
         key = new int[room + WideScan.LANES];
         x = new float[room + WideScan.LANES];

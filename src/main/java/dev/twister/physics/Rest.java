@@ -31,7 +31,7 @@ final class Rest {
         return WAKE_FACTOR * WAKE_FACTOR * calmSpeedSquared(gravity);
     }
 
-    /** After a step of so many seconds, lets bodies sleep that have been calm on others for long enough. */
+    /** After a step of that many seconds, lets bodies sleep that have been calm on others for long enough. */
     static void settle(BodyStore bodies, int from, int to, double gravity, double seconds) {
         double[] n = bodies.numbers;
         double calm = calmSpeedSquared(gravity) * seconds * seconds;

@@ -20,7 +20,7 @@ final class WideScan {
     /** So many searches, which are two seconds or less, use it for few slots only, while it is being compiled. */
     static final int FIRST_SEARCHES = 240;
 
-    /** After so many of them it is used for twice as many slots; for one in the first. */
+    /** After this number of them it is used for twice as many slots; for one in the first. */
     static final int SEARCHES_TO_DOUBLE = 20;
 
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;

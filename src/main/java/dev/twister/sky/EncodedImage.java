@@ -15,7 +15,7 @@ interface EncodedImage {
      * Checks what could not be checked before its decoder said how large it is.
      *
      * @param texels in the whole image
-     * @throws IOException where the file cannot hold so many, or would take minutes
+     * @throws IOException where the file cannot hold that number, or would take minutes
      */
     void checkTexels(long texels) throws IOException;
 }

@@ -34,7 +34,7 @@ final class FileCursor {
         return file.at(position++);
     }
 
-    /** Takes as many bytes; there must be so many. */
+    /** Takes that number of bytes, which must be left. */
     void next(byte[] target, int offset, int count) throws IOException {
         file.copy(position, target, offset, count);
         position += count;

@@ -17,7 +17,7 @@ record ImageMeaning(ColorEncoding colors, int orientation, boolean isPalette, in
         return new ImageMeaning(colors, orientation, false, new int[0]);
     }
 
-    /** In which order an image of so many texels stores them. */
+    /** In which order an image of that number of texels stores them. */
     ScanOrder order(int storedWidth, int storedHeight) {
         return ScanOrder.ofExif(orientation, storedWidth, storedHeight);
     }

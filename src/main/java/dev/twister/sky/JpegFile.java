@@ -37,7 +37,7 @@ final class JpegFile implements EncodedImage {
 
     /**
      * A block of 8 x 8 texels takes a bit at the very least, in progressive files; that is 512 texels a byte. Twice that is
-     * allowed for good measure.
+     * allowed as a margin.
      */
     private static final long MOST_TEXELS_PER_BYTE = 1024;
 

@@ -57,7 +57,7 @@ public final class Crew implements AutoCloseable {
             await(turn);
         }
         if (failure instanceof OutOfMemoryError memory) {
-            // Whoever knows what asks for it can tell how to ask for less.
+            // The caller knows what needs the memory, and how to ask for less.
             throw memory;
         }
         if (failure != null) {

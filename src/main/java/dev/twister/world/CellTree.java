@@ -15,7 +15,7 @@ final class CellTree extends RecursiveAction {
     private static final int FEWEST_SPHERES = 48;
 
     /**
-     * From so many ancestors on, cells are split in the middle: {@link SphereCells#MOST} of them end where
+     * From this number of ancestors on, cells are split in the middle: {@link SphereCells#MOST} of them end where
      * {@link Subtree} does the same.
      */
     private static final int MOST_UNEVEN_ANCESTORS =

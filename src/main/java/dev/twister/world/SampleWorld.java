@@ -39,7 +39,7 @@ public final class SampleWorld {
         return World.of(scene, new Skybox(SKY_WIDTH, SKY_HEIGHT, gradient()));
     }
 
-    /** A world of so many spheres on and over a plane, under the same sky, at that size. */
+    /** A world of that number of spheres on and over a plane, under the same sky, at that size. */
     public static World crowd(int spheres, int width, int height) {
         World world = World.of(
                 SceneGenerator.spheres(spheres, 1, Path.of("")), new Skybox(SKY_WIDTH, SKY_HEIGHT, gradient()));

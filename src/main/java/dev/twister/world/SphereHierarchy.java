@@ -18,12 +18,12 @@ public final class SphereHierarchy {
     /** Eight spheres are tested about as fast as two boxes and what is left in them. */
     private static final int MOST_IN_LEAF = 8;
 
-    /** From so many spheres on the upper levels are split by cells, each of many spheres. */
+    /** From this number of spheres on, the upper levels are split by cells, each of many spheres. */
     private static final int FEWEST_FOR_CELLS = 4096;
 
     private SphereHierarchy() {}
 
-    /** How many floats a hierarchy has where there is room for so many bodies. */
+    /** How many floats a hierarchy with room for that number of bodies has. */
     public static int length(int room) {
         return Layout.spheresLength(room);
     }

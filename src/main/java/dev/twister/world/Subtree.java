@@ -10,7 +10,7 @@ final class Subtree extends RecursiveAction {
     /** Halves of fewer spheres are not worth another thread. */
     static final int FEWEST_FOR_A_THREAD = 2048;
 
-    /** From so many ancestors on, a node is split in the middle, so that the depth of all trees is bounded. */
+    /** From this number of ancestors on, a node is split in the middle, so that the depth of all trees is bounded. */
     static final int MOST_UNEVEN_ANCESTORS = 28;
 
     @SuppressWarnings("serial") // never written

@@ -155,7 +155,7 @@ public final class World {
      * @param positions {@code float[3 * room]}: the centers of the light, the plane and all spheres, poured or not,
      *     seen from the {@link #origin}
      * @param newBodies how many of them are there, light and plane included
-     * @throws IllegalArgumentException where the length is another one, or there cannot be so many bodies
+     * @throws IllegalArgumentException where the length is another one, or there is no room for that number of bodies
      */
     public void setBodyPositions(float[] positions, int newBodies) {
         if (positions.length != 3 * room) {

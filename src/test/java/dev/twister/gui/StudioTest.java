@@ -81,7 +81,7 @@ class StudioTest {
     }
 
     @Test
-    void whoeverMovesHasTheSameLens() {
+    void cameraThatMovesKeepsItsLens() {
         studio.hand().keepView(1);
         studio.edit("lens", now -> now.withCamera(now.camera().withAperture(0.1).withFocusDistance(3)));
         studio.hand().goHome();

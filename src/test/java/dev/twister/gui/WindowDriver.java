@@ -278,7 +278,7 @@ final class WindowDriver implements AutoCloseable {
                 .fire();
     }
 
-    /** The last notice in the status line, which shows each for some seconds: whoever looks late finds it here. */
+    /** The last notice in the status line, which shows each for some seconds; here it stays. */
     String notice() {
         return notice;
     }

@@ -54,7 +54,7 @@ class TurnsTest {
                 .toList();
     }
 
-    /** A run is gone when its first number is worked on, so whoever takes turns then begins with the next one. */
+    /** A run is gone when its first number is worked on, so a thread that takes turns then begins with the next one. */
     private static void takeFirst(Turns turns, List<Integer> firsts) {
         AtomicBoolean begun = new AtomicBoolean();
         turns.take(number -> {

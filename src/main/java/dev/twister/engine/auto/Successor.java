@@ -84,7 +84,7 @@ final class Successor implements AutoCloseable {
         }
     }
 
-    /** How long the engine that draws took for a frame, of so many samples of its pixels. */
+    /** How long the engine that draws took for a frame, with this number of samples per pixel. */
     synchronized void mustBeat(long nanos, double samples) {
         nanosToBeat[(int) (framesToBeat % FRAMES_TO_BEAT)] = nanos / samples;
         framesToBeat++;
@@ -149,7 +149,7 @@ final class Successor implements AutoCloseable {
         try {
             opener.apply(() -> closed).ifPresent(this::warm);
         } catch (EngineException | OutOfMemoryError _) {
-            // What draws now goes on; whoever opens the engine by its name is told why.
+            // The present engine goes on; opening this one by its name says why it failed.
         } finally {
             freeWhoWaits();
         }

@@ -61,7 +61,7 @@ final class TimedTrial implements FastestEngine.Trial {
                 frames.draw();
             }
         } catch (EngineException | OutOfMemoryError _) {
-            // An engine that fails is not the fastest; whoever opens it by its name is told why.
+            // An engine that fails is not the fastest; opening it by its name says why.
             best.forget();
         }
     }

@@ -34,7 +34,7 @@ final class SmallRehearsal implements Rehearsal {
             new SettlingFrames(engine, SampleWorld.crowd(spheres, WIDTH, HEIGHT).snapshot())
                     .settle(LONGEST, () -> over);
         } catch (EngineException | OutOfMemoryError _) {
-            // What does not draw tells whoever asks for a frame.
+            // The frame that is asked for fails in the same way, and reports it.
         } finally {
             over = true;
         }

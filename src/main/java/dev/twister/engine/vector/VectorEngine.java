@@ -51,7 +51,7 @@ final class VectorEngine implements Engine {
         crew = new Crew("vector", threads, thread -> turns.take(tileTasks[thread]));
     }
 
-    /** What {@link #device} says of so many threads. */
+    /** What {@link #device} says for that number of threads. */
     static String describe(int threads) {
         return (threads == 1 ? "one thread" : threads + " threads") + ", " + Lanes.COUNT + " lanes";
     }

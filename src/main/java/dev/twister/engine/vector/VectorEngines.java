@@ -37,7 +37,7 @@ public final class VectorEngines implements EngineProvider {
         return EngineOffer.working(VECTOR, VectorEngine.describe(threads), DESCRIPTION, () -> open(threads));
     }
 
-    /** The engine on so many threads. */
+    /** The engine on that number of threads. */
     static Engine open(int threads) {
         return new VectorEngine(threads, new Ways(VectorEngine.CROWD, SmallRehearsal::of), new Drawing());
     }

@@ -34,7 +34,7 @@ final class Ways implements AutoCloseable {
     boolean walk(FrameInput input) {
         boolean crowdToCome = !walked && input.bodies().room() >= crowd;
         if (!crowdToCome) {
-            // Begun at rest: whoever draws needs the processor, and what is compiled by now stays so.
+            // Starts at rest, as rendering needs the processor; compiled code stays compiled.
             endUnfinished();
         } else if (rehearsal.isEmpty() && frames++ >= FIRST_FRAMES) {
             rehearsal = Optional.of(rehearsals.of(true));

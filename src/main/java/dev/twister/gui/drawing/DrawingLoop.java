@@ -13,7 +13,7 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 
 /**
- * Draws on a thread of its own, always by the newest request. Whoever asks and shows never waits: {@link #request} and
+ * Draws on a thread of its own, always by the newest request. Threads that ask and show never wait: {@link #request} and
  * {@link #takeNewest} return at once.
  */
 public final class DrawingLoop implements AutoCloseable {
@@ -153,7 +153,7 @@ public final class DrawingLoop implements AutoCloseable {
         }
     }
 
-    /** Whoever asks waits, so that an answer there must be. */
+    /** The caller waits, so every request is answered. */
     private void answer(RadianceQuestion question) {
         try {
             question.answer().complete(work.radiance(question.picture()));

@@ -337,7 +337,7 @@ final class PictureWork implements AutoCloseable {
         return seat.isReady() || newest.get().filter(this::isAtWork).isEmpty();
     }
 
-    /** Whether what was gathered is worth a picture now: whoever watches sees all, a person some in a second. */
+    /** Whether to publish the samples gathered so far: a recorder takes all pictures, a person sees a few per second. */
     private boolean isToBeSeen() {
         return watcher.isPresent()
                 || last.filter(old -> isAtWork(old.request())

@@ -70,7 +70,7 @@ public final class SkyShelf {
         return beingRead;
     }
 
-    /** Whoever waits in {@link #find} or {@link #texture} waits no more. */
+    /** Wakes the threads that wait in {@link #find} or {@link #texture}. */
     public void cancel() {
         beingRead = Optional.empty();
     }
@@ -106,7 +106,7 @@ public final class SkyShelf {
         try {
             picture.get(ASKED_EVERY_MILLIS, TimeUnit.MILLISECONDS);
         } catch (InterruptedException | ExecutionException | TimeoutException _) {
-            // Whoever waits looks for itself.
+            // The waiting threads look for themselves.
         }
     }
 
@@ -204,7 +204,7 @@ public final class SkyShelf {
         return taken.toString();
     }
 
-    /** How often a file was read anew: whoever has its panorama of another number has an old one. */
+    /** How often a file was read again: a panorama with another number is out of date. */
     synchronized long edition(Path file) {
         return editions.getOrDefault(file, 0L);
     }

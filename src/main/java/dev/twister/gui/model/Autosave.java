@@ -65,7 +65,7 @@ public final class Autosave implements AutoCloseable {
         }
     }
 
-    /** Leaves the edits to whoever looks for them next. */
+    /** Keeps the autosaved edits for the next start. */
     @Override
     public void close() throws IOException {
         lock.close();

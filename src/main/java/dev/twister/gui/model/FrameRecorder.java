@@ -16,7 +16,7 @@ import java.util.stream.Stream;
 
 /**
  * Writes frames as numbered PNG files, on a thread of its own. No frame is left out: where the disk or the encoder is slower
- * than the frames come, whoever hands them over waits once a few are ahead.
+ * than the frames come, the caller that hands them over waits once a few are ahead.
  */
 public final class FrameRecorder implements AutoCloseable {
     private static final Pattern NUMBERED = Pattern.compile("frame-([0-9]{6,9})\\.png");

@@ -80,7 +80,7 @@ class AutoEngineTest {
     }
 
     @Test
-    void whoeverDrawsRests() {
+    void drawingEngineRests() {
         CountingEngine fast = new CountingEngine("vector", 99);
         try (Engine auto = auto(_ -> Optional.of(fast))) {
             auto.rest();

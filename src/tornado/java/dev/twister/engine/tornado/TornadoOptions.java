@@ -2,7 +2,7 @@ package dev.twister.engine.tornado;
 
 import java.util.Map;
 
-/** What TornadoVM must be told before its classes are loaded, whoever starts the JVM: {@code scripts/tornado.options}. */
+/** What TornadoVM must be told before its classes are loaded, however the JVM is started: {@code scripts/tornado.options}. */
 final class TornadoOptions {
     private static final String GRAAL = "jdk.graal.compiler";
 
