@@ -24,10 +24,11 @@ import dev.twister.world.SceneMeshes;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** Meshes against what they stand for: spheres, the plane, copies of themselves; and their views against the oracle. */
 class MeshPicturesTest {
@@ -62,17 +63,18 @@ class MeshPicturesTest {
                 Pictures.argb(JvmEngines.SEQUENTIAL, one), Pictures.argb(JvmEngines.SEQUENTIAL, other));
     }
 
-    @ParameterizedTest(name = "transmission {0}")
-    @ValueSource(doubles = {0, 1})
-    void icospheresConvergeToTheSphere(double transmission) {
+    @ParameterizedTest(name = "{0}, transmission {1}")
+    @CsvSource({"icosahedron, 0", "icosahedron, 1", "cube, 0", "cube, 1"})
+    void solidsConvergeToTheSphere(String solid, double transmission) {
+        IntFunction<TriangleMesh> shape = solid.equals("cube") ? MeshShapes::cubeSphere : MeshShapes::icosphere;
         Material material = MATTE.withReflectivity(transmission > 0 ? 0 : 60).withTransmission(transmission);
         LitScene sphere = new LitScene(
                 scene().withSpheres(List.of(
                         Sphere.of(new Vector3(0, 0, 0), 1, new Rgb(1, 1, 1), 0).withMaterial(material))),
                 SKY);
         Scene shown = scene().withMeshes(List.of(Mesh.of(FILE).withMaterial(Optional.of(material))));
-        int coarse = difference(sphere, with(shown, MeshShapes.icosphere(3))).differing().length;
-        int fine = difference(sphere, with(shown, MeshShapes.icosphere(5))).differing().length;
+        int coarse = difference(sphere, with(shown, shape.apply(3))).differing().length;
+        int fine = difference(sphere, with(shown, shape.apply(5))).differing().length;
         assertThat(fine).isLessThan(coarse / 2).isLessThan(WIDTH * HEIGHT / 50);
     }
 

@@ -37,7 +37,21 @@ public final class MeshShapes {
         for (int i = 0; i < positions.length; i++) {
             positions[i] = (float) (ICOSAHEDRON[i] / Math.sqrt(1 + GOLDEN * GOLDEN));
         }
-        int[] corners = ICOSAHEDRON_CORNERS;
+        return sphere(positions, ICOSAHEDRON_CORNERS, levels);
+    }
+
+    /** A sphere of radius 1 made from a cube, 12 * 4^levels triangles, with normals and places in a texture. */
+    public static TriangleMesh cubeSphere(int levels) {
+        float[] positions = cube().positions().clone();
+        for (int i = 0; i < positions.length; i++) {
+            positions[i] /= (float) Math.sqrt(3);
+        }
+        return sphere(positions, CUBE_CORNERS, levels);
+    }
+
+    private static TriangleMesh sphere(float[] first, int[] firstCorners, int levels) {
+        float[] positions = first;
+        int[] corners = firstCorners;
         for (int level = 0; level < levels; level++) {
             Halves halves = new Halves(positions);
             corners = halves.split(corners);
