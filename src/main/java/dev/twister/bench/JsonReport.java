@@ -2,7 +2,10 @@ package dev.twister.bench;
 
 import dev.twister.files.WholeFile;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -11,10 +14,13 @@ import tools.jackson.databind.json.JsonMapper;
 
 /** A report for programs, whole, as JSON: the results, or those of each figure where there are several. */
 public final class JsonReport {
+    /** JSON lines: one report a line. */
+    private static final String LINES = ".jsonl";
+
     private JsonReport() {}
 
     /**
-     * Writes the report, whole or not at all.
+     * Writes the report, whole or not at all; as the last line of a file whose name ends in {@value #LINES}.
      *
      * @throws IOException as {@link WholeFile#write}
      */
@@ -24,11 +30,14 @@ public final class JsonReport {
 
     /** Writes any tree of maps, lists and values so. */
     static void write(Map<String, Object> tree, Path file) throws IOException {
+        boolean isLine = file.toString().endsWith(LINES);
         byte[] json = JsonMapper.builder()
-                .enable(SerializationFeature.INDENT_OUTPUT)
+                .configure(SerializationFeature.INDENT_OUTPUT, !isLine)
                 .build()
                 .writeValueAsBytes(tree);
+        byte[] before = isLine && Files.isRegularFile(file) ? Files.readAllBytes(file) : new byte[0];
         WholeFile.write(file, out -> {
+            out.write(before);
             out.write(json);
             out.write('\n');
         });
@@ -36,6 +45,7 @@ public final class JsonReport {
 
     private static Map<String, Object> tree(BenchmarkReport report) {
         Map<String, Object> tree = new LinkedHashMap<>();
+        tree.put("time", Instant.now().truncatedTo(ChronoUnit.SECONDS).toString());
         tree.put("machine", ReportFields.ofMachine(report.machine()));
         Map<String, Object> parameters = new LinkedHashMap<>(ReportFields.ofPlan(report));
         parameters.put("engines", report.plan().engines());

@@ -117,7 +117,10 @@ final class BenchmarkCommand implements Callable<Integer> {
                             + " size have the same limit.")
     private Optional<Double> maxSeconds = Optional.empty();
 
-    @Option(names = "--json", paramLabel = "FILE", description = "Also write the report as JSON.")
+    @Option(
+            names = "--json",
+            paramLabel = "FILE",
+            description = "Also write the report as JSON; a .jsonl file gets it as a new line.")
     private Optional<Path> json = Optional.empty();
 
     @Option(names = "--csv", paramLabel = "FILE", description = "Also write the report as CSV.")

@@ -27,6 +27,20 @@ class ReportsTest {
     private Path folder;
 
     @Test
+    void reportsOfJsonLinesFollowEachOther() throws IOException {
+        Path file = folder.resolve("results.jsonl");
+        JsonReport.write(REPORT, file);
+        JsonReport.write(REPORT, file);
+
+        List<String> lines = Files.readAllLines(file);
+        assertThat(lines).hasSize(2).allSatisfy(line -> {
+            JsonNode report = JsonMapper.builder().build().readTree(line);
+            assertThat(report.at("/time").asString()).endsWith("Z");
+            assertThat(report.at("/results").size()).isEqualTo(4);
+        });
+    }
+
+    @Test
     void jsonHasEveryFact() throws IOException {
         Path file = folder.resolve("report.json");
         JsonReport.write(REPORT, file);
