@@ -1,8 +1,10 @@
 package dev.twister.files;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.channels.OverlappingFileLockException;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
@@ -19,6 +21,7 @@ import java.time.Instant;
 import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
+import java.util.concurrent.locks.LockSupport;
 
 /**
  * A file that is gone when this is closed, unless it was moved into place, and also where the process ends before that. While it
@@ -28,6 +31,12 @@ final class TemporaryFile implements AutoCloseable {
     private static final String START = ".twister-";
     private static final String END = ".tmp";
     private static final Duration MADE_AND_LOCKED = Duration.ofMillis(100);
+
+    /** On Windows nothing can be replaced while another program, such as a virus scanner, has it open. */
+    private static final boolean OPEN_FILES_STAY = File.separatorChar == '\\';
+
+    private static final int MOVES = 50;
+    private static final Duration BETWEEN_MOVES = Duration.ofMillis(40);
 
     private final Path place;
     private final Path path;
@@ -80,9 +89,23 @@ final class TemporaryFile implements AutoCloseable {
         return channel;
     }
 
-    /** Gives the finished file its name, where it replaces what was there. */
+    /** Gives the finished file its name, where it replaces what was there; on Windows within two seconds. */
     synchronized void moveIntoPlace() throws IOException {
         checkNotEnded();
+        for (int left = MOVES; ; left--) {
+            try {
+                move();
+                return;
+            } catch (AccessDeniedException denied) {
+                if (!OPEN_FILES_STAY || left == 0) {
+                    throw denied;
+                }
+                LockSupport.parkNanos(BETWEEN_MOVES.toNanos());
+            }
+        }
+    }
+
+    private void move() throws IOException {
         try {
             Files.move(path, place, StandardCopyOption.ATOMIC_MOVE);
         } catch (AtomicMoveNotSupportedException notHere) {

@@ -132,8 +132,8 @@ final class SpoiltScenes {
                     "unknown field",
                     true,
                     "\"radius\": 1.5, \"color\"",
-                    "\"radius\": 1.5, \"color\"",
-                    "16:45: $.spheres[1] has an unknown field \"color\" (did you mean \"color\"?); allowed here: "
+                    "\"radius\": 1.5, \"colors\"",
+                    "16:45: $.spheres[1] has an unknown field \"colors\" (did you mean \"color\"?); allowed here: "
                             + names(FORMAT.sphere().plain())),
             new Spoilt(
                     "unknown field, nothing near",

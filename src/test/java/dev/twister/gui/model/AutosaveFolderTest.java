@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.ChildJvm;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,8 +18,8 @@ import org.junit.jupiter.api.io.TempDir;
 @Timeout(300)
 class AutosaveFolderTest {
     private static final Scene SCENE = SceneReader.read(Path.of("scenes", "teaching.json"));
-    private static final EditedFile EDITED =
-            new EditedFile(Path.of("a\nb.json").toAbsolutePath(), new FileMark("12ef"));
+    private static final EditedFile EDITED = new EditedFile(
+            Path.of(File.separatorChar == '/' ? "a\nb.json" : "a b.json").toAbsolutePath(), new FileMark("12ef"));
 
     @TempDir
     private Path parent;
