@@ -20,7 +20,7 @@ public final class MissingTornado implements EngineProvider {
                         "any OpenCL, CUDA or Metal device",
                         "the kernel compiled by TornadoVM for an accelerator",
                         "no TornadoVM SDK was found. Install one (sdk install tornadovm, or set TORNADOVM_HOME), then start"
-                                + " with scripts/twister, which builds the engine and runs it"));
+                                + " with the command twister, which builds the engine and runs it"));
     }
 
     @Override

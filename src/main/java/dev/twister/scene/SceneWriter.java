@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Optional;
 
 /** Writes scene files that {@link SceneReader} reads back to an equal scene. */
 public final class SceneWriter {
@@ -46,6 +47,15 @@ public final class SceneWriter {
         } catch (IOException e) {
             throw failure(name, Excerpt.sentence(SystemReason.of(e)));
         }
+    }
+
+    /**
+     * Checks that a scene could be written; its files need not be there.
+     *
+     * @throws SceneException if a value of the scene is out of range; the message is one line
+     */
+    public static void check(Scene scene) {
+        check(SceneDocument.of(scene, NamedFiles.UNRESOLVED, Optional.empty()), "the scene");
     }
 
     // The reader has the rules; to ask it is surer than to have them twice.

@@ -39,8 +39,17 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
      * @throws SkyException as {@link SkyboxReader#read} and {@link #textures}
      */
     public static SceneImages read(Scene scene, SceneMeshes meshes, Consumer<String> warnings) {
+        return read(scene, SkyboxReader.read(scene.skybox(), warnings), meshes, warnings);
+    }
+
+    /**
+     * The same under a sky that is not the scene's own.
+     *
+     * @throws SkyException as {@link #textures}
+     */
+    public static SceneImages read(Scene scene, Skybox sky, SceneMeshes meshes, Consumer<String> warnings) {
         return new SceneImages(
-                SkyboxReader.read(scene.skybox(), warnings),
+                sky,
                 textures(
                         scene,
                         meshes,

@@ -1,0 +1,31 @@
+package dev.twister;
+
+import dev.twister.image.Frame;
+import dev.twister.image.PngWriter;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+
+/**
+ * A picture that has been rendered.
+ *
+ * @param frame 8-bit pixels
+ * @param srgb whether they are sRGB-encoded
+ */
+public record RenderedPicture(Frame frame, boolean srgb) {
+    /**
+     * Writes a PNG file, whole or not at all; an existing file is replaced.
+     *
+     * @throws IOException where the file cannot be written; the message says why
+     */
+    public void writePng(Path file) throws IOException {
+        PngWriter.write(file, frame.width(), frame.height(), frame.argb(), srgb);
+    }
+
+    /** A copy as an image of type {@link BufferedImage#TYPE_INT_RGB}. */
+    public BufferedImage toImage() {
+        BufferedImage image = new BufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_INT_RGB);
+        image.setRGB(0, 0, frame.width(), frame.height(), frame.argb(), 0, frame.width());
+        return image;
+    }
+}

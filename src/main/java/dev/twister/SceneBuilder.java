@@ -1,0 +1,100 @@
+package dev.twister;
+
+import dev.twister.mesh.MeshException;
+import dev.twister.scene.Camera;
+import dev.twister.scene.Light;
+import dev.twister.scene.Mesh;
+import dev.twister.scene.Plane;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneException;
+import dev.twister.scene.SceneWriter;
+import dev.twister.scene.Sphere;
+import dev.twister.sky.SkyException;
+import dev.twister.sky.Skybox;
+import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
+import dev.twister.world.World;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Makes a scene in code, without any file. What is not set is as in a scene file that leaves it out; the sky is light gray.
+ * Used by one thread.
+ */
+public final class SceneBuilder {
+    private final List<Sphere> spheres = new ArrayList<>();
+    private final List<Mesh> meshes = new ArrayList<>();
+    // The file's name is never read: the sky is here.
+    private Scene scene = Scene.under(Path.of("sky"));
+    private Skybox sky = uniform(new Rgb(0.8, 0.8, 0.8));
+
+    public SceneBuilder camera(Camera camera) {
+        scene = scene.withCamera(camera);
+        return this;
+    }
+
+    public SceneBuilder light(Light light) {
+        scene = scene.withLight(light);
+        return this;
+    }
+
+    public SceneBuilder plane(Plane plane) {
+        scene = scene.withPlane(plane);
+        return this;
+    }
+
+    /** Adds a sphere. */
+    public SceneBuilder sphere(Sphere sphere) {
+        spheres.add(sphere);
+        return this;
+    }
+
+    /** Adds the triangles of a file. */
+    public SceneBuilder mesh(Mesh mesh) {
+        meshes.add(mesh);
+        return this;
+    }
+
+    /** A sky of one color, as linear radiance. */
+    public SceneBuilder sky(Rgb color) {
+        return sky(uniform(color));
+    }
+
+    /** A panorama, such as one of {@link dev.twister.sky.DaylightSky}. */
+    public SceneBuilder sky(Skybox panorama) {
+        sky = panorama;
+        return this;
+    }
+
+    /** The ambient strength, 0 to 1; {@value Scene#DEFAULT_AMBIENT} where it is not set. */
+    public SceneBuilder ambient(double ambient) {
+        scene = scene.withAmbient(ambient);
+        return this;
+    }
+
+    public SceneBuilder settings(RenderSettings settings) {
+        scene = scene.withSettings(settings);
+        return this;
+    }
+
+    /**
+     * The world at the start; meshes and textures are read from their files.
+     *
+     * @throws SceneException where a value is out of range; the message names it and its range
+     * @throws SkyException where a texture cannot be read
+     * @throws MeshException where a mesh cannot be read
+     */
+    public World world() {
+        Scene whole = scene.withSpheres(spheres).withMeshes(meshes);
+        SceneWriter.check(whole);
+        SceneMeshes read = SceneMeshes.read(whole, _ -> {});
+        return World.of(whole, SceneImages.read(whole, sky, read, _ -> {}), read);
+    }
+
+    private static Skybox uniform(Rgb color) {
+        return new Skybox(1, 1, new float[] {(float) color.red(), (float) color.green(), (float) color.blue()});
+    }
+}

@@ -1,0 +1,73 @@
+package dev.twister;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineException;
+import dev.twister.engine.Engines;
+import dev.twister.engine.UnknownEngineException;
+import dev.twister.image.Frame;
+import dev.twister.mesh.MeshException;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneException;
+import dev.twister.sky.SkyException;
+import dev.twister.world.FrameInput;
+import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
+import dev.twister.world.World;
+
+/** Renders single pictures, in the size and quality that the scene's settings give. */
+public final class Twister {
+    private static final String ENGINE = "parallel";
+
+    private Twister() {}
+
+    /**
+     * Renders a scene that was read from a file, on all threads of the JVM.
+     *
+     * @throws SkyException where the sky or a texture cannot be read
+     * @throws MeshException where a mesh cannot be read
+     */
+    public static RenderedPicture render(Scene scene) {
+        return render(scene, ENGINE);
+    }
+
+    /**
+     * Renders a scene that was read from a file.
+     *
+     * @param engine {@code sequential}, {@code parallel}, {@code vector}, {@code tornado} or one of its devices
+     * @throws SkyException where the sky or a texture cannot be read
+     * @throws MeshException where a mesh cannot be read
+     * @throws UnknownEngineException where no engine has that name
+     * @throws EngineException where the engine does not work here, or fails
+     */
+    public static RenderedPicture render(Scene scene, String engine) {
+        SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
+        return render(World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes), engine);
+    }
+
+    /**
+     * Renders a scene made in code, on all threads of the JVM.
+     *
+     * @throws SceneException where a value is out of range
+     * @throws SkyException where a texture cannot be read
+     * @throws MeshException where a mesh cannot be read
+     */
+    public static RenderedPicture render(SceneBuilder scene) {
+        return render(scene.world(), ENGINE);
+    }
+
+    /**
+     * Renders a world as it is now.
+     *
+     * @param engine as of {@link #render(Scene, String)}
+     * @throws UnknownEngineException where no engine has that name
+     * @throws EngineException where the engine does not work here, or fails
+     */
+    public static RenderedPicture render(World world, String engine) {
+        FrameInput input = world.snapshot();
+        Frame frame = Frame.ofPixels(input.width(), input.height());
+        try (Engine opened = Engines.open(engine)) {
+            opened.render(input, frame);
+        }
+        return new RenderedPicture(frame, world.settings().srgb());
+    }
+}
