@@ -18,6 +18,7 @@ import dev.twister.engine.vector.step.HitSorting;
 import dev.twister.engine.vector.step.LightDirection;
 import dev.twister.engine.vector.step.LightHit;
 import dev.twister.engine.vector.step.MaterialLanes;
+import dev.twister.engine.vector.step.MeshBoxes;
 import dev.twister.engine.vector.step.NearestSphere;
 import dev.twister.engine.vector.step.RefractionLanes;
 import dev.twister.engine.vector.step.ScatterLanes;
@@ -135,10 +136,11 @@ final class TileRenderer {
     private void findHits(Drawing drawing, Tile rays, int bounce, boolean offPlane) {
         boolean rise = offPlane;
         if (drawing.crowded) {
+            rays.nearMeshes = drawing.bodies.meshes.count > 0;
             PacketHits.find(rays, drawing, bench.walks);
         } else {
             rise = bench.choices.cull(rays, drawing, bounce, offPlane);
-            if (rise && rays.candidates.count == 0) {
+            if (rise && rays.candidates.count == 0 && !rays.nearMeshes) {
                 HitSorting.sortSkies(rays);
                 return;
             }
@@ -152,6 +154,9 @@ final class TileRenderer {
         }
         if (!rise) {
             GroundHit.find(rays, drawing);
+        }
+        if (rays.nearMeshes) {
+            MeshBoxes.find(rays, drawing.bodies.meshes);
         }
         HitSorting.sort(rays);
     }

@@ -26,9 +26,14 @@ public final class Declined {
 
     private final IntPredicate bodies;
     private final BodyList occluders = new BodyList();
+
+    /** How many of the occluders are spheres; meshes follow. */
+    private int spheres;
+
     private boolean[] declined = {};
     private float[] looks = {};
     private int count;
+    private int end;
     private boolean crowded;
     private boolean any;
     private boolean frame;
@@ -36,7 +41,7 @@ public final class Declined {
     /**
      * Declines nothing until a frame is taken.
      *
-     * @param bodies tells which bodies are declined beside those that transmit in a crowd
+     * @param bodies tells which bodies are declined beside meshes and those that transmit in a crowd
      */
     public Declined(IntPredicate bodies) {
         this.bodies = bodies;
@@ -44,17 +49,20 @@ public final class Declined {
 
     @SuppressWarnings("ReferenceEquality") // an input's arrays never change
     void take(FrameInput input, boolean walk) {
-        if (looks != input.bodies().looks() || count != input.bodyCount() || crowded != walk) {
+        if (looks != input.bodies().looks()
+                || count != input.bodyCount()
+                || end != input.bodyEnd()
+                || crowded != walk) {
             looks = input.bodies().looks();
             count = input.bodyCount();
+            end = input.bodyEnd();
             crowded = walk;
-            takeBodies();
+            takeBodies(input.bodies().firstMesh());
         }
         int toneMap = (int) input.view().properties()[Layout.TONE_MAP];
         frame = input.aspect() != Aspect.FULL
                 || toneMap < Tone.CLAMP
                 || toneMap > Tone.ACES
-                || input.bodies().firstMesh() != Layout.NO_MESHES
                 || occluders.count > MOST_OCCLUDERS
                 || input.view().camera()[Layout.CAMERA_APERTURE] > 0
                 || isCameraInside(input)
@@ -80,20 +88,28 @@ public final class Declined {
         return on;
     }
 
-    private void takeBodies() {
-        if (declined.length < count) {
-            declined = new boolean[count];
+    private void takeBodies(int firstMesh) {
+        if (declined.length < end) {
+            declined = new boolean[end];
         }
-        occluders.reserve(count);
+        occluders.reserve(end);
         occluders.clear();
         any = false;
         for (int body = 0; body < count; body++) {
             boolean transmits = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0;
-            declined[body] = bodies.test(body) || (transmits && crowded);
-            any |= declined[body];
-            if (declined[body] && body >= Layout.FIRST_SPHERE) {
-                occluders.add(body);
-            }
+            decline(body, bodies.test(body) || (transmits && crowded));
+        }
+        spheres = occluders.count;
+        for (int body = Math.max(count, firstMesh); body < end; body++) {
+            decline(body, true);
+        }
+    }
+
+    private void decline(int body, boolean isDeclined) {
+        declined[body] = isDeclined;
+        any |= isDeclined;
+        if (isDeclined && body >= Layout.FIRST_SPHERE) {
+            occluders.add(body);
         }
     }
 
@@ -101,7 +117,7 @@ public final class Declined {
     private boolean isCameraInside(FrameInput input) {
         float[] camera = input.view().camera();
         boolean inside = false;
-        for (int k = 0; k < occluders.count; k++) {
+        for (int k = 0; k < spheres; k++) {
             int body = occluders.bodies[k];
             float distanceSquared = 0f;
             for (int axis = 0; axis < 3; axis++) {
@@ -130,7 +146,7 @@ public final class Declined {
         return declined[body];
     }
 
-    /** The spheres that lanes cannot shade by. */
+    /** The spheres that lanes cannot shade by, and those around such meshes. */
     public BodyList occluders() {
         return occluders;
     }

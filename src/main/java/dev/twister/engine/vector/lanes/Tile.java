@@ -272,6 +272,9 @@ public final class Tile {
     /** Of those, the ones that transmit, once they are told apart. */
     public final BodyList transmitting = new BodyList();
 
+    /** Whether the live rays may meet a mesh. */
+    public boolean nearMeshes;
+
     /** The first pixel's place in the frame. */
     public int left;
 

@@ -56,7 +56,7 @@ public final class Choices {
         Way way = Way.ANY;
         if (!drawing.crowded) {
             cullViewRays(drawing, tile);
-            if (drawing.shortcuts.take(Shortcut.CULLING) && tile.candidates.count == 0) {
+            if (drawing.shortcuts.take(Shortcut.CULLING) && tile.candidates.count == 0 && !tile.nearMeshes) {
                 way = chooseWithoutBodies(drawing, tile);
             }
         }
@@ -66,7 +66,12 @@ public final class Choices {
     /** Lists what the tile's view rays may meet. */
     public void cullViewRays(Drawing drawing, Tile tile) {
         rays.holdViewRays(tile, drawing);
+        cull(tile, drawing);
+    }
+
+    private void cull(Tile tile, Drawing drawing) {
         rays.cull(tile, drawing);
+        tile.nearMeshes = rays.touchesMesh(drawing);
     }
 
     private Way chooseWithoutBodies(Drawing drawing, Tile tile) {
@@ -99,7 +104,7 @@ public final class Choices {
                 && ground.isWithin(OpenGround.REACH);
         if (lit) {
             ground.listTowardsLight(shadows, drawing);
-            lit = shadows.tileCandidates.count == 0;
+            lit = shadows.tileCandidates.count == 0 && !ground.touchesMesh(drawing);
         }
         return lit;
     }
@@ -108,7 +113,7 @@ public final class Choices {
         mirrored.hold(rays);
         mirrored.mirror(drawing.planeHeight);
         mirrored.cull(tile, drawing);
-        return tile.candidates.count == 0 && sky.isCharted(drawing, tile);
+        return tile.candidates.count == 0 && !mirrored.touchesMesh(drawing) && sky.isCharted(drawing, tile);
     }
 
     /**
@@ -120,11 +125,11 @@ public final class Choices {
     public boolean cull(Tile tile, Drawing drawing, int bounce, boolean offPlane) {
         if (offPlane) {
             rays.mirror(drawing.planeHeight);
-            rays.cull(tile, drawing);
+            cull(tile, drawing);
         } else if (bounce > 0) {
             rays.startAround(tile, tile.live, Tile.ORIGIN_X, Tile.THROUGHPUT);
             rays.holdRays(tile, tile.live);
-            rays.cull(tile, drawing);
+            cull(tile, drawing);
         }
         return drawing.shortcuts.take(Shortcut.CULLING) && (offPlane || rays.rises(drawing.planeHeight));
     }
