@@ -63,9 +63,7 @@ class MeshesInLanesTest {
                             .withSize(151, 87)
                             .withShadows(shadowSamples)
                             .withBounces(3));
-                    assertThat(difference(engine, world.snapshot()))
-                            .as(name)
-                            .matches(PictureDifference::isWithinBound);
+                    assertThat(difference(engine, world.snapshot())).as(name).matches(PictureDifference::isWithinBound);
                 }
             }
         }

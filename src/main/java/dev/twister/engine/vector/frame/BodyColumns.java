@@ -51,7 +51,7 @@ public final class BodyColumns {
     /** Light, plane and spheres, without the blanks. */
     public int count;
 
-    /** How low and how high the spheres reach, in meters. */
+    /** How low and how high the spheres and the meshes reach, in meters. */
     float lowest;
 
     float highest;
@@ -112,6 +112,10 @@ public final class BodyColumns {
             copySurface(input, body, SURFACE_NUMBERS * body);
         }
         meshes.take(input);
+        if (meshes.count > 0) {
+            lowest = Math.min(lowest, meshes.lowest);
+            highest = Math.max(highest, meshes.highest);
+        }
         if (fitLanes()) {
             for (int body = 0; body < end; body++) {
                 for (int number = 0; number < SURFACE_NUMBERS; number++) {

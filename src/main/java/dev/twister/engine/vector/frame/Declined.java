@@ -27,9 +27,6 @@ public final class Declined {
     private final IntPredicate bodies;
     private final BodyList occluders = new BodyList();
 
-    /** How many of the occluders are spheres; meshes follow. */
-    private int spheres;
-
     private boolean[] declined = {};
     private float[] looks = {};
     private int count;
@@ -41,7 +38,8 @@ public final class Declined {
     /**
      * Declines nothing until a frame is taken.
      *
-     * @param bodies tells which bodies are declined beside meshes and those that transmit in a crowd
+     * @param bodies tells which bodies are declined beside those that transmit in a crowd, and meshes
+     *     that transmit or have a texture
      */
     public Declined(IntPredicate bodies) {
         this.bodies = bodies;
@@ -97,19 +95,17 @@ public final class Declined {
         any = false;
         for (int body = 0; body < count; body++) {
             boolean transmits = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0;
-            decline(body, bodies.test(body) || (transmits && crowded));
+            declined[body] = bodies.test(body) || (transmits && crowded);
+            any |= declined[body];
+            if (declined[body] && body >= Layout.FIRST_SPHERE) {
+                occluders.add(body);
+            }
         }
-        spheres = occluders.count;
         for (int body = Math.max(count, firstMesh); body < end; body++) {
-            decline(body, true);
-        }
-    }
-
-    private void decline(int body, boolean isDeclined) {
-        declined[body] = isDeclined;
-        any |= isDeclined;
-        if (isDeclined && body >= Layout.FIRST_SPHERE) {
-            occluders.add(body);
+            declined[body] = bodies.test(body)
+                    || looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0
+                    || looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TEXTURE] > 0;
+            any |= declined[body];
         }
     }
 
@@ -117,7 +113,7 @@ public final class Declined {
     private boolean isCameraInside(FrameInput input) {
         float[] camera = input.view().camera();
         boolean inside = false;
-        for (int k = 0; k < spheres; k++) {
+        for (int k = 0; k < occluders.count; k++) {
             int body = occluders.bodies[k];
             float distanceSquared = 0f;
             for (int axis = 0; axis < 3; axis++) {
@@ -146,7 +142,7 @@ public final class Declined {
         return declined[body];
     }
 
-    /** The spheres that lanes cannot shade by, and those around such meshes. */
+    /** The spheres that lanes cannot shade by. */
     public BodyList occluders() {
         return occluders;
     }

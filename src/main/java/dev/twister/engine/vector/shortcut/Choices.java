@@ -92,7 +92,7 @@ public final class Choices {
 
     private Way chooseOnGround(Drawing drawing, Tile tile) {
         if (!isLit(drawing)) {
-            return drawing.declined.isAnyBody() ? Way.ANY : Way.GROUND;
+            return drawing.declined.occluders().count > 0 || isNearMeshes(drawing) ? Way.ANY : Way.GROUND;
         }
         return OpenGround.mirrors(drawing) && !mirrorsSkyAlone(drawing, tile) ? Way.LIT_GROUND : Way.OPEN_GROUND;
     }
@@ -107,6 +107,16 @@ public final class Choices {
             lit = shadows.tileCandidates.count == 0 && !ground.touchesMesh(drawing);
         }
         return lit;
+    }
+
+    /** Whether a mesh may be between a tile's ground and the light. */
+    private boolean isNearMeshes(Drawing drawing) {
+        boolean near = drawing.bodies.meshes.count > 0;
+        if (near) {
+            ground.listTowardsLight(shadows, drawing);
+            near = ground.touchesMesh(drawing);
+        }
+        return near;
     }
 
     private boolean mirrorsSkyAlone(Drawing drawing, Tile tile) {
