@@ -37,10 +37,20 @@ class MeshesInLanesTest {
     @ParameterizedTest(name = "{0} bits, crowds from {1} on")
     @MethodSource("widthsAndWays")
     void randomMeshesAreTheKernels(int bits, int crowd) {
+        assertSame(WidthLoader.openForCrowds(bits, 2, crowd), SCENES);
+    }
+
+    @ParameterizedTest(name = "{0} bits, crowds from {1} on")
+    @MethodSource("widthsAndWays")
+    void declinedMeshesAreTheKernels(int bits, int crowd) {
+        assertSame(WidthLoader.openDeclining(bits, 2, crowd, body -> body % 2 == 1), SCENES / 4);
+    }
+
+    private static void assertSame(Engine opened, int scenes) {
         int pixels = 0;
         int differing = 0;
-        try (Engine engine = WidthLoader.openForCrowds(bits, 2, crowd)) {
-            for (int seed = 0; seed < SCENES; seed++) {
+        try (Engine engine = opened) {
+            for (int seed = 0; seed < scenes; seed++) {
                 LitScene scene = RandomMeshes.scene(new Random(seed), 3);
                 PictureDifference difference = difference(engine, scene.world().snapshot());
                 pixels += difference.pixels();

@@ -72,6 +72,7 @@ final class BoxLanes {
         float[] boxes = walk.boxes;
         int[] stack = walk.stack;
         int[] entries = walk.entries;
+        // Kept with each node that waits: where its box begins for the first of the rays.
         int farthest = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.END)
                 .reinterpretAsInts()
                 .reduceLanes(VectorOperators.MAX);
@@ -85,17 +86,10 @@ final class BoxLanes {
         int first = walk.start;
         int second = first;
         while (leaf == Layout.NO_NODE && (first != Layout.NO_NODE || waiting > 0)) {
+            int node;
             if (first == Layout.NO_NODE) {
                 waiting--;
-                int node = stack[waiting];
-                if (entries[waiting] <= farthest) {
-                    if (boxes[node + Layout.NODE_SPHERES] < 0f) {
-                        first = walk.nodes + Layout.NODE_STRIDE * (int) boxes[node + Layout.NODE_LINK];
-                        second = first + Layout.NODE_STRIDE;
-                    } else {
-                        leaf = node;
-                    }
-                }
+                node = entries[waiting] <= farthest ? stack[waiting] : Layout.NO_NODE;
             } else {
                 FloatVector inverse = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.INVERSE);
                 FloatVector behind = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.BEHIND);
@@ -171,7 +165,7 @@ final class BoxLanes {
                 float apart = (boxes[second] - boxes[first]) * walk.towardsX
                         + (boxes[second + 1] - boxes[first + 1]) * walk.towardsY
                         + (boxes[second + 2] - boxes[first + 2]) * walk.towardsZ;
-                int node = met ? first : otherMet ? second : Layout.NO_NODE;
+                node = met ? first : otherMet ? second : Layout.NO_NODE;
                 if (met && otherMet) {
                     boolean swapped = apart < 0f;
                     node = swapped ? second : first;
@@ -181,15 +175,13 @@ final class BoxLanes {
                             .reduceLanes(VectorOperators.MIN);
                     waiting++;
                 }
-                first = Layout.NO_NODE;
-                if (node != Layout.NO_NODE) {
-                    if (boxes[node + Layout.NODE_SPHERES] < 0f) {
-                        first = walk.nodes + Layout.NODE_STRIDE * (int) boxes[node + Layout.NODE_LINK];
-                        second = first + Layout.NODE_STRIDE;
-                    } else {
-                        leaf = node;
-                    }
-                }
+            }
+            first = Layout.NO_NODE;
+            if (node != Layout.NO_NODE && boxes[node + Layout.NODE_SPHERES] < 0f) {
+                first = walk.nodes + Layout.NODE_STRIDE * (int) boxes[node + Layout.NODE_LINK];
+                second = first + Layout.NODE_STRIDE;
+            } else {
+                leaf = node;
             }
         }
         walk.waiting = waiting;

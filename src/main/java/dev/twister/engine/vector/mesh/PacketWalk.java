@@ -27,7 +27,10 @@ final class PacketWalk {
     /** The triangle that the ray leaves. */
     static final int IGNORED = ORIGIN + 17 * Lanes.COUNT;
 
-    /** Of the triangle looked at last: the areas opposite its corners, and how deep those are. */
+    /**
+     * Of the triangle looked at last: the areas opposite its corners, and how deep those are; or, of each ray's triangle, the
+     * two sheared coordinates of its corners.
+     */
     static final int AREA_A = ORIGIN + 18 * Lanes.COUNT;
 
     static final int AREA_B = ORIGIN + 19 * Lanes.COUNT;
@@ -48,7 +51,7 @@ final class PacketWalk {
 
     int nodes;
 
-    /** What each box is grown by. */
+    /** What each box is grown by, in the coordinates' unit. */
     float growth;
 
     /** Along each axis, 1 where rays come to a box's low side first, -1 where to its high one. */
@@ -74,7 +77,7 @@ final class PacketWalk {
     float towardsY;
     float towardsZ;
 
-    /** Starts at the root. */
+    /** Prepares for a walk from the root. */
     void start(float[] newBoxes, int newNodes) {
         boxes = newBoxes;
         nodes = newNodes;

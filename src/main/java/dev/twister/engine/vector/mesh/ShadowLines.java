@@ -11,6 +11,9 @@ import jdk.incubator.vector.VectorOperators;
 
 /** The lines from a packet's points to samples of the light, as rays of a walk. */
 final class ShadowLines {
+    /** The end of a line that takes no part any more. */
+    private static final float BLOCKED = -1f;
+
     private ShadowLines() {}
 
     /** Writes the disc's axes as each point sees it, and where the lines start. */
@@ -58,9 +61,6 @@ final class ShadowLines {
                 .intoArray(bench.aimed, Lanes.BORDER);
         return Long.numberOfTrailingZeros(lanes);
     }
-
-    /** The end of a line that takes no part any more. */
-    private static final float BLOCKED = -1f;
 
     /** Counts the aimed lines that were blocked; returns one bit for each. */
     static long count(Tile tile, MeshBench bench) {
