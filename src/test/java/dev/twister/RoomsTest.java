@@ -63,6 +63,13 @@ class RoomsTest {
                         "engine.vector.frame",
                         "engine.vector.crowd",
                         "engine.vector.shortcut"),
+                room(
+                        "engine.vector.mesh",
+                        "kernel",
+                        "world",
+                        "engine.vector.lanes",
+                        "engine.vector.frame",
+                        "engine.vector.shadow"),
                 room("engine.vector", "world", "image", "engine", "threads", "engine.vector.."),
                 room("engine.auto", "files", "world", "image", "engine"),
                 room("explain", "kernel", "scene", "world", "image", "engine"),

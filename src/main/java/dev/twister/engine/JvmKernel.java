@@ -56,6 +56,44 @@ public final class JvmKernel {
         }
     }
 
+    /**
+     * S in [0, 1] where the {@link #path} meets a body, as {@link Path#visible} has it.
+     *
+     * @param bounce how many surfaces the path has left
+     */
+    public float visible(FrameInput input, int body, int bounce) {
+        View view = input.view();
+        Bodies bodies = input.bodies();
+        Panorama panorama = input.panorama();
+        Path.meet(
+                path,
+                body,
+                view.properties(),
+                bodies.places(),
+                bodies.looks(),
+                bodies.hierarchy(),
+                bodies.meshes(),
+                panorama.texels(),
+                panorama.dimensions(),
+                bodies.firstMesh(),
+                bodies.materials());
+        return Path.visible(
+                path,
+                body,
+                bounce,
+                view.properties(),
+                bodies.places(),
+                bodies.looks(),
+                bodies.hierarchy(),
+                bodies.meshes(),
+                input.bodyCount(),
+                view.shadowDisc(),
+                scratch,
+                bodies.firstMesh(),
+                bodies.materials(),
+                Aspect.FULL);
+    }
+
     /** Follows the {@link #path} from a bounce on, as {@link Path#follow} does. */
     public void follow(FrameInput input, int bounce) {
         Path.follow(

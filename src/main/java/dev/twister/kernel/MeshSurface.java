@@ -1,9 +1,9 @@
 package dev.twister.kernel;
 
 /** Where a ray meets a mesh, and which way its surface faces there. */
-final class MeshSurface {
+public final class MeshSurface {
     /** Of a unit vector: where vertex normals cancel so far, the face's own is taken. */
-    private static final float LEAST_SQUARE = 1e-6f;
+    public static final float LEAST_SQUARE = 1e-6f;
 
     private MeshSurface() {}
 

@@ -13,7 +13,7 @@ public final class NodeBox {
      * ray by some ten units of 2^-24 of its distance; this is three times as much. (The part that the box's own size
      * asks for is in the box.)
      */
-    private static final float GROWTH = 2.0e-6f;
+    public static final float GROWTH = 2.0e-6f;
 
     /** What a shadow's cull allows beyond the sphere, as a part of the box's half sides: {@link Shadow}'s margin. */
     private static final float SIZE_MARGIN = Shadow.RELATIVE_MARGIN - 1f + 1.0e-4f;

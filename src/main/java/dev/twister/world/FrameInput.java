@@ -32,6 +32,11 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
         return view.dimensions()[Layout.BODIES];
     }
 
+    /** One more than the highest number of a body that is there, meshes included. */
+    public int bodyEnd() {
+        return bodies.firstMesh() == Layout.NO_MESHES ? bodyCount() : bodies.places().length / Layout.PLACE_STRIDE;
+    }
+
     public int shadowSamples() {
         return (int) view.properties()[Layout.SHADOW_SAMPLES];
     }

@@ -50,12 +50,7 @@ final class Handover {
     private void end(Tile tile, Drawing drawing, int pixel, int bounce) {
         float[] t = tile.values;
         float[] path = kernel.path();
-        for (int axis = 0; axis < 3; axis++) {
-            path[Layout.ORIGIN + axis] = t[pixel + Tile.ORIGIN_X + axis * Tile.SIZE];
-            path[Layout.DIRECTION + axis] = t[pixel + Tile.DIRECTION_X + axis * Tile.SIZE];
-        }
-        path[Layout.LEAVING] = t[pixel + Tile.LEAVING];
-        path[Layout.INSIDE] = t[pixel + Tile.INSIDE];
+        takeRay(t, pixel);
         for (int channel = 0; channel < 3; channel++) {
             float tint = t[pixel + Tile.TINT_RED + channel * Tile.SIZE];
             path[Layout.THROUGHPUT + channel] = t[pixel + Tile.THROUGHPUT] * tint;
@@ -73,6 +68,45 @@ final class Handover {
         t[pixel + Tile.WHOLE] = 0f;
         t[pixel + Tile.SHADOW_OPEN] = 0f;
         t[pixel + Tile.HIT] = Tile.ENDED;
+    }
+
+    /**
+     * Takes what meshes hide of the light from what is visible of it past the spheres. Where both hide a part, or a mesh
+     * lets light pass, the kernel finds how much.
+     */
+    void mendShadows(Tile tile, Drawing drawing, int bounce) {
+        float[] t = tile.values;
+        for (int k = 0; k < tile.meshShadows.count; k++) {
+            int at = tile.meshShadows.places[k];
+            for (int pixel = at; pixel < at + Lanes.COUNT; pixel++) {
+                float blocked = t[pixel + Tile.MESH_BLOCKED];
+                if (blocked != 0f && t[pixel + Tile.VISIBLE] > 0f) {
+                    boolean alone = blocked > 0f && t[pixel + Tile.VISIBLE] >= 1f;
+                    t[pixel + Tile.VISIBLE] =
+                            alone ? 1f - blocked / drawing.shadowSamples : visible(t, drawing, pixel, bounce);
+                }
+            }
+        }
+    }
+
+    private float visible(float[] t, Drawing drawing, int pixel, int bounce) {
+        float[] path = kernel.path();
+        takeRay(t, pixel);
+        path[Layout.DISTANCE] = t[pixel + Tile.DISTANCE];
+        path[Layout.INSTANCE] = t[pixel + Tile.INSTANCE];
+        path[Layout.TRIANGLE] = t[pixel + Tile.TRIANGLE];
+        return kernel.visible(drawing.input, (int) t[pixel + Tile.HIT], bounce);
+    }
+
+    private void takeRay(float[] t, int pixel) {
+        float[] path = kernel.path();
+        for (int axis = 0; axis < 3; axis++) {
+            path[Layout.ORIGIN + axis] = t[pixel + Tile.ORIGIN_X + axis * Tile.SIZE];
+            path[Layout.DIRECTION + axis] = t[pixel + Tile.DIRECTION_X + axis * Tile.SIZE];
+        }
+        path[Layout.LEAVING] = t[pixel + Tile.LEAVING];
+        path[Layout.LEAVING_TRIANGLE] = t[pixel + Tile.LEAVING_TRIANGLE];
+        path[Layout.INSIDE] = t[pixel + Tile.INSIDE];
     }
 
     /** Draws all pixels of a tile that are in the frame. */

@@ -3,6 +3,9 @@ package dev.twister.engine.vector;
 import dev.twister.engine.vector.crowd.PacketHits;
 import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.engine.vector.mesh.MeshHits;
+import dev.twister.engine.vector.mesh.MeshShadows;
+import dev.twister.engine.vector.mesh.MeshSurfaceLanes;
 import dev.twister.engine.vector.shadow.Shadows;
 import dev.twister.engine.vector.shortcut.Choices;
 import dev.twister.engine.vector.shortcut.GroundAlone;
@@ -124,6 +127,10 @@ final class TileRenderer {
         if (rays.spheres.count > 0) {
             SphereSurface.find(drawing, rays);
         }
+        rays.meshes.clear();
+        if (rays.nearMeshes && rays.spheres.count > 0) {
+            MeshSurfaceLanes.find(drawing, rays, bench.meshes);
+        }
         if (rays.surfaces.count > 0) {
             shade(drawing, rays, bounce);
         } else {
@@ -135,10 +142,11 @@ final class TileRenderer {
     private void findHits(Drawing drawing, Tile rays, int bounce, boolean offPlane) {
         boolean rise = offPlane;
         if (drawing.crowded) {
+            rays.nearMeshes = drawing.bodies.meshes.count > 0;
             PacketHits.find(rays, drawing, bench.walks);
         } else {
             rise = bench.choices.cull(rays, drawing, bounce, offPlane);
-            if (rise && rays.candidates.count == 0) {
+            if (rise && rays.candidates.count == 0 && !rays.nearMeshes) {
                 HitSorting.sortSkies(rays);
                 return;
             }
@@ -152,6 +160,9 @@ final class TileRenderer {
         }
         if (!rise) {
             GroundHit.find(rays, drawing);
+        }
+        if (rays.nearMeshes) {
+            MeshHits.find(drawing, rays, bench.meshes);
         }
         HitSorting.sort(rays);
     }
@@ -171,13 +182,16 @@ final class TileRenderer {
             findMaterials(drawing, rays);
         }
         LightDirection.find(drawing, rays);
+        if (rays.meshes.count > 0) {
+            MeshSurfaceLanes.darken(rays, drawing.bodies.meshes.firstBody);
+        }
         if (drawing.looks.transparent) {
             TransmittingSurface.leaveInTheLight(rays);
         }
-        if (drawing.declined.isAnyBody() || drawing.planeMayShade) {
+        if (drawing.declined.occluders().count > 0 || drawing.planeMayShade) {
             bench.handover.endInShadows(rays, drawing, bounce);
         }
-        Shadows.find(rays, drawing, bench.shadows);
+        findShadows(drawing, rays, bounce);
         Highlight.find(rays);
         ScatterLanes.shade(rays, drawing);
         if (drawing.looks.isAny()) {
@@ -185,6 +199,20 @@ final class TileRenderer {
         } else {
             ScatterLanes.reflect(rays);
             ScatterLanes.leave(rays);
+        }
+        if (rays.meshes.count > 0) {
+            MeshSurfaceLanes.leave(rays);
+        }
+    }
+
+    private void findShadows(Drawing drawing, Tile rays, int bounce) {
+        boolean meshes = drawing.bodies.meshes.count > 0 && rays.shadows.count > 0;
+        if (meshes) {
+            MeshShadows.find(drawing, rays, bench.meshes);
+        }
+        Shadows.find(rays, drawing, bench.shadows);
+        if (meshes && rays.meshShadows.count > 0) {
+            bench.handover.mendShadows(rays, drawing, bounce);
         }
     }
 

@@ -4,6 +4,7 @@ import dev.twister.engine.vector.crowd.Walks;
 import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.engine.vector.lanes.WaitingRays;
+import dev.twister.engine.vector.mesh.MeshBench;
 import dev.twister.engine.vector.shadow.ShadowBench;
 import dev.twister.engine.vector.shortcut.Choices;
 import dev.twister.engine.vector.shortcut.TileSky;
@@ -20,6 +21,7 @@ final class Workbench {
     final Handover handover = new Handover();
     final Walks walks = new Walks();
     final ShadowBench shadows = new ShadowBench(walks);
+    final MeshBench meshes = new MeshBench(shadows);
     final TileSky sky = new TileSky();
     final WholeTiles wholeTiles = new WholeTiles(sky);
     final Choices choices = new Choices(sky, shadows.columns);

@@ -4,7 +4,7 @@
  * functions it takes, the world's frame input, the image package, and {@code threads}; only who looks for engines finds it.
  *
  * <p>{@link dev.twister.engine.vector.TileRenderer} has the order of the steps of a tile. Each step ({@code .step}, {@code
- * .shadow}, {@code .crowd}) and each shortcut ({@code .shortcut}) is some short loops over the tile's packets, each a method, which
+ * .shadow}, {@code .crowd}, {@code .mesh}) and each shortcut ({@code .shortcut}) is some short loops over the tile's packets, each a method, which
  * reads and writes {@code float[]} columns of the {@link dev.twister.engine.vector.lanes.Tile} and holds vectors in local variables
  * only. That is on purpose: past some 60 vector operations, or 325 bytecodes, a method is no longer inlined whole, and vectors become
  * objects. So the compiler is told to inline none that has columns as its first parameter, and all of {@code .lanes} always ({@link

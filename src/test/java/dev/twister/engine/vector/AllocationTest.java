@@ -13,8 +13,9 @@ import dev.twister.image.Frame;
 import dev.twister.oracle.Crowds;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
-import dev.twister.sky.SkyboxReader;
 import dev.twister.world.FrameInput;
+import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
@@ -45,6 +46,7 @@ final class AllocationTest {
         "256, benchmark",
         "512, benchmark",
         "512, crowd of 100",
+        "512, pour-on-mesh",
         "256, crowd of 1000",
         "512, crowd of 1000"
     })
@@ -109,7 +111,8 @@ final class AllocationTest {
 
         private static World shipped(String name) {
             Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
-            World world = World.of(scene, SkyboxReader.read(scene.skybox()));
+            SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
+            World world = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
             world.setSettings(world.settings().withSize(640, 360));
             return world;
         }

@@ -106,7 +106,7 @@ final class WholeRangesTest {
         Scene scene = WholeRangeScenes.next(random);
         Skybox sky = RandomScenes.scene(random, 0).sky();
         Skybox texture = texture(random);
-        // Lanes leave frames with meshes to the kernel, and devices refuse them.
+        // Devices refuse meshes.
         Scene shown = withMeshes && number % SCENES_A_MESH == 0 ? scene : scene.withMeshes(List.of());
         SceneMeshes meshes = SceneMeshes.of(shown, _ -> MeshShapes.file(MeshShapes.cube()));
         return World.of(shown, new SceneImages(sky, Map.of(WholeRangeScenes.PICTURE, texture)), meshes)

@@ -33,9 +33,12 @@ public final class BodyColumns {
     /** The light's and the spheres'; far below zero for the plane and for the blanks that fill the last packet. */
     public float[] radius = {};
 
+    /** The spheres around the meshes. */
+    public final MeshColumns meshes = new MeshColumns();
+
     /**
      * All that shading asks, {@value #SURFACE_NUMBERS} numbers a body, at its {@link #surfacePlaces}: the spheres in the order of
-     * the hierarchy's leaves, as those that are near each other are met together.
+     * the hierarchy's leaves, as those that are near each other are met together. A mesh has the sphere around it.
      */
     public float[] surfaces = {};
 
@@ -48,10 +51,13 @@ public final class BodyColumns {
     /** Light, plane and spheres, without the blanks. */
     public int count;
 
-    /** How low and how high the spheres reach, in meters. */
+    /** How low and how high the spheres and the meshes reach, in meters. */
     float lowest;
 
     float highest;
+
+    /** One more than the highest number of a body. */
+    private int end;
 
     private FrameInput source;
 
@@ -70,14 +76,17 @@ public final class BodyColumns {
 
     private void copy(FrameInput input) {
         count = input.bodyCount();
+        end = input.bodyEnd();
         int padded = (count + Lanes.COUNT - 1) / Lanes.COUNT * Lanes.COUNT;
         if (x.length != padded) {
             x = new float[padded];
             y = new float[padded];
             z = new float[padded];
             radius = new float[padded];
-            surfaces = new float[SURFACE_NUMBERS * padded];
-            surfacePlaces = new int[padded];
+        }
+        if (surfacePlaces.length < Math.max(padded, end)) {
+            surfaces = new float[SURFACE_NUMBERS * Math.max(padded, end)];
+            surfacePlaces = new int[Math.max(padded, end)];
         }
         float[] places = input.bodies().places();
         float[] hierarchy = input.bodies().hierarchy();
@@ -99,8 +108,16 @@ public final class BodyColumns {
             int body = sphere < 0 ? place : (int) hierarchy[sphere * Layout.SPHERE_STRIDE + Layout.SPHERE_BODY];
             copySurface(input, body, SURFACE_NUMBERS * place);
         }
+        for (int body = Math.max(count, input.bodies().firstMesh()); body < end; body++) {
+            copySurface(input, body, SURFACE_NUMBERS * body);
+        }
+        meshes.take(input);
+        if (meshes.count > 0) {
+            lowest = Math.min(lowest, meshes.lowest);
+            highest = Math.max(highest, meshes.highest);
+        }
         if (fitLanes()) {
-            for (int body = 0; body < count; body++) {
+            for (int body = 0; body < end; body++) {
                 for (int number = 0; number < SURFACE_NUMBERS; number++) {
                     surfaceColumns[Lanes.BORDER + number * Lanes.COUNT + body] = surfaces[surfacePlaces[body] + number];
                 }
@@ -114,17 +131,14 @@ public final class BodyColumns {
 
     private void copySurface(FrameInput input, int body, int at) {
         surfacePlaces[body] = at;
-        surfaces[at] = x[body];
-        surfaces[at + Y] = y[body];
-        surfaces[at + Z] = z[body];
-        surfaces[at + RADIUS] = radius[body];
+        System.arraycopy(input.bodies().places(), Layout.PLACE_STRIDE * body, surfaces, at, RADIUS + 1);
         System.arraycopy(
                 input.bodies().looks(), Layout.LOOK_STRIDE * body, surfaces, at + RED, Layout.LOOK_REFLECTIVITY + 1);
     }
 
     /** Whether one vector holds a number of all bodies. */
     public boolean fitLanes() {
-        return count <= Lanes.COUNT;
+        return end <= Lanes.COUNT;
     }
 
     /** A sphere's, from where the rest of it is, too. */

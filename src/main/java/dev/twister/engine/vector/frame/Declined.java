@@ -26,9 +26,11 @@ public final class Declined {
 
     private final IntPredicate bodies;
     private final BodyList occluders = new BodyList();
+
     private boolean[] declined = {};
     private float[] looks = {};
     private int count;
+    private int end;
     private boolean crowded;
     private boolean any;
     private boolean frame;
@@ -36,7 +38,8 @@ public final class Declined {
     /**
      * Declines nothing until a frame is taken.
      *
-     * @param bodies tells which bodies are declined beside those that transmit in a crowd
+     * @param bodies tells which bodies are declined beside those that transmit in a crowd, and meshes
+     *     that transmit or have a texture
      */
     public Declined(IntPredicate bodies) {
         this.bodies = bodies;
@@ -44,17 +47,20 @@ public final class Declined {
 
     @SuppressWarnings("ReferenceEquality") // an input's arrays never change
     void take(FrameInput input, boolean walk) {
-        if (looks != input.bodies().looks() || count != input.bodyCount() || crowded != walk) {
+        if (looks != input.bodies().looks()
+                || count != input.bodyCount()
+                || end != input.bodyEnd()
+                || crowded != walk) {
             looks = input.bodies().looks();
             count = input.bodyCount();
+            end = input.bodyEnd();
             crowded = walk;
-            takeBodies();
+            takeBodies(input.bodies().firstMesh());
         }
         int toneMap = (int) input.view().properties()[Layout.TONE_MAP];
         frame = input.aspect() != Aspect.FULL
                 || toneMap < Tone.CLAMP
                 || toneMap > Tone.ACES
-                || input.bodies().firstMesh() != Layout.NO_MESHES
                 || occluders.count > MOST_OCCLUDERS
                 || input.view().camera()[Layout.CAMERA_APERTURE] > 0
                 || isCameraInside(input)
@@ -80,11 +86,11 @@ public final class Declined {
         return on;
     }
 
-    private void takeBodies() {
-        if (declined.length < count) {
-            declined = new boolean[count];
+    private void takeBodies(int firstMesh) {
+        if (declined.length < end) {
+            declined = new boolean[end];
         }
-        occluders.reserve(count);
+        occluders.reserve(end);
         occluders.clear();
         any = false;
         for (int body = 0; body < count; body++) {
@@ -94,6 +100,12 @@ public final class Declined {
             if (declined[body] && body >= Layout.FIRST_SPHERE) {
                 occluders.add(body);
             }
+        }
+        for (int body = Math.max(count, firstMesh); body < end; body++) {
+            declined[body] = bodies.test(body)
+                    || looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] > 0
+                    || looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TEXTURE] > 0;
+            any |= declined[body];
         }
     }
 

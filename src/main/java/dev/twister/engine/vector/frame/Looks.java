@@ -36,9 +36,9 @@ public final class Looks {
 
     @SuppressWarnings("ReferenceEquality") // an input's arrays never change
     void take(FrameInput input) {
-        if (values != input.bodies().looks() || bodies != input.bodyCount()) {
+        if (values != input.bodies().looks() || bodies != input.bodyEnd()) {
             values = input.bodies().looks();
-            bodies = input.bodyCount();
+            bodies = input.bodyEnd();
             copy();
         }
     }

@@ -193,7 +193,21 @@ public final class Tile {
     public static final int LOCAL_Y = TO_LIGHT_Y;
     public static final int LOCAL_Z = TO_LIGHT_Z;
 
-    private static final int COLUMNS = 60;
+    /** The triangle of the body that the ray leaves, where that is a mesh. */
+    public static final int LEAVING_TRIANGLE = DIRECTION_X + 60 * SIZE;
+
+    /** Which instance and which of its triangles the ray meets, and the face's normal, where it meets a mesh. */
+    public static final int INSTANCE = DIRECTION_X + 61 * SIZE;
+
+    public static final int TRIANGLE = DIRECTION_X + 62 * SIZE;
+    public static final int FACE_X = DIRECTION_X + 63 * SIZE;
+    public static final int FACE_Y = DIRECTION_X + 64 * SIZE;
+    public static final int FACE_Z = DIRECTION_X + 65 * SIZE;
+
+    /** How many samples of the light meshes hide, in packets of {@link #meshShadows}. */
+    public static final int MESH_BLOCKED = DIRECTION_X + 66 * SIZE;
+
+    private static final int COLUMNS = 67;
 
     /** Columns of {@link #corners}. */
     public static final int UPPER_LEFT = Lanes.BORDER;
@@ -245,6 +259,12 @@ public final class Tile {
     public final PacketList surfaces = new PacketList(PACKETS);
     public final PacketList shadows = new PacketList(PACKETS);
 
+    /** Those of the spheres that met meshes. */
+    public final PacketList meshes = new PacketList(PACKETS);
+
+    /** Those from which meshes hide a part of the light. */
+    public final PacketList meshShadows = new PacketList(PACKETS);
+
     /** Those whose surfaces have a texture. */
     public final PacketList textures = new PacketList(PACKETS);
 
@@ -271,6 +291,9 @@ public final class Tile {
 
     /** Of those, the ones that transmit, once they are told apart. */
     public final BodyList transmitting = new BodyList();
+
+    /** Whether the live rays may meet a mesh. Those that do count as having met a sphere. */
+    public boolean nearMeshes;
 
     /** The first pixel's place in the frame. */
     public int left;

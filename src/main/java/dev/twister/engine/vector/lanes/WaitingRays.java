@@ -27,7 +27,8 @@ public final class WaitingRays {
         Tile.TINT_BLUE,
         Tile.PIXEL,
         Tile.PLACE_X,
-        Tile.PLACE_Y
+        Tile.PLACE_Y,
+        Tile.LEAVING_TRIANGLE
     };
 
     private float[][] rays = {};

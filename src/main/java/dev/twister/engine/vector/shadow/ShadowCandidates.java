@@ -157,7 +157,7 @@ public final class ShadowCandidates {
     }
 
     /** One bit a lane where the sphere may meet the cone from the point to the disc. */
-    static long between(float[] t, int at, BodyColumns bodies, int body) {
+    public static long between(float[] t, int at, BodyColumns bodies, int body) {
         float[] spheres = bodies.surfaces;
         int sphere = bodies.surfacePlaces[body];
         float radius = spheres[sphere + BodyColumns.RADIUS];

@@ -18,7 +18,7 @@ public final class ShadowFrame {
     private ShadowFrame() {}
 
     /** Writes the disc's axes for each lane. */
-    static void findAxes(Tile tile, int at, Drawing drawing, ShadowColumns scratch) {
+    public static void findAxes(Tile tile, int at, Drawing drawing, ShadowColumns scratch) {
         float[] t = tile.values;
         float[] frame = scratch.frame;
         FloatVector x = Lanes.load(t, at + Tile.TO_LIGHT_X);

@@ -56,7 +56,7 @@ public final class Choices {
         Way way = Way.ANY;
         if (!drawing.crowded) {
             cullViewRays(drawing, tile);
-            if (drawing.shortcuts.take(Shortcut.CULLING) && tile.candidates.count == 0) {
+            if (drawing.shortcuts.take(Shortcut.CULLING) && tile.candidates.count == 0 && !tile.nearMeshes) {
                 way = chooseWithoutBodies(drawing, tile);
             }
         }
@@ -66,7 +66,12 @@ public final class Choices {
     /** Lists what the tile's view rays may meet. */
     public void cullViewRays(Drawing drawing, Tile tile) {
         rays.holdViewRays(tile, drawing);
+        cull(tile, drawing);
+    }
+
+    private void cull(Tile tile, Drawing drawing) {
         rays.cull(tile, drawing);
+        tile.nearMeshes = rays.touchesMesh(drawing);
     }
 
     private Way chooseWithoutBodies(Drawing drawing, Tile tile) {
@@ -87,7 +92,7 @@ public final class Choices {
 
     private Way chooseOnGround(Drawing drawing, Tile tile) {
         if (!isLit(drawing)) {
-            return drawing.declined.isAnyBody() ? Way.ANY : Way.GROUND;
+            return drawing.declined.occluders().count > 0 || isNearMeshes(drawing) ? Way.ANY : Way.GROUND;
         }
         return OpenGround.mirrors(drawing) && !mirrorsSkyAlone(drawing, tile) ? Way.LIT_GROUND : Way.OPEN_GROUND;
     }
@@ -99,16 +104,26 @@ public final class Choices {
                 && ground.isWithin(OpenGround.REACH);
         if (lit) {
             ground.listTowardsLight(shadows, drawing);
-            lit = shadows.tileCandidates.count == 0;
+            lit = shadows.tileCandidates.count == 0 && !ground.touchesMesh(drawing);
         }
         return lit;
+    }
+
+    /** Whether a mesh may be between a tile's ground and the light. */
+    private boolean isNearMeshes(Drawing drawing) {
+        boolean near = drawing.bodies.meshes.count > 0;
+        if (near) {
+            ground.listTowardsLight(shadows, drawing);
+            near = ground.touchesMesh(drawing);
+        }
+        return near;
     }
 
     private boolean mirrorsSkyAlone(Drawing drawing, Tile tile) {
         mirrored.hold(rays);
         mirrored.mirror(drawing.planeHeight);
         mirrored.cull(tile, drawing);
-        return tile.candidates.count == 0 && sky.isCharted(drawing, tile);
+        return tile.candidates.count == 0 && !mirrored.touchesMesh(drawing) && sky.isCharted(drawing, tile);
     }
 
     /**
@@ -120,11 +135,11 @@ public final class Choices {
     public boolean cull(Tile tile, Drawing drawing, int bounce, boolean offPlane) {
         if (offPlane) {
             rays.mirror(drawing.planeHeight);
-            rays.cull(tile, drawing);
+            cull(tile, drawing);
         } else if (bounce > 0) {
             rays.startAround(tile, tile.live, Tile.ORIGIN_X, Tile.THROUGHPUT);
             rays.holdRays(tile, tile.live);
-            rays.cull(tile, drawing);
+            cull(tile, drawing);
         }
         return drawing.shortcuts.take(Shortcut.CULLING) && (offPlane || rays.rises(drawing.planeHeight));
     }

@@ -2,6 +2,7 @@ package dev.twister.engine.vector.shortcut;
 
 import dev.twister.engine.vector.frame.BodyColumns;
 import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.frame.MeshColumns;
 import dev.twister.engine.vector.frame.Shortcut;
 import dev.twister.engine.vector.lanes.BodyList;
 import dev.twister.engine.vector.lanes.Lanes;
@@ -33,6 +34,9 @@ public final class Hull {
     private static final float LEAST_COSINE = 0.02f;
 
     private static final float BIGGEST = 1e30f;
+
+    /** Where there are more, a look at all of them a tile takes longer than it saves. */
+    private static final int MOST_MESHES = 256;
 
     /** Of a square's half side, from its middle to a corner. */
     private static final float SQUARE_DIAGONAL = 1.4142135f;
@@ -267,6 +271,17 @@ public final class Hull {
                 }
             }
         }
+    }
+
+    /** Whether any mesh may reach into the region. */
+    public boolean touchesMesh(Drawing drawing) {
+        MeshColumns meshes = drawing.bodies.meshes;
+        boolean all = everything || !drawing.shortcuts.take(Shortcut.CULLING) || meshes.count > MOST_MESHES;
+        boolean touched = all && meshes.count > 0;
+        for (int at = 0; at < meshes.count && !touched; at += Lanes.COUNT) {
+            touched = touching(meshes.x, meshes.y, meshes.z, meshes.radius, at) != 0L;
+        }
+        return touched;
     }
 
     /** One bit a sphere of the columns, from {@code at} on, that may reach into the region. */

@@ -35,7 +35,8 @@ public final class BranchLanes {
             Tile.NEXT_BLUE,
             Tile.PIXEL,
             Tile.PLACE_X,
-            Tile.PLACE_Y
+            Tile.PLACE_Y,
+            Tile.TRIANGLE
         };
     }
 

@@ -1,0 +1,58 @@
+package dev.twister.engine.vector.frame;
+
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.kernel.Layout;
+import dev.twister.world.FrameInput;
+import java.util.Arrays;
+
+/** The spheres around the meshes as columns, so that lanes can hold meshes. */
+public final class MeshColumns {
+    /** What has this radius is never met. */
+    private static final float NOTHING_THERE = -1e30f;
+
+    public float[] x = {};
+    public float[] y = {};
+    public float[] z = {};
+
+    /** Far below zero for the blanks that fill the last packet. */
+    public float[] radius = {};
+
+    /** How many meshes there are, without the blanks. */
+    public int count;
+
+    /** The body of the first. */
+    public int firstBody;
+
+    /** How low and how high those that can be seen reach, in meters. */
+    float lowest;
+
+    float highest;
+
+    void take(FrameInput input) {
+        firstBody = input.bodies().firstMesh();
+        count = input.bodyEnd() - Math.max(input.bodyCount(), firstBody);
+        int padded = (count + Lanes.COUNT - 1) / Lanes.COUNT * Lanes.COUNT;
+        if (x.length != padded) {
+            x = new float[padded];
+            y = new float[padded];
+            z = new float[padded];
+            radius = new float[padded];
+        }
+        Arrays.fill(radius, NOTHING_THERE);
+        for (int mesh = 0; mesh < count; mesh++) {
+            int body = firstBody + mesh;
+            x[mesh] = input.bodies().center(body, 0);
+            y[mesh] = input.bodies().center(body, 1);
+            z[mesh] = input.bodies().center(body, 2);
+            radius[mesh] = input.bodies().size(body);
+        }
+        if (count > 0) {
+            float[] hierarchy = input.bodies().hierarchy();
+            int root = Layout.spheresLength(firstBody) + 1;
+            float middle = hierarchy[root + Layout.NODE_CENTER + 1];
+            float half = hierarchy[root + Layout.NODE_HALF + 1];
+            lowest = middle - half;
+            highest = middle + half;
+        }
+    }
+}

@@ -1,0 +1,92 @@
+package dev.twister.engine.vector.mesh;
+
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.kernel.Instance;
+import dev.twister.kernel.Layout;
+import dev.twister.kernel.Triangle;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+
+/** A packet's rays in the coordinates of an instance's mesh: {@link Instance}, and as {@link Triangle} takes them. */
+final class InstanceLanes {
+    private InstanceLanes() {}
+
+    /** Writes the rays of another walk, and their ends, in the coordinates that some rows lead to. */
+    static void transform(Tile tile, PacketWalk from, PacketWalk to, float[] hierarchy, int rows) {
+        float[] f = from.rays;
+        float[] r = to.rays;
+        for (int axis = 0; axis < 3; axis++) {
+            int row = rows + 4 * axis;
+            FloatVector.fromArray(Lanes.FLOATS, f, PacketWalk.ORIGIN)
+                    .mul(hierarchy[row])
+                    .add(FloatVector.fromArray(Lanes.FLOATS, f, PacketWalk.ORIGIN + Lanes.COUNT)
+                            .mul(hierarchy[row + 1]))
+                    .add(FloatVector.fromArray(Lanes.FLOATS, f, PacketWalk.ORIGIN + 2 * Lanes.COUNT)
+                            .mul(hierarchy[row + 2]))
+                    .add(hierarchy[row + 3])
+                    .intoArray(r, PacketWalk.ORIGIN + axis * Lanes.COUNT);
+            FloatVector.fromArray(Lanes.FLOATS, f, PacketWalk.DIRECTION)
+                    .mul(hierarchy[row])
+                    .add(FloatVector.fromArray(Lanes.FLOATS, f, PacketWalk.DIRECTION + Lanes.COUNT)
+                            .mul(hierarchy[row + 1]))
+                    .add(FloatVector.fromArray(Lanes.FLOATS, f, PacketWalk.DIRECTION + 2 * Lanes.COUNT)
+                            .mul(hierarchy[row + 2]))
+                    .intoArray(r, PacketWalk.DIRECTION + axis * Lanes.COUNT);
+        }
+        FloatVector.fromArray(Lanes.FLOATS, f, PacketWalk.END).intoArray(r, PacketWalk.END);
+    }
+
+    /**
+     * Writes the axes along which the directions are longest, and the shear that turns the rays there; returns one bit for
+     * each axis that is the longest of any ray that takes part, and goes the way of the first of them.
+     */
+    static long shear(Tile tile, PacketWalk walk) {
+        float[] r = walk.rays;
+        FloatVector x = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DIRECTION);
+        FloatVector y = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DIRECTION + Lanes.COUNT);
+        FloatVector z = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DIRECTION + 2 * Lanes.COUNT);
+        VectorMask<Float> alongX = x.abs().compare(VectorOperators.GT, y.abs());
+        VectorMask<Float> alongZ = z.abs().compare(VectorOperators.GT, y.abs().blend(x.abs(), alongX));
+        FloatVector.broadcast(Lanes.FLOATS, 1f)
+                .blend(0f, alongX)
+                .blend(2f, alongZ)
+                .intoArray(r, PacketWalk.AXIS);
+        FloatVector inverse =
+                FloatVector.broadcast(Lanes.FLOATS, 1f).div(y.blend(x, alongX).blend(z, alongZ));
+        inverse.intoArray(r, PacketWalk.LONGEST_INVERSE);
+        z.blend(y, alongX).blend(x, alongZ).mul(inverse).intoArray(r, PacketWalk.SHEAR_FIRST);
+        x.blend(z, alongX).blend(y, alongZ).mul(inverse).intoArray(r, PacketWalk.SHEAR_SECOND);
+        FloatVector originX = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.ORIGIN);
+        FloatVector originY = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.ORIGIN + Lanes.COUNT);
+        FloatVector originZ = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.ORIGIN + 2 * Lanes.COUNT);
+        originZ.blend(originY, alongX).blend(originX, alongZ).intoArray(r, PacketWalk.FIRST);
+        originX.blend(originZ, alongX).blend(originY, alongZ).intoArray(r, PacketWalk.SECOND);
+        originY.blend(originX, alongX).blend(originZ, alongZ).intoArray(r, PacketWalk.THIRD);
+        long lanes = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.END)
+                .compare(VectorOperators.GE, 0f)
+                .toLong();
+        walk.follow(Long.numberOfTrailingZeros(lanes));
+        long onZ = alongZ.toLong();
+        long onX = alongX.toLong() & ~onZ;
+        return ((lanes & onX) != 0L ? 1L : 0L)
+                | ((lanes & ~onX & ~onZ) != 0L ? 2L : 0L)
+                | ((lanes & onZ) != 0L ? 4L : 0L);
+    }
+
+    /**
+     * Writes which triangle of a body each ray leaves.
+     *
+     * @param leaving the tile's column of the bodies that the rays leave
+     * @param triangles the tile's column of their triangles
+     */
+    static void ignore(Tile tile, PacketWalk walk, int at, int leaving, int triangles, int body) {
+        float[] t = tile.values;
+        VectorMask<Float> own =
+                FloatVector.fromArray(Lanes.FLOATS, t, at + leaving).compare(VectorOperators.EQ, body);
+        FloatVector.broadcast(Lanes.FLOATS, Layout.NOTHING)
+                .blend(FloatVector.fromArray(Lanes.FLOATS, t, at + triangles), own)
+                .intoArray(walk.rays, PacketWalk.IGNORED);
+    }
+}

@@ -1,0 +1,93 @@
+package dev.twister.engine.vector.mesh;
+
+import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.kernel.Instance;
+import dev.twister.kernel.Layout;
+import dev.twister.world.Bodies;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorOperators;
+
+/** Which triangle the rays meet before what they have met: {@code MeshHit} of the kernel, a packet at a time. */
+public final class MeshHits {
+    private MeshHits() {}
+
+    /** Mends the hits and distances of the live rays, and writes the instances and triangles, where a mesh is closer. */
+    public static void find(Drawing drawing, Tile tile, MeshBench bench) {
+        for (int k = 0; k < tile.live.count; k++) {
+            find(drawing, tile, bench, tile.live.places[k]);
+        }
+    }
+
+    private static void find(Drawing drawing, Tile tile, MeshBench bench, int at) {
+        Bodies bodies = drawing.input.bodies();
+        float[] hierarchy = bodies.hierarchy();
+        PacketWalk world = bench.world;
+        world.start(hierarchy, Layout.spheresLength(bodies.firstMesh()) + 1);
+        int first = (int) start(tile, world, at);
+        if (first >= 0) {
+            world.follow(first);
+            BoxLanes.aim(tile, world);
+            int leaf = BoxLanes.nextLeaf(tile, world);
+            while (leaf != Layout.NO_NODE) {
+                meet(bodies, tile, bench, at, (int) hierarchy[leaf + Layout.NODE_LINK]);
+                leaf = BoxLanes.nextLeaf(tile, world);
+            }
+        }
+    }
+
+    /** Writes the packet's rays as those of a walk; returns the first lane that goes on, or less than 0. */
+    static long start(Tile tile, PacketWalk walk, int at) {
+        float[] t = tile.values;
+        float[] r = walk.rays;
+        for (int axis = 0; axis < 3; axis++) {
+            FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.ORIGIN_X + axis * Tile.SIZE)
+                    .intoArray(r, PacketWalk.ORIGIN + axis * Lanes.COUNT);
+            FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DIRECTION_X + axis * Tile.SIZE)
+                    .intoArray(r, PacketWalk.DIRECTION + axis * Lanes.COUNT);
+        }
+        var goesOn =
+                FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.THROUGHPUT).compare(VectorOperators.GT, 0f);
+        FloatVector.broadcast(Lanes.FLOATS, -1f)
+                .blend(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISTANCE), goesOn)
+                .intoArray(r, PacketWalk.END);
+        long lanes = goesOn.toLong();
+        return lanes == 0L ? -1 : Long.numberOfTrailingZeros(lanes);
+    }
+
+    private static void meet(Bodies bodies, Tile tile, MeshBench bench, int at, int number) {
+        float[] hierarchy = bodies.hierarchy();
+        PacketWalk mesh = bench.mesh;
+        int instance = Instance.at(hierarchy, bodies.firstMesh(), number);
+        int body = (int) hierarchy[instance + Layout.INSTANCE_BODY];
+        int axes = enter(bodies, tile, bench, instance);
+        InstanceLanes.ignore(tile, mesh, at, Tile.LEAVING, Tile.LEAVING_TRIANGLE, body);
+        int triangles = Instance.triangles(hierarchy, instance);
+        int leaf = BoxLanes.nextLeaf(tile, mesh);
+        while (leaf != Layout.NO_NODE) {
+            int from = (int) mesh.boxes[leaf + Layout.NODE_LINK];
+            int end = from + (int) mesh.boxes[leaf + Layout.NODE_SPHERES];
+            for (int rest = axes; rest != 0; rest &= rest - 1) {
+                int axis = Integer.numberOfTrailingZeros(rest);
+                int triangle = TriangleLanes.next(tile, mesh, triangles, from, end, axis);
+                while (triangle < end) {
+                    TriangleLanes.keepNearest(tile, mesh, at, axis, triangle, number, body);
+                    triangle = TriangleLanes.next(tile, mesh, triangles, triangle + 1, end, axis);
+                }
+            }
+            leaf = BoxLanes.nextLeaf(tile, mesh);
+        }
+        System.arraycopy(mesh.rays, PacketWalk.END, bench.world.rays, PacketWalk.END, Lanes.COUNT);
+    }
+
+    /** Starts the walk through an instance's triangles; returns one bit for each axis that is the longest of any ray. */
+    static int enter(Bodies bodies, Tile tile, MeshBench bench, int instance) {
+        float[] hierarchy = bodies.hierarchy();
+        PacketWalk mesh = bench.mesh;
+        mesh.start(bodies.meshes(), Instance.nodes(hierarchy, instance));
+        InstanceLanes.transform(tile, bench.world, mesh, hierarchy, instance + Layout.INSTANCE_TO_MESH);
+        BoxLanes.aim(tile, mesh);
+        return (int) InstanceLanes.shear(tile, mesh);
+    }
+}

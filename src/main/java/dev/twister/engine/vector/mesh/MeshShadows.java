@@ -1,0 +1,120 @@
+package dev.twister.engine.vector.mesh;
+
+import dev.twister.engine.vector.frame.Drawing;
+import dev.twister.engine.vector.frame.MeshColumns;
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.engine.vector.shadow.ShadowCandidates;
+import dev.twister.kernel.Instance;
+import dev.twister.kernel.Layout;
+import dev.twister.world.Bodies;
+import java.util.Arrays;
+
+/** Which samples of the light meshes hide from the points of a tile: {@code MeshShadow} of the kernel, a packet at a time. */
+public final class MeshShadows {
+    /** Stands for a point whose light a mesh lets pass in part: the kernel finds how much. */
+    public static final float UNKNOWN = -1f;
+
+    /** Where there are more meshes, each ray looks for its own. */
+    private static final int MOST_MESHES = 256;
+
+    private MeshShadows() {}
+
+    /**
+     * Makes the light invisible where meshes hide all of it; where they hide a part, writes how many samples those are, and
+     * lists the packets. Leaves the packets out that have no open lanes any more.
+     */
+    public static void find(Drawing drawing, Tile tile, MeshBench bench) {
+        tile.meshShadows.clear();
+        int kept = 0;
+        for (int k = 0; k < tile.shadows.count; k++) {
+            int at = tile.shadows.places[k];
+            long open = ShadowCandidates.open(tile, at);
+            if (open != 0L && mayBlock(drawing, tile, at, open)) {
+                open = find(drawing, tile, bench, at, open);
+            }
+            if (open != 0L) {
+                tile.shadows.places[kept] = at;
+                kept++;
+            }
+        }
+        tile.shadows.count = kept;
+    }
+
+    /** Whether the sphere around any mesh reaches between the packet's open points and the light's disc. */
+    private static boolean mayBlock(Drawing drawing, Tile tile, int at, long open) {
+        MeshColumns meshes = drawing.bodies.meshes;
+        boolean may = meshes.count > MOST_MESHES;
+        for (int mesh = 0; mesh < meshes.count && !may; mesh++) {
+            may = (open & ShadowCandidates.between(tile.values, at, drawing.bodies, meshes.firstBody + mesh)) != 0L;
+        }
+        return may;
+    }
+
+    /** Looks at the samples of one packet; returns one bit a lane that is still open. */
+    private static long find(Drawing drawing, Tile tile, MeshBench bench, int at, long open) {
+        long unknown = 0L;
+        long lit = open;
+        float[] blocked = bench.blocked;
+        Arrays.fill(blocked, 0f);
+        ShadowLines.findAxes(tile, at, drawing, bench);
+        for (int sample = 0; sample < drawing.shadowSamples && (open & ~unknown) != 0L; sample++) {
+            int first = (int)
+                    ShadowLines.aim(tile, at, bench, open & ~unknown, drawing.discX[sample], drawing.discY[sample]);
+            bench.world.follow(first);
+            unknown |= walk(drawing, tile, bench, at);
+            lit &= ~ShadowLines.count(tile, bench);
+        }
+        long dark = open & ~unknown & ShadowLines.hidden(tile, bench, drawing.shadowSamples);
+        long part = open & ~dark & (unknown | ~lit);
+        if (part != 0L) {
+            tile.meshShadows.add(at);
+        }
+        ShadowLines.finish(tile, at, bench, dark, part, unknown);
+        return open & ~dark;
+    }
+
+    /** Takes the rays that are blocked out of the walk; returns one bit a ray that a body that transmits has met. */
+    private static long walk(Drawing drawing, Tile tile, MeshBench bench, int at) {
+        Bodies bodies = drawing.input.bodies();
+        float[] hierarchy = bodies.hierarchy();
+        PacketWalk world = bench.world;
+        world.start(hierarchy, Layout.spheresLength(bodies.firstMesh()) + 1);
+        BoxLanes.aim(tile, world);
+        long unknown = 0L;
+        int leaf = BoxLanes.nextLeaf(tile, world);
+        while (leaf != Layout.NO_NODE) {
+            int instance = Instance.at(hierarchy, bodies.firstMesh(), (int) hierarchy[leaf + Layout.NODE_LINK]);
+            int body = (int) hierarchy[instance + Layout.INSTANCE_BODY];
+            long met = meet(bodies, tile, bench, at, instance, body);
+            unknown |= drawing.looks.transmits(body) ? met : 0L;
+            leaf = BoxLanes.nextLeaf(tile, world);
+        }
+        return unknown;
+    }
+
+    private static long meet(Bodies bodies, Tile tile, MeshBench bench, int at, int instance, int body) {
+        float[] hierarchy = bodies.hierarchy();
+        PacketWalk mesh = bench.mesh;
+        int axes = MeshHits.enter(bodies, tile, bench, instance);
+        InstanceLanes.ignore(tile, mesh, at, Tile.HIT, Tile.TRIANGLE, body);
+        int triangles = Instance.triangles(hierarchy, instance);
+        long met = 0L;
+        int leaf = BoxLanes.nextLeaf(tile, mesh);
+        while (leaf != Layout.NO_NODE) {
+            int from = (int) mesh.boxes[leaf + Layout.NODE_LINK];
+            int end = from + (int) mesh.boxes[leaf + Layout.NODE_SPHERES];
+            for (int rest = axes; rest != 0; rest &= rest - 1) {
+                int axis = Integer.numberOfTrailingZeros(rest);
+                int triangle = TriangleLanes.next(tile, mesh, triangles, from, end, axis);
+                while (triangle < end) {
+                    met |= TriangleLanes.block(tile, mesh, axis, triangle);
+                    triangle = TriangleLanes.next(tile, mesh, triangles, triangle + 1, end, axis);
+                }
+            }
+            leaf = BoxLanes.nextLeaf(tile, mesh);
+        }
+        System.arraycopy(mesh.rays, PacketWalk.END, bench.world.rays, PacketWalk.END, Lanes.COUNT);
+        return met;
+    }
+}

@@ -1,0 +1,167 @@
+package dev.twister.engine.vector.mesh;
+
+import dev.twister.engine.vector.lanes.Lanes;
+import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.kernel.Layout;
+import dev.twister.kernel.Triangle;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+
+/**
+ * Where a packet's rays meet triangles: {@link Triangle#distance}, rounded as there. Without helpers, for the reason that
+ * {@code ShadowConics} has.
+ */
+final class TriangleLanes {
+    private TriangleLanes() {}
+
+    /**
+     * Finds the next triangle that lies around any ray whose longest axis is that one, and writes its areas and depths.
+     *
+     * @param triangles where the mesh's first triangle is
+     * @param from the first triangle that is looked at
+     * @param end the first that is not looked at any more
+     * @return the triangle, or {@code end}
+     */
+    static int next(Tile tile, PacketWalk walk, int triangles, int from, int end, int axis) {
+        float[] meshes = walk.boxes;
+        float[] r = walk.rays;
+        int axisFirst = Triangle.after(axis);
+        int axisSecond = Triangle.after(axisFirst);
+        VectorMask<Float> wanted = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.END)
+                .compare(VectorOperators.GE, 0f)
+                .and(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.AXIS).compare(VectorOperators.EQ, axis));
+        FloatVector first = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.FIRST);
+        FloatVector second = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.SECOND);
+        FloatVector third = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.THIRD);
+        FloatVector shearFirst = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.SHEAR_FIRST);
+        FloatVector shearSecond = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.SHEAR_SECOND);
+        int triangle = from;
+        boolean met = false;
+        while (triangle < end && !met) {
+            int at = triangles + Layout.TRIANGLE_STRIDE * triangle;
+            FloatVector depthA =
+                    FloatVector.broadcast(Lanes.FLOATS, meshes[at + axis]).sub(third);
+            FloatVector depthB =
+                    FloatVector.broadcast(Lanes.FLOATS, meshes[at + 3 + axis]).sub(third);
+            FloatVector depthC =
+                    FloatVector.broadcast(Lanes.FLOATS, meshes[at + 6 + axis]).sub(third);
+            FloatVector firstA = FloatVector.broadcast(Lanes.FLOATS, meshes[at + axisFirst])
+                    .sub(first)
+                    .sub(shearFirst.mul(depthA));
+            FloatVector firstB = FloatVector.broadcast(Lanes.FLOATS, meshes[at + 3 + axisFirst])
+                    .sub(first)
+                    .sub(shearFirst.mul(depthB));
+            FloatVector firstC = FloatVector.broadcast(Lanes.FLOATS, meshes[at + 6 + axisFirst])
+                    .sub(first)
+                    .sub(shearFirst.mul(depthC));
+            FloatVector secondA = FloatVector.broadcast(Lanes.FLOATS, meshes[at + axisSecond])
+                    .sub(second)
+                    .sub(shearSecond.mul(depthA));
+            FloatVector secondB = FloatVector.broadcast(Lanes.FLOATS, meshes[at + 3 + axisSecond])
+                    .sub(second)
+                    .sub(shearSecond.mul(depthB));
+            FloatVector secondC = FloatVector.broadcast(Lanes.FLOATS, meshes[at + 6 + axisSecond])
+                    .sub(second)
+                    .sub(shearSecond.mul(depthC));
+            FloatVector a = firstC.mul(secondB).sub(secondC.mul(firstB));
+            FloatVector b = firstA.mul(secondC).sub(secondA.mul(firstC));
+            FloatVector c = firstB.mul(secondA).sub(secondB.mul(firstA));
+            VectorMask<Float> below = a.compare(VectorOperators.LT, 0f)
+                    .or(b.compare(VectorOperators.LT, 0f))
+                    .or(c.compare(VectorOperators.LT, 0f));
+            VectorMask<Float> above = a.compare(VectorOperators.GT, 0f)
+                    .or(b.compare(VectorOperators.GT, 0f))
+                    .or(c.compare(VectorOperators.GT, 0f));
+            met = wanted.andNot(below.and(above)).anyTrue();
+            if (met) {
+                a.intoArray(r, PacketWalk.AREA_A);
+                b.intoArray(r, PacketWalk.AREA_B);
+                c.intoArray(r, PacketWalk.AREA_C);
+                depthA.intoArray(r, PacketWalk.DEPTH_A);
+                depthB.intoArray(r, PacketWalk.DEPTH_B);
+                depthC.intoArray(r, PacketWalk.DEPTH_C);
+            } else {
+                triangle++;
+            }
+        }
+        return triangle;
+    }
+
+    /**
+     * Ends the rays of that axis that meet the triangle found last before their ends there, and writes it as their hit: of
+     * triangles as near, the one of the lower body, and of one body the lower one.
+     */
+    static void keepNearest(Tile tile, PacketWalk walk, int at, int axis, int triangle, int instance, int body) {
+        float[] t = tile.values;
+        float[] r = walk.rays;
+        FloatVector a = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.AREA_A);
+        FloatVector b = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.AREA_B);
+        FloatVector c = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.AREA_C);
+        VectorMask<Float> below = a.compare(VectorOperators.LT, 0f)
+                .or(b.compare(VectorOperators.LT, 0f))
+                .or(c.compare(VectorOperators.LT, 0f));
+        VectorMask<Float> above = a.compare(VectorOperators.GT, 0f)
+                .or(b.compare(VectorOperators.GT, 0f))
+                .or(c.compare(VectorOperators.GT, 0f));
+        FloatVector sum = a.add(b).add(c);
+        FloatVector distance = a.mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DEPTH_A))
+                .add(b.mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DEPTH_B)))
+                .add(c.mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DEPTH_C)))
+                .div(sum)
+                .mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.LONGEST_INVERSE));
+        FloatVector end = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.END);
+        FloatVector hit = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.HIT);
+        VectorMask<Float> lower = hit.compare(VectorOperators.EQ, body)
+                .and(FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.TRIANGLE).compare(VectorOperators.GT, triangle))
+                .or(hit.compare(VectorOperators.GT, body))
+                .and(distance.compare(VectorOperators.EQ, end));
+        VectorMask<Float> taken = distance.compare(VectorOperators.LT, end)
+                .or(lower)
+                .and(distance.compare(VectorOperators.GT, 0f))
+                .and(sum.compare(VectorOperators.NE, 0f))
+                .and(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.AXIS).compare(VectorOperators.EQ, axis))
+                .and(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.IGNORED).compare(VectorOperators.NE, triangle))
+                .andNot(below.and(above));
+        end.blend(distance, taken).intoArray(r, PacketWalk.END);
+        FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISTANCE)
+                .blend(distance, taken)
+                .intoArray(t, at + Tile.DISTANCE);
+        hit.blend(body, taken).intoArray(t, at + Tile.HIT);
+        FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.INSTANCE)
+                .blend(instance, taken)
+                .intoArray(t, at + Tile.INSTANCE);
+        FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.TRIANGLE)
+                .blend(triangle, taken)
+                .intoArray(t, at + Tile.TRIANGLE);
+    }
+
+    /** Takes the rays of that axis that meet the triangle found last out of the walk; returns one bit for each. */
+    static long block(Tile tile, PacketWalk walk, int axis, int triangle) {
+        float[] r = walk.rays;
+        FloatVector a = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.AREA_A);
+        FloatVector b = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.AREA_B);
+        FloatVector c = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.AREA_C);
+        VectorMask<Float> below = a.compare(VectorOperators.LT, 0f)
+                .or(b.compare(VectorOperators.LT, 0f))
+                .or(c.compare(VectorOperators.LT, 0f));
+        VectorMask<Float> above = a.compare(VectorOperators.GT, 0f)
+                .or(b.compare(VectorOperators.GT, 0f))
+                .or(c.compare(VectorOperators.GT, 0f));
+        FloatVector sum = a.add(b).add(c);
+        FloatVector distance = a.mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DEPTH_A))
+                .add(b.mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DEPTH_B)))
+                .add(c.mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.DEPTH_C)))
+                .div(sum)
+                .mul(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.LONGEST_INVERSE));
+        FloatVector end = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.END);
+        VectorMask<Float> met = distance.compare(VectorOperators.LT, end)
+                .and(distance.compare(VectorOperators.GT, 0f))
+                .and(sum.compare(VectorOperators.NE, 0f))
+                .and(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.AXIS).compare(VectorOperators.EQ, axis))
+                .and(FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.IGNORED).compare(VectorOperators.NE, triangle))
+                .andNot(below.and(above));
+        end.blend(-1f, met).intoArray(r, PacketWalk.END);
+        return met.toLong();
+    }
+}
