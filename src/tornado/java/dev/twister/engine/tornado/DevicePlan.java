@@ -67,7 +67,8 @@ final class DevicePlan implements AutoCloseable {
         if (linear) {
             Arrays.fill(radiance, Float.NaN);
         }
-        dimensions = input.view().dimensions().clone();
+        dimensions = Arrays.copyOf(input.view().dimensions(), TornadoKernel.DIMENSIONS_LENGTH);
+        dimensions[TornadoKernel.FIRST_MESH] = input.bodies().firstMesh();
         camera = input.view().camera().clone();
         properties = input.view().properties().clone();
         places = input.bodies().places().clone();
@@ -152,7 +153,7 @@ final class DevicePlan implements AutoCloseable {
      */
     FrameTimes draw(FrameInput input, Frame frame) {
         long start = System.nanoTime();
-        System.arraycopy(input.view().dimensions(), 0, dimensions, 0, dimensions.length);
+        System.arraycopy(input.view().dimensions(), 0, dimensions, 0, Layout.DIMENSIONS_LENGTH);
         put(input.view().camera(), camera);
         put(input.view().properties(), properties);
         put(input.view().shadowDisc(), shadowDisc);

@@ -4,7 +4,6 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.EngineException;
 import dev.twister.engine.FrameFit;
 import dev.twister.image.Frame;
-import dev.twister.kernel.Layout;
 import dev.twister.world.FrameInput;
 import java.util.HashMap;
 import java.util.Map;
@@ -47,9 +46,6 @@ final class TornadoEngine implements Engine {
     @Override
     public void render(FrameInput input, Frame frame) {
         FrameFit.check(input, frame);
-        if (input.bodies().firstMesh() != Layout.NO_MESHES) {
-            throw new EngineException("meshes are not rendered on devices; choose another engine, such as parallel");
-        }
         try {
             DevicePlan plan = planFor(input, frame);
             last = Optional.of(plan);

@@ -13,6 +13,11 @@ public final class TornadoKernel implements Supplier<DrawTask> {
     /** Few plain spheres are fewer, and one leaf: all are remembered, and no node waits. */
     static final int FEW_SCRATCH = Layout.CANDIDATE_STRIDE * 32;
 
+    /** Where {@code dimensions} has the first mesh's body, after what {@link Layout} puts there. */
+    static final int FIRST_MESH = Layout.DIMENSIONS_LENGTH;
+
+    static final int DIMENSIONS_LENGTH = FIRST_MESH + 1;
+
     @Override
     public DrawTask get() {
         return TornadoKernel::draw;
@@ -58,6 +63,8 @@ public final class TornadoKernel implements Supplier<DrawTask> {
                 float[] path = new float[isPlain != 0 ? plainPath : Layout.PATH_LENGTH];
                 int plainScratch = search == Hit.ALL ? FEW_SCRATCH : Layout.PLAIN_SCRATCH_LENGTH;
                 float[] scratch = new float[isPlain != 0 ? plainScratch : Layout.SCRATCH_LENGTH];
+                // Compiled in, its number would make conditions constant that TornadoVM's OpenCL backend does not compile.
+                int mesh = firstMesh == Layout.NO_MESHES ? Layout.NO_MESHES : dimensions[FIRST_MESH];
                 PixelKernel.draw(
                         column,
                         row,
@@ -77,7 +84,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
                         path,
                         scratch,
                         search,
-                        firstMesh,
+                        mesh,
                         materials,
                         aspect,
                         output);
