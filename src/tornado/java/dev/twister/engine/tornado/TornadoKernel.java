@@ -63,7 +63,8 @@ public final class TornadoKernel implements Supplier<DrawTask> {
                 float[] path = new float[isPlain != 0 ? plainPath : Layout.PATH_LENGTH];
                 int plainScratch = search == Hit.ALL ? FEW_SCRATCH : Layout.PLAIN_SCRATCH_LENGTH;
                 float[] scratch = new float[isPlain != 0 ? plainScratch : Layout.SCRATCH_LENGTH];
-                // Compiled in, its number would make conditions constant that TornadoVM's OpenCL backend does not compile.
+                // Compiled in, its number would make conditions constant that TornadoVM's OpenCL backend does not
+                // compile.
                 int mesh = firstMesh == Layout.NO_MESHES ? Layout.NO_MESHES : dimensions[FIRST_MESH];
                 PixelKernel.draw(
                         column,

@@ -12,6 +12,7 @@ import dev.twister.kernel.Material;
 import dev.twister.kernel.Refraction;
 import dev.twister.kernel.Shadow;
 import dev.twister.kernel.Sky;
+import dev.twister.kernel.Surface;
 import dev.twister.kernel.Texture;
 import dev.twister.kernel.Tone;
 import java.util.function.Supplier;
@@ -45,6 +46,8 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             case "refraction" -> HelperKernels::refractionItems;
             case "texture" -> HelperKernels::textureItems;
             case "shadow" -> HelperKernels::shadowItems;
+            case "mesh" -> HelperKernels::meshItems;
+            case "meshShadow" -> HelperKernels::meshShadowItems;
             default -> throw new IllegalArgumentException(helper);
         };
     }
@@ -172,6 +175,82 @@ public final class HelperKernels implements Supplier<HelperTasks> {
                     Material.ANY,
                     Aspect.FULL);
             out[2 * i + 1] = path[Layout.DISTANCE];
+        }
+    }
+
+    /**
+     * Item: origin, direction, the triangle of the first mesh that the ray leaves, the first mesh's body. Tables:
+     * hierarchy, meshes.
+     */
+    static void meshItems(float[] in, float[] hierarchy, float[] meshes, float[] c, float[] out, int count) {
+        for (@Parallel int i = 0; i < count; i++) {
+            float[] path = new float[Layout.PATH_LENGTH];
+            float[] scratch = new float[Layout.SCRATCH_LENGTH];
+            int firstMesh = (int) in[8 * i + 7];
+            path[Layout.ORIGIN] = in[8 * i];
+            path[Layout.ORIGIN + 1] = in[8 * i + 1];
+            path[Layout.ORIGIN + 2] = in[8 * i + 2];
+            path[Layout.DIRECTION] = in[8 * i + 3];
+            path[Layout.DIRECTION + 1] = in[8 * i + 4];
+            path[Layout.DIRECTION + 2] = in[8 * i + 5];
+            path[Layout.LEAVING] = firstMesh;
+            path[Layout.LEAVING_TRIANGLE] = in[8 * i + 6];
+            int body = Hit.find(
+                    path,
+                    hierarchy,
+                    hierarchy,
+                    hierarchy,
+                    meshes,
+                    0,
+                    scratch,
+                    Hit.ALL,
+                    firstMesh,
+                    Material.ANY,
+                    Aspect.FULL);
+            if (body != Layout.NOTHING) {
+                Surface.find(path, body, hierarchy, hierarchy, meshes, firstMesh);
+            }
+            out[5 * i] = body;
+            out[5 * i + 1] = path[Layout.DISTANCE];
+            out[5 * i + 2] = path[Layout.NORMAL];
+            out[5 * i + 3] = path[Layout.NORMAL + 1];
+            out[5 * i + 4] = path[Layout.POINT];
+        }
+    }
+
+    /** Item: point, own body, A, D, the disc's radius, samples, the first mesh's body. Tables: unit disc, hierarchy, meshes. */
+    static void meshShadowItems(float[] in, float[] disc, float[] hierarchy, float[] meshes, float[] out, int count) {
+        for (@Parallel int i = 0; i < count; i++) {
+            float[] path = new float[Layout.PATH_LENGTH];
+            float[] scratch = new float[Layout.SCRATCH_RAYS];
+            float[] places = new float[2 * Layout.PLACE_STRIDE];
+            float[] properties = new float[Layout.PROPERTIES_LENGTH];
+            int firstMesh = (int) in[11 * i + 10];
+            path[Layout.POINT] = in[11 * i];
+            path[Layout.POINT + 1] = in[11 * i + 1];
+            path[Layout.POINT + 2] = in[11 * i + 2];
+            path[Layout.TO_LIGHT] = in[11 * i + 4];
+            path[Layout.TO_LIGHT + 1] = in[11 * i + 5];
+            path[Layout.TO_LIGHT + 2] = in[11 * i + 6];
+            path[Layout.LIGHT_DISTANCE] = in[11 * i + 7];
+            path[Layout.NORMAL_DOT_LIGHT] = 1f;
+            places[Layout.PLACE_SIZE] = 0.5f * in[11 * i + 8];
+            properties[Layout.SHADOW_SAMPLES] = in[11 * i + 9];
+            properties[Layout.AMBIENT] = 0f;
+            out[i] = Shadow.visible(
+                    path,
+                    (int) in[11 * i + 3],
+                    properties,
+                    places,
+                    hierarchy,
+                    disc,
+                    hierarchy,
+                    Layout.root(firstMesh),
+                    meshes,
+                    scratch,
+                    firstMesh,
+                    Material.PLAIN,
+                    Aspect.FULL);
         }
     }
 

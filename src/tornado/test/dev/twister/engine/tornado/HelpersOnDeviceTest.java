@@ -3,7 +3,19 @@ package dev.twister.engine.tornado;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.kernel.Layout;
+import dev.twister.mesh.MeshFile;
+import dev.twister.oracle.MeshShapes;
+import dev.twister.scene.Mesh;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
+import dev.twister.sky.Skybox;
+import dev.twister.world.Bodies;
+import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
 import dev.twister.world.SphereHierarchy;
+import dev.twister.world.World;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
@@ -24,6 +36,8 @@ class HelpersOnDeviceTest {
     private static final int LOOKS = Layout.LOOK_STRIDE * BODIES;
     private static final int MANY_BODIES = 1000;
     private static final int MOST_SAMPLES = 500;
+    private static final int MESH_LEVELS = 3;
+    private static final int MESH_TRIANGLES = 20 << (2 * MESH_LEVELS);
 
     /** Small enough for a hierarchy of some depth. */
     private static final int MOST_IN_LEAF = 2;
@@ -127,6 +141,71 @@ class HelpersOnDeviceTest {
                     // A sample at a sphere's rim may fall on either side: never many points of one picture.
                     requireNear(run, 1e-6, ITEMS / 10 / 100);
                 }
+            }
+        }
+    }
+
+    /** Three meshes of one shape, turned and scaled. */
+    private static Bodies meshes(Random random) {
+        List<Mesh> placed = new ArrayList<>();
+        for (int i = 0; i < 3; i++) {
+            placed.add(Mesh.of(Path.of("blob"))
+                    .withPosition(new Vector3(2 * i - 2, random.nextDouble(), random.nextDouble()))
+                    .withRotation(new Vector3(40 * i, 70, 10))
+                    .withScale(0.5 + random.nextDouble()));
+        }
+        Scene scene = Scene.under(Path.of("none")).withMeshes(placed);
+        MeshFile file = MeshShapes.file(MeshShapes.blob(random, MESH_LEVELS));
+        return World.of(scene, SceneImages.of(new Skybox(1, 1, new float[3])), SceneMeshes.of(scene, _ -> file))
+                .snapshot()
+                .bodies();
+    }
+
+    @ParameterizedTest(name = "meshes on {0}")
+    @MethodSource("devices")
+    void meshesAreTheSameOnTheDevice(TornadoDevice device) throws TornadoExecutionPlanException {
+        Random random = new Random(12);
+        Bodies bodies = meshes(random);
+        try (HelperRun run =
+                new HelperRun("mesh", device, ITEMS, 8, 5, bodies.hierarchy().length, bodies.meshes().length, 1)) {
+            put(run.first, 0, bodies.hierarchy());
+            put(run.second, 0, bodies.meshes());
+            for (int item = 0; item < ITEMS; item++) {
+                float[] ray =
+                        concat(floats(spread(random, 2), spread(random, 1), spread(random, 1)), direction(random));
+                put(run.input, item, concat(ray, floats(random.nextInt(MESH_TRIANGLES), bodies.firstMesh())));
+            }
+            requireNear(run, 1e-3, ITEMS / 500);
+        }
+    }
+
+    @ParameterizedTest(name = "meshes'' shadows on {0}")
+    @MethodSource("devices")
+    void shadowsOfMeshesAreTheSameOnTheDevice(TornadoDevice device) throws TornadoExecutionPlanException {
+        Random random = new Random(13);
+        Bodies bodies = meshes(random);
+        try (HelperRun run = new HelperRun(
+                "meshShadow",
+                device,
+                ITEMS / 10,
+                11,
+                1,
+                2 * MOST_SAMPLES,
+                bodies.hierarchy().length,
+                bodies.meshes().length)) {
+            put(run.second, 0, bodies.hierarchy());
+            put(run.third, 0, bodies.meshes());
+            for (int samples : new int[] {1, 7, MOST_SAMPLES}) {
+                fillSunflower(run.first, samples);
+                for (int item = 0; item < ITEMS / 10; item++) {
+                    float[] point = floats(spread(random, 2), spread(random, 2), spread(random, 2), Layout.PLANE);
+                    float[] light = floats(2 + 5 * random.nextDouble(), 0.2 + random.nextDouble(), samples);
+                    put(
+                            run.input,
+                            item,
+                            concat(concat(point, direction(random)), concat(light, floats(bodies.firstMesh()))));
+                }
+                requireNear(run, 1e-6, ITEMS / 10 / 100);
             }
         }
     }
