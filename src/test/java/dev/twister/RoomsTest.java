@@ -95,6 +95,7 @@ class RoomsTest {
                 room(
                         "gui",
                         "files",
+                        "mesh",
                         "scene",
                         "sky",
                         "world",

@@ -1,12 +1,12 @@
 package dev.twister.gui;
 
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.BodyDrag;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.BodyPicker;
 import dev.twister.gui.model.FocusPoint;
 import dev.twister.gui.model.SceneNumbers;
-import dev.twister.gui.model.SphereDrag;
 import java.util.Optional;
 import javafx.beans.value.ObservableValue;
 import javafx.geometry.Point2D;
@@ -23,7 +23,7 @@ final class BodyMouse {
     private final Studio studio;
     private final PathPick paths;
     private Optional<Point2D> pointer = Optional.empty();
-    private Optional<SphereDrag> drag = Optional.empty();
+    private Optional<BodyDrag> drag = Optional.empty();
 
     private BodyMouse(PictureView view, Studio studio, PathPick paths) {
         this.paths = paths;
@@ -63,8 +63,12 @@ final class BodyMouse {
                 && bodyAt(event).filter(body -> body == selected).isPresent()) {
             DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
             Point2D place = place(event);
-            drag = Optional.of(
-                    SphereDrag.start(picture.input(), studio.positionNow(selected), place.getX(), place.getY()));
+            drag = Optional.of(BodyDrag.start(
+                    picture.input(),
+                    studio.positionNow(selected),
+                    studio.extentNow(selected).middle(),
+                    place.getX(),
+                    place.getY()));
             view.requestFocus();
             event.consume();
         }
@@ -78,7 +82,7 @@ final class BodyMouse {
             Point2D place = place(event);
             studio.edit(
                     "move",
-                    scene -> BodyEdits.moved(scene, body, held.centerAt(picture.input(), place.getX(), place.getY())));
+                    scene -> BodyEdits.moved(scene, body, held.placeAt(picture.input(), place.getX(), place.getY())));
             event.consume();
         });
     }
@@ -160,7 +164,7 @@ final class BodyMouse {
                 .filter(_ -> view.place().contains(event.getX(), event.getY()))
                 .map(picture -> {
                     Point2D place = place(event);
-                    return BodyPicker.bodyAt(picture.input(), place.getX(), place.getY());
+                    return picture.sceneBody(BodyPicker.bodyAt(picture.input(), place.getX(), place.getY()));
                 })
                 .flatMap(body -> studio.picturedBodies().map(bodies -> bodies.inScene(body)));
     }

@@ -71,7 +71,7 @@ final class MenuView extends MenuBar {
         studio.editsProperty().subscribe(this::showEdits);
         studio.selectionProperty()
                 .subscribe(body ->
-                        items.get(Command.DELETE).setDisable(!BodyEdits.isSphere(studio.scene(), body.intValue())));
+                        items.get(Command.DELETE).setDisable(!BodyEdits.isSolid(studio.scene(), body.intValue())));
     }
 
     /** Says why a command does nothing whose key is pressed in the picture. */

@@ -1,8 +1,12 @@
 package dev.twister.gui;
 
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.model.MeshOutline;
 import dev.twister.gui.model.SphereOutline;
+import dev.twister.scene.Mesh;
+import dev.twister.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
 import javafx.geometry.Point2D;
@@ -44,12 +48,7 @@ final class SelectionView extends Pane {
         int selected = studio.selectionProperty().get();
         List<Double> points = studio.picturedBodies()
                 .map(bodies -> bodies.inPicture(selected))
-                // Nothing is selected, or the plane, or the picture is of the time before the body was there.
-                .filter(body -> body != BodyNumber.NONE && body != BodyNumber.PLANE)
-                .flatMap(body -> studio.pictureProperty()
-                        .get()
-                        .filter(picture -> body < picture.input().bodyCount())
-                        .map(picture -> points(picture, body)))
+                .flatMap(body -> studio.pictureProperty().get().map(picture -> points(picture, body)))
                 .orElse(List.of());
         // Told the same points, JavaFX would paint anew.
         if (!line.getPoints().equals(points)) {
@@ -60,7 +59,7 @@ final class SelectionView extends Pane {
 
     private List<Double> points(DrawnPicture picture, int body) {
         PicturePlace place = view.place();
-        double[] corners = SphereOutline.corners(picture.input(), body, CORNERS);
+        double[] corners = corners(picture, body);
         List<Double> points = new ArrayList<>();
         for (int i = 0; i < corners.length; i += 2) {
             Point2D corner = place.toView(corners[i], corners[i + 1]);
@@ -68,5 +67,21 @@ final class SelectionView extends Pane {
             points.add(corner.getY());
         }
         return points;
+    }
+
+    private static double[] corners(DrawnPicture picture, int body) {
+        Scene scene = picture.request().scene();
+        if (BodyEdits.isMesh(scene, body)) {
+            Mesh mesh = BodyEdits.mesh(scene, body);
+            return picture.meshes().holds(mesh)
+                    ? MeshOutline.corners(picture.input(), picture.meshes().farPoints(mesh))
+                    : new double[0];
+        }
+        // Nothing is selected, or the plane, or the picture is of the time before the body was there.
+        return body == BodyNumber.NONE
+                        || body == BodyNumber.PLANE
+                        || body >= picture.input().bodyCount()
+                ? new double[0]
+                : SphereOutline.corners(picture.input(), body, CORNERS);
     }
 }

@@ -199,6 +199,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.REDO, studio::redo)
                 .on(Command.REDO_ALSO, studio::redo)
                 .on(Command.INSERT, bodies::insert)
+                .on(Command.INSERT_MESH, files::insertMesh)
                 .on(Command.DUPLICATE, bodies::duplicate)
                 .on(Command.COPY, bodies::copy)
                 .on(Command.PASTE, bodies::paste)

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.model.Solid;
 import dev.twister.gui.model.SphereOutline;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Rgb;
@@ -297,7 +298,7 @@ class BodiesTest {
         driver.run(() -> {
             driver.studio.edit("delete sphere", scene -> BodyEdits.deleted(scene, Layout.FIRST_SPHERE));
             Sphere elsewhere = Sphere.of(new Vector3(0, 20, 0), 1, new Rgb(1, 1, 1), 0);
-            driver.studio.edit("insert sphere", scene -> BodyEdits.inserted(scene, elsewhere));
+            driver.studio.edit("insert sphere", new Solid.OfSphere(elsewhere)::insertedInto);
             fire(MouseEvent.MOUSE_CLICKED, middle, view());
             assertThat(selected()).isEqualTo(MIDDLE - 1);
             fire(MouseEvent.MOUSE_CLICKED, first, view());
@@ -372,7 +373,7 @@ class BodiesTest {
         fire(MouseEvent.MOUSE_CLICKED, place, view(), true);
 
         Vector3 center = BodyEdits.position(before, MIDDLE);
-        double radius = BodyEdits.radius(before, MIDDLE);
+        double radius = BodyEdits.sphere(before, MIDDLE).radius();
         double away = Math.hypot(
                 Math.hypot(
                         center.x() - before.camera().position().x(),

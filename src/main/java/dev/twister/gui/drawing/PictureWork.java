@@ -66,6 +66,7 @@ final class PictureWork implements AutoCloseable {
     PictureWork(
             PictureExchange exchange,
             SkyShelf skies,
+            MeshShelf meshes,
             EngineOffer substitute,
             Supplier<Optional<DrawingRequest>> newest,
             Runnable whenReady,
@@ -74,16 +75,14 @@ final class PictureWork implements AutoCloseable {
         this.newest = newest;
         slowPictures = new SlowPictures(clock);
         this.exchange = exchange;
-        world = new LivingWorld(skies, () -> newest.get().map(DrawingRequest::scene));
+        world = new LivingWorld(skies, meshes, () -> newest.get().map(DrawingRequest::scene));
         seat = new EngineSeat(substitute, whenReady);
     }
 
     /** Looks at a request: the world is as it says, and its engine is being opened. Whether there is something to draw. */
     boolean prepare(DrawingRequest wanted) {
         try {
-            FrameInput snapshot =
-                    world.snapshot(wanted.scene(), wanted.motion(), wanted.width(), wanted.height(), clock.getAsLong());
-            input = showing(wanted.shown(), snapshot);
+            input = showing(wanted.shown(), world.snapshot(wanted, clock.getAsLong()));
             seat.choose(wanted.engine(), new WarmUp(input, coarse(COARSEST), clock));
             sceneFailure = Optional.empty();
         } catch (OutOfMemoryError _) {
@@ -365,6 +364,7 @@ final class PictureWork implements AutoCloseable {
                 frame,
                 wanted,
                 seen,
+                world.meshes(),
                 engine.id(),
                 engine.device(),
                 times,
