@@ -43,7 +43,7 @@ enum Command {
             "Splits the view: another engine, stage or settings at the right."),
     ZOOM_IN(Group.VIEW, "Zoom in", "Shortcut+EQUALS", "Magnifies the picture; so does Ctrl and the wheel."),
     ZOOM_OUT(Group.VIEW, "Zoom out", "Shortcut+MINUS", "The same the other way round."),
-    ZOOM_TO_FIT(Group.VIEW, "Zoom to fit", "Shortcut+BACK_SPACE", "Shows all of the picture again."),
+    ZOOM_TO_FIT(Group.VIEW, "Zoom to fit", "Shortcut+Backspace", "Shows all of the picture again."),
     FRAME(Group.VIEW, "Frame selected", "PERIOD", "Moves the camera so that the selected body fills the picture."),
     FRAME_ALSO(Group.VIEW, "Frame selected", "DECIMAL", "As the period."),
     Q_UP(Group.VIEW, "Q up, E down", "Shortcut+E", "Swaps the keys that lead up and down."),
@@ -54,6 +54,12 @@ enum Command {
     PAUSE(Group.PHYSICS, "Pause", "F6", "Stops the time of moving bodies, or lets it go on."),
     STEP(Group.PHYSICS, "Step", "F7", "Lets 1/120 of a second pass, and stops."),
     RANDOMISE(Group.PHYSICS, "Randomise", "F8", "Throws the spheres into the air, anywhere over the plane."),
+    PLAY(Group.FILM, "Play", "SPACE", "Moves the camera along its keyframes, from the present time; stops it."),
+    SET_KEYFRAME(Group.FILM, "Set keyframe", "K", "Makes the camera as it is now a keyframe of the present time."),
+    DELETE_KEYFRAME(Group.FILM, "Delete keyframe", "Shift+K", "Deletes the keyframe of the present time."),
+    NEXT_KEYFRAME(Group.FILM, "Next keyframe", "Page Down", "Goes to the next keyframe."),
+    PREVIOUS_KEYFRAME(Group.FILM, "Previous keyframe", "Page Up", "Goes to the keyframe before."),
+    FILM(Group.FILM, "Keyframes", "Shortcut+T", "Shows or hides the keyframes of the camera, below the picture."),
     CONTROLS(Group.HELP, "Controls", "F1", "Shows this list."),
     ABOUT(Group.HELP, "About Twister", "Shift+F1", "Says which version this is.");
 
@@ -63,6 +69,7 @@ enum Command {
         EDIT,
         VIEW,
         PHYSICS,
+        FILM,
         HELP;
 
         String label() {

@@ -39,6 +39,9 @@ final class MenuView extends MenuBar {
             Command.PANEL,
             Command.FULL_SCREEN,
             Command.RANDOMISE,
+            Command.SET_KEYFRAME,
+            Command.NEXT_KEYFRAME,
+            Command.FILM,
             Command.ABOUT);
 
     private static final Set<Command> SWITCHES = EnumSet.of(
@@ -50,7 +53,9 @@ final class MenuView extends MenuBar {
             Command.FRAME_TIMES,
             Command.FULL_SCREEN,
             Command.MOVE,
-            Command.PAUSE);
+            Command.PAUSE,
+            Command.PLAY,
+            Command.FILM);
 
     private final Map<Command, MenuItem> items = new EnumMap<>(Command.class);
     private final Menu recent = new Menu("Open recent");

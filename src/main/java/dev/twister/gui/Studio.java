@@ -13,9 +13,9 @@ import dev.twister.gui.drawing.SkyShelf;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyExtent;
 import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.model.CameraRig;
 import dev.twister.gui.model.EditState;
 import dev.twister.gui.model.EditedFile;
-import dev.twister.gui.model.Lens;
 import dev.twister.gui.model.RefinementGoal;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.gui.model.SceneHistory;
@@ -69,6 +69,7 @@ public final class Studio implements AutoCloseable {
     private final ReadOnlyObjectWrapper<DrawingStatus> drawing = new ReadOnlyObjectWrapper<>(DrawingStatus.QUIET);
     private final BooleanProperty refining = new SimpleBooleanProperty(true);
     private final CameraHand hand = new CameraHand(this);
+    private final CameraFilm film;
     private final FrameHistory frames = new FrameHistory();
     private final ReadOnlyObjectWrapper<Motion> motion = new ReadOnlyObjectWrapper<>(Motion.NONE);
     private long starts;
@@ -96,6 +97,7 @@ public final class Studio implements AutoCloseable {
         file = new ReadOnlyObjectWrapper<>(opened.file());
         document = new SceneHistory(first);
         original = new ReadOnlyObjectWrapper<>(opened.scene());
+        film = new CameraFilm(this);
         refining.subscribe(_ -> request());
     }
 
@@ -379,10 +381,26 @@ public final class Studio implements AutoCloseable {
         return hand;
     }
 
-    /** Moves the viewer, which is no edit; the lens stays. */
+    /** What plays the film of the camera's keyframes. */
+    CameraFilm film() {
+        return film;
+    }
+
+    /** Moves the viewer along the film's path, which is no edit; the focus goes along. */
+    void followPath(Camera seen) {
+        Scene now = scene.get();
+        Camera followed = seen.withKeyframes(now.camera().keyframes())
+                .withAperture(now.camera().aperture());
+        if (!followed.equals(now.camera())) {
+            document.carryOn(now.withCamera(followed));
+            show();
+        }
+    }
+
+    /** Moves the viewer, which is no edit; the lens and the keyframes stay. */
     public void moveCamera(UnaryOperator<Camera> move) {
         Scene now = scene.get();
-        Camera moved = Lens.of(now.camera()).on(move.apply(now.camera()));
+        Camera moved = CameraRig.of(now.camera()).on(move.apply(now.camera()));
         if (!moved.equals(now.camera())) {
             document.carryOn(now.withCamera(moved));
             show();
@@ -416,6 +434,7 @@ public final class Studio implements AutoCloseable {
         selection.set(BodyNumber.NONE);
         motion.set(Motion.NONE);
         show();
+        film.startAnew();
         request();
     }
 
@@ -548,6 +567,7 @@ public final class Studio implements AutoCloseable {
         double seconds = Math.clamp((nanos - lastPulseNanos) / NANOS_PER_SECOND, 0, LONGEST_STEP_SECONDS);
         lastPulseNanos = nanos;
         hand.pulse(seconds);
+        film.pulse(seconds);
         loop.takeNewest().ifPresent(newest -> {
             frames.add(newest, displayMillis);
             picture.set(Optional.of(newest));

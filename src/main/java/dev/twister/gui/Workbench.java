@@ -16,6 +16,7 @@ import javafx.geometry.Rectangle2D;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
 import javafx.stage.Screen;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
@@ -45,9 +46,10 @@ final class Workbench implements AutoCloseable {
     private final PathPick paths;
     private final BodyMouse bodyMouse;
     private final MenuView menu;
+    private final FilmBar film;
 
     /**
-     * Puts the menu at the root's top and the panel at its right.
+     * Puts the menu at the root's top, the panel at its right, and the keyframes above what is at its bottom.
      *
      * @param root of the stage's scene
      * @param middle of the root, with the picture; what is said of the picture is laid over it
@@ -98,7 +100,11 @@ final class Workbench implements AutoCloseable {
         menu.check(Command.FRAME_TIMES, frameTimes.visibleProperty());
         menu.check(Command.FULL_SCREEN, stage.fullScreenProperty());
         menu.explainKeys(root.getScene(), studio);
+        film = new FilmBar(studio, actions, picture::requestFocus);
+        menu.check(Command.PLAY, studio.film().playingProperty());
+        menu.check(Command.FILM, film.visibleProperty());
         root.setTop(menu);
+        root.setBottom(new VBox(film, root.getBottom()));
         root.setRight(panel);
         picture.addOverlay(new SelectionView(picture, studio));
         ZoomMouse.install(picture);
@@ -228,6 +234,12 @@ final class Workbench implements AutoCloseable {
                 .on(Command.STEP, studio::stepOnce)
                 .on(Command.RANDOMISE, this::randomise)
                 .on(Command.FULL_SCREEN, () -> stage.setFullScreen(!stage.isFullScreen()))
+                .on(Command.PLAY, studio.film()::togglePlaying)
+                .on(Command.SET_KEYFRAME, studio.film()::setKeyframe)
+                .on(Command.DELETE_KEYFRAME, studio.film()::deleteKeyframe)
+                .on(Command.NEXT_KEYFRAME, () -> studio.film().goAlong(true))
+                .on(Command.PREVIOUS_KEYFRAME, () -> studio.film().goAlong(false))
+                .on(Command.FILM, () -> studio.film().shownProperty().set(!film.isVisible()))
                 .on(Command.CONTROLS, this::showControls)
                 .on(Command.ABOUT, help::showAbout);
     }

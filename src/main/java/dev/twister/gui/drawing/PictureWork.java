@@ -208,7 +208,8 @@ final class PictureWork implements AutoCloseable {
 
     /** A smaller picture first, where the full one is known to take long; whether it was drawn. */
     private boolean drawQuickly(DrawingRequest wanted, Engine engine) {
-        int divisor = QuickAnswer.divisor(slowPictures.knownNanos(engine, input));
+        boolean unknown = slowPictures.mayTakeLong(engine, input);
+        int divisor = unknown ? QuickAnswer.MOST : QuickAnswer.divisor(slowPictures.knownNanos(engine, input));
         if (divisor == 1) {
             return false;
         }
@@ -216,6 +217,7 @@ final class PictureWork implements AutoCloseable {
         FrameInput small = coarse(divisor);
         Frame frame = exchange.frameToDraw(small.width(), small.height());
         boolean whole = false;
+        long start = clock.getAsLong();
         try {
             whole = render(wanted, small, frame, (seen, pixels) -> {
                 engine.render(seen, pixels);
@@ -225,6 +227,9 @@ final class PictureWork implements AutoCloseable {
             if (!whole) {
                 exchange.abandon(frame);
             }
+        }
+        if (unknown) {
+            slowPictures.guess(engine, input, (clock.getAsLong() - start) * divisor * divisor);
         }
         finish(wanted, small, engine, frame, frame.times(), small.samplesPerPixel(), false);
         return true;
