@@ -1,16 +1,24 @@
 package dev.twister.gui;
 
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.Axis;
 import dev.twister.gui.model.BodyDrag;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.BodyPicker;
 import dev.twister.gui.model.FocusPoint;
 import dev.twister.gui.model.SceneNumbers;
+import dev.twister.scene.Vector3;
+import dev.twister.world.FrameInput;
 import java.util.Optional;
+import java.util.stream.Stream;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.value.ObservableValue;
 import javafx.geometry.Point2D;
 import javafx.scene.Cursor;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 
@@ -24,6 +32,12 @@ final class BodyMouse {
     private final PathPick paths;
     private Optional<Point2D> pointer = Optional.empty();
     private Optional<BodyDrag> drag = Optional.empty();
+    private final ReadOnlyObjectWrapper<Optional<Axis>> axis = new ReadOnlyObjectWrapper<>(Optional.empty());
+
+    /** Where the body is dragged to, in pixels of the view. */
+    private Point2D draggedTo = Point2D.ZERO;
+
+    private boolean snapping;
 
     private BodyMouse(PictureView view, Studio studio, PathPick paths) {
         this.paths = paths;
@@ -47,6 +61,12 @@ final class BodyMouse {
         // By a key, while a body is held: the pointer does not hold the one that is selected then.
         studio.selectionProperty().subscribe(_ -> mouse.letGo());
         view.addEventFilter(MouseEvent.MOUSE_EXITED, _ -> mouse.pointer = Optional.empty());
+        view.addEventFilter(KeyEvent.KEY_PRESSED, event -> mouse.keyPressed(event.getCode(), event));
+        view.addEventFilter(KeyEvent.KEY_RELEASED, event -> {
+            if (event.getCode() == KeyCode.CONTROL) {
+                mouse.snap(false);
+            }
+        });
         return mouse;
     }
 
@@ -63,6 +83,7 @@ final class BodyMouse {
                 && bodyAt(event).filter(body -> body == selected).isPresent()) {
             DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
             Point2D place = place(event);
+            draggedTo = new Point2D(event.getX(), event.getY());
             drag = Optional.of(BodyDrag.start(
                     picture.input(),
                     studio.positionNow(selected),
@@ -74,17 +95,61 @@ final class BodyMouse {
         }
     }
 
+    /** The axis along which the body that is held moves; empty where it moves freely. */
+    ReadOnlyObjectProperty<Optional<Axis>> axisProperty() {
+        return axis.getReadOnlyProperty();
+    }
+
     private void dragged(MouseEvent event) {
+        if (drag.isPresent()) {
+            draggedTo = new Point2D(event.getX(), event.getY());
+            snapping = event.isControlDown();
+            move();
+            event.consume();
+        }
+    }
+
+    /** Moves what is held to where the pointer is, as the keys say. */
+    private void move() {
         drag.ifPresent(held -> {
             // The one that it began on: it ends where another one is selected, or none.
             int body = studio.selectionProperty().get();
-            DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
-            Point2D place = place(event);
-            studio.edit(
-                    "move",
-                    scene -> BodyEdits.moved(scene, body, held.placeAt(picture.input(), place.getX(), place.getY())));
-            event.consume();
+            FrameInput input = studio.pictureProperty().get().orElseThrow().input();
+            Point2D to = view.place().toPicture(draggedTo.getX(), draggedTo.getY());
+            Vector3 free = axis.get()
+                    .map(along -> held.placeAlong(along, input, to.getX(), to.getY()))
+                    .orElseGet(() -> held.placeAt(input, to.getX(), to.getY()));
+            Vector3 place = snapping ? BodyDrag.snapped(free, axis.get()) : free;
+            studio.edit("move", scene -> BodyEdits.moved(scene, body, place));
         });
+    }
+
+    /** X, Y and Z let what is held move along that axis, or freely again. */
+    private void keyPressed(KeyCode key, KeyEvent event) {
+        if (drag.isEmpty()) {
+            return;
+        }
+        if (key == KeyCode.CONTROL) {
+            snap(true);
+        }
+        Stream.of(Axis.values())
+                .filter(along -> along.name().equals(key.getName()))
+                .findFirst()
+                .ifPresent(along -> {
+                    axis.set(axis.get().equals(Optional.of(along)) ? Optional.empty() : Optional.of(along));
+                    studio.notice(axis.get()
+                            .map(chosen -> "Moving along " + chosen.label() + "; " + key.getName() + " ends that")
+                            .orElse("Moving freely"));
+                    move();
+                    event.consume();
+                });
+    }
+
+    private void snap(boolean on) {
+        if (drag.isPresent() && snapping != on) {
+            snapping = on;
+            move();
+        }
     }
 
     private void released(MouseEvent event) {
@@ -97,6 +162,8 @@ final class BodyMouse {
     private void letGo() {
         if (drag.isPresent()) {
             drag = Optional.empty();
+            snapping = false;
+            axis.set(Optional.empty());
             studio.endGesture();
         }
     }

@@ -36,6 +36,8 @@ final class HelpWindows {
     private static final List<KeyLine> BODIES = List.of(
             new KeyLine("Click", "Select a sphere, a mesh, the light or the plane"),
             new KeyLine("Drag the selected one", "Move it, at the same distance from the camera"),
+            new KeyLine("X, Y, Z while dragging it", "Move it along that axis, or freely again"),
+            new KeyLine("Ctrl while dragging it", "Snap to half meters"),
             new KeyLine("Drop a file", "Open a scene or a mesh; a panorama becomes the sky"));
 
     /** What a key or a movement of the mouse does. */

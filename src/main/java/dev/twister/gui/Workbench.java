@@ -106,11 +106,13 @@ final class Workbench implements AutoCloseable {
         root.setTop(menu);
         root.setBottom(new VBox(film, root.getBottom()));
         root.setRight(panel);
-        picture.addOverlay(new SelectionView(picture, studio));
+        SelectionView outline = new SelectionView(picture, studio);
+        picture.addOverlay(outline);
         ZoomMouse.install(picture);
         OrbitMouse.install(picture, studio);
         picture.addOverlay(new PathView(picture, studio, paths));
         bodyMouse = BodyMouse.install(picture, studio, paths, stage.focusedProperty());
+        bodyMouse.axisProperty().subscribe(outline::showAxis);
         PanelKeys.install(root.getScene(), panel, picture, this::showPanel);
         DropTarget.install(root.getScene(), files);
         errands.run(

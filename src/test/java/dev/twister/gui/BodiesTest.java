@@ -23,6 +23,7 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.paint.Color;
+import javafx.scene.shape.Line;
 import javafx.scene.shape.Polygon;
 import javafx.stage.Stage;
 import org.junit.jupiter.api.AfterAll;
@@ -171,6 +172,35 @@ class BodiesTest {
         Point2D end = seenAt(MIDDLE);
         assertThat(end.getX() - start.getX()).isCloseTo(60, within(6.0));
         assertThat(end.getY() - start.getY()).isCloseTo(-30, within(6.0));
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+    }
+
+    @Test
+    void whileItIsHeldABodyMovesAlongAnAxisAndSnaps() {
+        Point2D start = seenAt(MIDDLE);
+        click(start);
+        Vector3 before = BodyEdits.position(scene(), MIDDLE);
+        driver.withRobot(hand -> hand.mouseMove(start.getX(), start.getY()));
+        driver.withRobot(hand -> hand.mousePress(MouseButton.PRIMARY));
+        driver.withRobot(hand -> hand.mouseMove(start.getX() + 60, start.getY() - 30));
+        assertThat(BodyEdits.position(scene(), MIDDLE).y()).isGreaterThan(before.y() + 0.1);
+        driver.type(KeyCode.X);
+        Vector3 along = BodyEdits.position(scene(), MIDDLE);
+        assertThat(along.x()).isGreaterThan(before.x() + 0.2);
+        assertThat(along.y()).isEqualTo(before.y());
+        assertThat(along.z()).isEqualTo(before.z());
+        assertThat(WindowDriver.call(driver.find("#axis", Line.class)::isVisible))
+                .isTrue();
+        driver.press(KeyCode.CONTROL);
+        Vector3 snapped = BodyEdits.position(scene(), MIDDLE);
+        assertThat(2 * snapped.x()).isEqualTo(Math.rint(2 * along.x()));
+        assertThat(snapped.y()).isEqualTo(before.y());
+        driver.release(KeyCode.CONTROL);
+        assertThat(BodyEdits.position(scene(), MIDDLE).x()).isCloseTo(along.x(), within(0.05));
+        driver.withRobot(hand -> hand.mouseRelease(MouseButton.PRIMARY));
+        assertThat(WindowDriver.call(driver.find("#axis", Line.class)::isVisible))
+                .isFalse();
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
         assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
     }

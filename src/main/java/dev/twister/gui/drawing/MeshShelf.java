@@ -47,9 +47,9 @@ public final class MeshShelf {
         this.reader = reader;
     }
 
-    /** Keeps a file that was read already for the scene that is opened next, or edited to have it. */
+    /** Keeps a file that was read already for the scene that is opened next, or edited to have it, where it is not at hand. */
     public synchronized void keep(Mesh mesh, MeshFile file) {
-        kept = Optional.of(new Kept(Source.of(mesh), file));
+        kept = Optional.of(new Kept(Source.of(mesh), file)).filter(one -> !meshBySource.containsKey(one.source()));
         // Read anew, it can be had whatever was wrong with it before.
         complaints.remove(Source.of(mesh));
     }
@@ -60,20 +60,18 @@ public final class MeshShelf {
      * @param newDocument counts up with each scene that is opened, whose files are read anew; of an older one nothing is
      *     at hand
      */
-    SceneMeshes of(Scene scene, long newDocument) {
-        synchronized (this) {
-            if (newDocument < document) {
-                return SceneMeshes.NONE;
-            }
-            if (newDocument > document) {
-                startAnew(newDocument);
-            }
-            List<Mesh> missing = missing(scene);
-            if (!missing.isEmpty() && task.isEmpty()) {
-                begin(missing);
-            }
-            return held;
+    synchronized SceneMeshes of(Scene scene, long newDocument) {
+        if (newDocument < document) {
+            return SceneMeshes.NONE;
         }
+        if (newDocument > document) {
+            startAnew(newDocument);
+        }
+        List<Mesh> missing = missing(scene);
+        if (!missing.isEmpty() && task.isEmpty()) {
+            begin(missing);
+        }
+        return held;
     }
 
     /** Changes with what is at hand, or is known of it. */
@@ -146,7 +144,8 @@ public final class MeshShelf {
         if (isWanted(mine)) {
             long triangles =
                     files.values().stream().mapToLong(MeshFile::shownTriangles).sum();
-            mine.progress = String.format(Locale.ROOT, "%,d triangles", triangles);
+            mine.progress = (count == 1 ? name(mine.missing.getFirst()) : count + " meshes")
+                    + String.format(Locale.ROOT, ", %,d triangles", triangles);
             tell(problems, found, () -> finish(mine, found, joined(found, files)));
         }
         end(mine, problems);

@@ -12,6 +12,7 @@ import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
 import java.util.List;
+import java.util.Optional;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
@@ -141,6 +142,33 @@ class PickingTest {
         assertThat(moved.x()).isCloseTo(10 * TAN * 16 / 32, within(1e-4));
         assertThat(moved.y()).isCloseTo(2, within(1e-4));
         assertThat(moved.z()).isCloseTo(0, within(1e-4));
+    }
+
+    @Test
+    void alongAnAxisABodyFollowsThePointerAndStaysOnTheAxis() {
+        Vector3 place = new Vector3(0, 2, 0);
+        double[] start = pixelOf(place);
+        BodyDrag drag = BodyDrag.start(input, place, place, start[0], start[1]);
+        double[] right = pixelOf(new Vector3(3, 2.5, 0));
+        Vector3 along = drag.placeAlong(Axis.X, input, right[0], right[1]);
+        assertThat(along.x()).isCloseTo(3, within(0.05));
+        assertThat(along.y()).isEqualTo(2);
+        assertThat(along.z()).isZero();
+        // The axis is seen end on.
+        assertThat(drag.placeAlong(Axis.Z, input, start[0], start[1])).isEqualTo(place);
+
+        Vector3 beside = new Vector3(3, 2, 0);
+        double[] hold = pixelOf(beside);
+        BodyDrag other = BodyDrag.start(input, beside, beside, hold[0], hold[1]);
+        double[] farther = pixelOf(new Vector3(3, 2, 4));
+        assertThat(other.placeAlong(Axis.Z, input, farther[0], farther[1]).z()).isCloseTo(4, within(1e-3));
+    }
+
+    @Test
+    void snappingRoundsToHalfMeters() {
+        Vector3 place = new Vector3(1.2, -0.2, 3.3);
+        assertThat(BodyDrag.snapped(place, Optional.empty())).isEqualTo(new Vector3(1, 0, 3.5));
+        assertThat(BodyDrag.snapped(place, Optional.of(Axis.X))).isEqualTo(new Vector3(1, -0.2, 3.3));
     }
 
     @Test
