@@ -39,6 +39,9 @@ final class BodyMouse {
 
     private boolean snapping;
 
+    /** What was said of the axis; may be empty. */
+    private String told = "";
+
     private BodyMouse(PictureView view, Studio studio, PathPick paths) {
         this.paths = paths;
         this.view = view;
@@ -137,12 +140,21 @@ final class BodyMouse {
                 .findFirst()
                 .ifPresent(along -> {
                     axis.set(axis.get().equals(Optional.of(along)) ? Optional.empty() : Optional.of(along));
-                    studio.notice(axis.get()
-                            .map(chosen -> "Moving along " + chosen.label() + "; " + key.getName() + " ends that")
-                            .orElse("Moving freely"));
+                    tellAxis();
                     move();
                     event.consume();
                 });
+    }
+
+    /** Says along which axis it moves, as long as it does. */
+    private void tellAxis() {
+        studio.retract(told);
+        told = axis.get()
+                .map(along -> "Moving along " + along.label() + "; " + along.name() + " moves freely again")
+                .orElse("");
+        if (!told.isEmpty()) {
+            studio.notice(told);
+        }
     }
 
     private void snap(boolean on) {
@@ -164,6 +176,7 @@ final class BodyMouse {
             drag = Optional.empty();
             snapping = false;
             axis.set(Optional.empty());
+            tellAxis();
             studio.endGesture();
         }
     }
