@@ -102,6 +102,7 @@ class RoomsTest {
                 room(
                         "gui",
                         "files",
+                        "mesh",
                         "scene",
                         "sky",
                         "world",

@@ -27,11 +27,4 @@ final class MeshFiles {
                         .toAbsolutePath()
                         .normalize());
     }
-
-    /** Where the scene of a mesh is saved when it is: beside the mesh. */
-    static Path sceneFile(Path file) {
-        String name = file.getFileName().toString();
-        int dot = name.lastIndexOf('.');
-        return file.toAbsolutePath().resolveSibling((dot > 0 ? name.substring(0, dot) : name) + ".json");
-    }
 }

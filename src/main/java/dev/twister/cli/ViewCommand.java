@@ -4,6 +4,7 @@ import dev.twister.engine.Engines;
 import dev.twister.gui.Gui;
 import dev.twister.gui.OpenedScene;
 import dev.twister.gui.ShippedFolders;
+import dev.twister.mesh.MeshStage;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneWriter;
 import java.io.IOException;
@@ -53,7 +54,7 @@ final class ViewCommand implements Callable<Integer> {
             engineId.filter(id -> !Engines.isDevice(id))
                     .ifPresent(id -> Engines.offer(id).check());
             Gui.run(
-                    new OpenedScene(MeshFiles.sceneFile(file), scene),
+                    new OpenedScene(MeshStage.sceneFile(file), scene),
                     false,
                     engineId,
                     new ShippedFolders(Home.scenes(), Home.skyboxes()));

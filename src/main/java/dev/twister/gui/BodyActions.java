@@ -1,17 +1,27 @@
 package dev.twister.gui;
 
 import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.model.BodyExtent;
 import dev.twister.gui.model.NewSphere;
 import dev.twister.gui.model.Orbit;
-import dev.twister.scene.Sphere;
-import dev.twister.scene.Vector3;
+import dev.twister.gui.model.Solid;
 import java.util.Optional;
 
 /** What the menu does with bodies. */
 final class BodyActions {
     private final Studio studio;
-    private Optional<Sphere> copied = Optional.empty();
+    private Optional<Copied> copied = Optional.empty();
+
+    /**
+     * A body, and how far beside it another one does not touch it.
+     *
+     * @param apart in meters
+     */
+    private record Copied(Solid body, double apart) {
+        Copied beside() {
+            return new Copied(body.beside(apart), apart);
+        }
+    }
 
     BodyActions(Studio studio) {
         this.studio = studio;
@@ -20,36 +30,38 @@ final class BodyActions {
     void insert() {
         studio.pictureProperty()
                 .get()
-                .ifPresent(shown -> insert("insert sphere", NewSphere.inFrontOf(shown.input(), studio.scene())));
+                .ifPresent(shown ->
+                        insert("insert", new Solid.OfSphere(NewSphere.inFrontOf(shown.input(), studio.scene()))));
     }
 
-    /** Another sphere like the selected one, to the right of it. */
+    /** Another body like the selected one, to the right of it. */
     void duplicate() {
-        selected().ifPresent(sphere -> insert("duplicate sphere", BodyEdits.beside(sphere)));
+        selected().ifPresent(original -> insert("duplicate", original.beside().body()));
     }
 
     void copy() {
-        selected().ifPresent(sphere -> {
-            copied = Optional.of(sphere);
-            studio.notice("Copied a sphere");
+        selected().ifPresent(original -> {
+            copied = Optional.of(original);
+            studio.notice("Copied a " + original.body().kind());
         });
     }
 
-    /** To the right of the sphere that was copied, or pasted before. */
+    /** To the right of the body that was copied, or pasted before. */
     void paste() {
         copied.ifPresentOrElse(
-                sphere -> {
-                    Sphere pasted = BodyEdits.beside(sphere);
+                original -> {
+                    Copied pasted = original.beside();
                     copied = Optional.of(pasted);
-                    insert("paste sphere", pasted);
+                    insert("paste", pasted.body());
                 },
-                () -> studio.notice("No sphere has been copied"));
+                () -> studio.notice("Nothing has been copied"));
     }
 
     void delete() {
         int body = studio.selectionProperty().get();
-        if (BodyEdits.isSphere(studio.scene(), body)) {
-            studio.edit("delete sphere", scene -> BodyEdits.deleted(scene, body));
+        if (BodyEdits.isSolid(studio.scene(), body)) {
+            String kind = BodyEdits.solid(studio.scene(), body).kind();
+            studio.edit("delete " + kind, scene -> BodyEdits.deleted(scene, body));
             studio.endGesture();
         }
     }
@@ -62,27 +74,27 @@ final class BodyActions {
     void frameSelected() {
         int body = studio.selectionProperty().get();
         if (BodyEdits.isMovable(studio.scene(), body)) {
-            double radius = BodyEdits.radius(studio.scene(), body);
-            Vector3 center = studio.positionNow(body);
-            studio.moveCamera(camera -> Orbit.framed(camera, center, radius));
+            BodyExtent extent = studio.extentNow(body);
+            studio.moveCamera(camera -> Orbit.framed(camera, extent.middle(), extent.radius()));
         } else {
-            studio.notice("Select a sphere or the light to frame it");
+            studio.notice("Select a sphere, a mesh or the light to frame it");
         }
     }
 
-    /** The selected sphere where it is now; says so where there is none. */
-    private Optional<Sphere> selected() {
+    /** The selected sphere or mesh where it is now; says so where there is none. */
+    private Optional<Copied> selected() {
         int body = studio.selectionProperty().get();
-        if (BodyEdits.isSphere(studio.scene(), body)) {
-            return Optional.of(BodyEdits.sphere(studio.scene(), body).withPosition(studio.positionNow(body)));
+        if (BodyEdits.isSolid(studio.scene(), body)) {
+            Solid standing = BodyEdits.solid(studio.scene(), body);
+            return Optional.of(new Copied(
+                    standing.withPosition(studio.positionNow(body)),
+                    studio.extentNow(body).apart()));
         }
-        studio.notice("Select a sphere to copy it");
+        studio.notice("Select a sphere or a mesh to copy it");
         return Optional.empty();
     }
 
-    private void insert(String what, Sphere sphere) {
-        studio.edit(what, scene -> BodyEdits.inserted(scene, sphere));
-        studio.endGesture();
-        studio.select(BodyNumber.ofSphere(studio.scene().spheres().size() - 1));
+    private void insert(String what, Solid body) {
+        studio.insert(what + " " + body.kind(), body);
     }
 }

@@ -1,16 +1,24 @@
 package dev.twister.gui;
 
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.Axis;
+import dev.twister.gui.model.BodyDrag;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.BodyPicker;
 import dev.twister.gui.model.FocusPoint;
 import dev.twister.gui.model.SceneNumbers;
-import dev.twister.gui.model.SphereDrag;
+import dev.twister.scene.Vector3;
+import dev.twister.world.FrameInput;
 import java.util.Optional;
+import java.util.stream.Stream;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.value.ObservableValue;
 import javafx.geometry.Point2D;
 import javafx.scene.Cursor;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 
@@ -23,7 +31,16 @@ final class BodyMouse {
     private final Studio studio;
     private final PathPick paths;
     private Optional<Point2D> pointer = Optional.empty();
-    private Optional<SphereDrag> drag = Optional.empty();
+    private Optional<BodyDrag> drag = Optional.empty();
+    private final ReadOnlyObjectWrapper<Optional<Axis>> axis = new ReadOnlyObjectWrapper<>(Optional.empty());
+
+    /** Where the body is dragged to, in pixels of the view. */
+    private Point2D draggedTo = Point2D.ZERO;
+
+    private boolean snapping;
+
+    /** What was said of the axis; may be empty. */
+    private String told = "";
 
     private BodyMouse(PictureView view, Studio studio, PathPick paths) {
         this.paths = paths;
@@ -47,6 +64,12 @@ final class BodyMouse {
         // By a key, while a body is held: the pointer does not hold the one that is selected then.
         studio.selectionProperty().subscribe(_ -> mouse.letGo());
         view.addEventFilter(MouseEvent.MOUSE_EXITED, _ -> mouse.pointer = Optional.empty());
+        view.addEventFilter(KeyEvent.KEY_PRESSED, event -> mouse.keyPressed(event.getCode(), event));
+        view.addEventFilter(KeyEvent.KEY_RELEASED, event -> {
+            if (event.getCode() == KeyCode.CONTROL) {
+                mouse.snap(false);
+            }
+        });
         return mouse;
     }
 
@@ -63,24 +86,82 @@ final class BodyMouse {
                 && bodyAt(event).filter(body -> body == selected).isPresent()) {
             DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
             Point2D place = place(event);
-            drag = Optional.of(
-                    SphereDrag.start(picture.input(), studio.positionNow(selected), place.getX(), place.getY()));
+            draggedTo = new Point2D(event.getX(), event.getY());
+            drag = Optional.of(BodyDrag.start(
+                    picture.input(),
+                    studio.positionNow(selected),
+                    studio.extentNow(selected).middle(),
+                    place.getX(),
+                    place.getY()));
             view.requestFocus();
             event.consume();
         }
     }
 
+    /** The axis along which the body that is held moves; empty where it moves freely. */
+    ReadOnlyObjectProperty<Optional<Axis>> axisProperty() {
+        return axis.getReadOnlyProperty();
+    }
+
     private void dragged(MouseEvent event) {
+        if (drag.isPresent()) {
+            draggedTo = new Point2D(event.getX(), event.getY());
+            snapping = event.isControlDown();
+            move();
+            event.consume();
+        }
+    }
+
+    /** Moves what is held to where the pointer is, as the keys say. */
+    private void move() {
         drag.ifPresent(held -> {
             // The one that it began on: it ends where another one is selected, or none.
             int body = studio.selectionProperty().get();
-            DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
-            Point2D place = place(event);
-            studio.edit(
-                    "move",
-                    scene -> BodyEdits.moved(scene, body, held.centerAt(picture.input(), place.getX(), place.getY())));
-            event.consume();
+            FrameInput input = studio.pictureProperty().get().orElseThrow().input();
+            Point2D to = view.place().toPicture(draggedTo.getX(), draggedTo.getY());
+            Vector3 free = axis.get()
+                    .map(along -> held.placeAlong(along, input, to.getX(), to.getY()))
+                    .orElseGet(() -> held.placeAt(input, to.getX(), to.getY()));
+            Vector3 place = snapping ? BodyDrag.snapped(free, axis.get()) : free;
+            studio.edit("move", scene -> BodyEdits.moved(scene, body, place));
         });
+    }
+
+    /** X, Y and Z let what is held move along that axis, or freely again. */
+    private void keyPressed(KeyCode key, KeyEvent event) {
+        if (drag.isEmpty()) {
+            return;
+        }
+        if (key == KeyCode.CONTROL) {
+            snap(true);
+        }
+        Stream.of(Axis.values())
+                .filter(along -> along.name().equals(key.getName()))
+                .findFirst()
+                .ifPresent(along -> {
+                    axis.set(axis.get().equals(Optional.of(along)) ? Optional.empty() : Optional.of(along));
+                    tellAxis();
+                    move();
+                    event.consume();
+                });
+    }
+
+    /** Says along which axis it moves, as long as it does. */
+    private void tellAxis() {
+        studio.retract(told);
+        told = axis.get()
+                .map(along -> "Moving along " + along.label() + "; " + along.name() + " moves freely again")
+                .orElse("");
+        if (!told.isEmpty()) {
+            studio.notice(told);
+        }
+    }
+
+    private void snap(boolean on) {
+        if (drag.isPresent() && snapping != on) {
+            snapping = on;
+            move();
+        }
     }
 
     private void released(MouseEvent event) {
@@ -93,6 +174,9 @@ final class BodyMouse {
     private void letGo() {
         if (drag.isPresent()) {
             drag = Optional.empty();
+            snapping = false;
+            axis.set(Optional.empty());
+            tellAxis();
             studio.endGesture();
         }
     }
@@ -160,7 +244,7 @@ final class BodyMouse {
                 .filter(_ -> view.place().contains(event.getX(), event.getY()))
                 .map(picture -> {
                     Point2D place = place(event);
-                    return BodyPicker.bodyAt(picture.input(), place.getX(), place.getY());
+                    return picture.sceneBody(BodyPicker.bodyAt(picture.input(), place.getX(), place.getY()));
                 })
                 .flatMap(body -> studio.picturedBodies().map(bodies -> bodies.inScene(body)));
     }

@@ -5,7 +5,7 @@ import javafx.scene.input.KeyCombination;
 
 /** What a person can do by a menu or a key; the one place that says which key. */
 enum Command {
-    OPEN(Group.FILE, "Open…", "Shortcut+O", "Opens a scene, or a panorama as the sky."),
+    OPEN(Group.FILE, "Open…", "Shortcut+O", "Opens a scene or a mesh, or a panorama as the sky."),
     SAVE(Group.FILE, "Save", "Shortcut+S", "Saves the scene, with the camera where it is now."),
     SAVE_AS(Group.FILE, "Save as…", "Shortcut+Shift+S", "Saves the scene under another name."),
     SCREENSHOT(Group.FILE, "Screenshot…", "F12", "Saves the picture as PNG, or as HDR with its radiance."),
@@ -15,15 +15,16 @@ enum Command {
     REDO(Group.EDIT, "Redo", "Shortcut+Shift+Z", "Makes the edit again that was taken back."),
     REDO_ALSO(Group.EDIT, "Redo", "Shortcut+Y", "As Ctrl+Shift+Z."),
     INSERT(Group.EDIT, "Insert sphere", "Insert", "A new sphere in the middle of the picture."),
-    DUPLICATE(Group.EDIT, "Duplicate sphere", "Shortcut+D", "Another sphere like the selected one, beside it."),
-    COPY(Group.EDIT, "Copy sphere", "Shortcut+C", "Copies the selected sphere."),
+    INSERT_MESH(Group.EDIT, "Insert mesh…", "Shift+Insert", "Adds a mesh file to the scene, as large as a new sphere."),
+    DUPLICATE(Group.EDIT, "Duplicate", "Shortcut+D", "Another sphere or mesh like the selected one, beside it."),
+    COPY(Group.EDIT, "Copy", "Shortcut+C", "Copies the selected sphere or mesh."),
     PASTE(
             Group.EDIT,
-            "Paste sphere",
+            "Paste",
             "Shortcut+V",
-            "Inserts the copied sphere beside the original, also in another scene."),
-    DELETE(Group.EDIT, "Delete sphere", "Delete", "Deletes the selected sphere."),
-    NEXT(Group.EDIT, "Next body", "F2", "Selects the light, the plane, then one sphere after the other, then nothing."),
+            "Inserts the copied sphere or mesh beside the original, also in another scene."),
+    DELETE(Group.EDIT, "Delete", "Delete", "Deletes the selected sphere or mesh."),
+    NEXT(Group.EDIT, "Next body", "F2", "Selects the light, the plane, then each sphere and each mesh, then nothing."),
     PREVIOUS(Group.EDIT, "Previous body", "Shift+F2", "The same the other way round."),
     DESELECT(Group.EDIT, "Back to the picture", "Esc", "Leaves the panel; in the picture, selects nothing."),
     RESET(Group.EDIT, "Reset everything", "Shortcut+Shift+Home", "Everything in the panel as it was at first."),
@@ -42,7 +43,7 @@ enum Command {
             "Splits the view: another engine, stage or settings at the right."),
     ZOOM_IN(Group.VIEW, "Zoom in", "Shortcut+EQUALS", "Magnifies the picture; so does Ctrl and the wheel."),
     ZOOM_OUT(Group.VIEW, "Zoom out", "Shortcut+MINUS", "The same the other way round."),
-    ZOOM_TO_FIT(Group.VIEW, "Zoom to fit", "Shortcut+BACK_SPACE", "Shows all of the picture again."),
+    ZOOM_TO_FIT(Group.VIEW, "Zoom to fit", "Shortcut+Backspace", "Shows all of the picture again."),
     FRAME(Group.VIEW, "Frame selected", "PERIOD", "Moves the camera so that the selected body fills the picture."),
     FRAME_ALSO(Group.VIEW, "Frame selected", "DECIMAL", "As the period."),
     Q_UP(Group.VIEW, "Q up, E down", "Shortcut+E", "Swaps the keys that lead up and down."),
@@ -53,6 +54,12 @@ enum Command {
     PAUSE(Group.PHYSICS, "Pause", "F6", "Stops the time of moving bodies, or lets it go on."),
     STEP(Group.PHYSICS, "Step", "F7", "Lets 1/120 of a second pass, and stops."),
     RANDOMIZE(Group.PHYSICS, "Randomize", "F8", "Throws the spheres into the air, anywhere over the plane."),
+    PLAY(Group.FILM, "Play", "SPACE", "Moves the camera along its keyframes, from the present time; stops it."),
+    SET_KEYFRAME(Group.FILM, "Set keyframe", "K", "Makes the camera as it is now a keyframe of the present time."),
+    DELETE_KEYFRAME(Group.FILM, "Delete keyframe", "Shift+K", "Deletes the keyframe of the present time."),
+    NEXT_KEYFRAME(Group.FILM, "Next keyframe", "Page Down", "Goes to the next keyframe."),
+    PREVIOUS_KEYFRAME(Group.FILM, "Previous keyframe", "Page Up", "Goes to the keyframe before."),
+    FILM(Group.FILM, "Keyframes", "Shortcut+T", "Shows or hides the keyframes of the camera, below the picture."),
     CONTROLS(Group.HELP, "Controls", "F1", "Shows this list."),
     ABOUT(Group.HELP, "About Twister", "Shift+F1", "Says which version this is.");
 
@@ -62,6 +69,7 @@ enum Command {
         EDIT,
         VIEW,
         PHYSICS,
+        FILM,
         HELP;
 
         String label() {

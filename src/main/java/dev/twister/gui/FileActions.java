@@ -5,11 +5,19 @@ import dev.twister.gui.model.Autosave;
 import dev.twister.gui.model.DroppedFile;
 import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.model.FileMark;
+import dev.twister.gui.model.NewMesh;
 import dev.twister.gui.model.SceneHistory;
+import dev.twister.gui.model.Solid;
+import dev.twister.mesh.Bounds;
+import dev.twister.mesh.MeshException;
+import dev.twister.mesh.MeshFile;
+import dev.twister.mesh.MeshStage;
+import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.SceneReader;
 import dev.twister.scene.SceneWriter;
+import dev.twister.sky.ShippedSky;
 import dev.twister.sky.SkyException;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -63,7 +71,10 @@ final class FileActions {
         choice.toOpen(folder()).ifPresent(this::open);
     }
 
-    /** Opens a scene, once changes are saved or given up; a panorama becomes the sky. What is neither is complained of. */
+    /**
+     * Opens a scene, or a mesh in a scene of its own, once changes are saved or given up; a panorama becomes the sky. What
+     * is none of them is complained of.
+     */
     void open(Path file) {
         reading.begin(
                 name(file),
@@ -72,7 +83,8 @@ final class FileActions {
                     switch (kind) {
                         case SCENE -> openScene(file);
                         case SKYBOX -> useSky(file);
-                        case NEITHER -> {
+                        case MESH -> openMesh(file);
+                        case OTHER -> {
                             forgetWhereGone(file);
                             dialogs.complain("This cannot be opened", DroppedFile.complaint(file));
                         }
@@ -88,6 +100,60 @@ final class FileActions {
             studio.notice("One file at a time: opening " + files.getFirst().getFileName());
         }
         files.stream().findFirst().ifPresent(this::open);
+    }
+
+    /** Asks which mesh, and adds it to the scene, in the middle of the picture. */
+    void insertMesh() {
+        long document = studio.document();
+        choice.mesh(folder()).map(FileActions::absolute).map(Mesh::of).ifPresent(chosen -> {
+            Mesh mesh = chosen.withSmooth(MeshStage.SMOOTH_DEGREES);
+            readMesh(mesh, held -> {
+                if (studio.document() == document) {
+                    insert(mesh, held);
+                }
+            });
+        });
+    }
+
+    private void insert(Mesh mesh, MeshFile held) {
+        studio.pictureProperty().get().ifPresent(shown -> {
+            Bounds bounds = held.bounds();
+            studio.keepMesh(mesh, held);
+            studio.insert(
+                    "insert mesh",
+                    new Solid.OfMesh(
+                            NewMesh.inFrontOf(shown.input(), studio.scene(), mesh, bounds.center(), bounds.half())));
+        });
+    }
+
+    /** Shows a mesh in a scene of its own. */
+    private void openMesh(Path file) {
+        Mesh mesh = Mesh.of(absolute(file)).withSmooth(MeshStage.SMOOTH_DEGREES);
+        Path sky = absolute(shipped.skyboxes().resolve(ShippedSky.DAY.fileName()));
+        readMesh(mesh, held -> {
+            Scene stage = MeshStage.of(mesh.file(), held, sky);
+            afterSaving(() -> {
+                studio.keepMesh(mesh, held);
+                studio.show(new OpenedScene(MeshStage.sceneFile(mesh.file()), stage));
+                remember(file);
+            });
+        });
+    }
+
+    private void readMesh(Mesh mesh, Consumer<MeshFile> then) {
+        reading.begin(
+                name(mesh.file()),
+                () -> studio.readMesh(mesh),
+                then,
+                problem -> {
+                    forgetWhereGone(mesh.file());
+                    complain("Couldn't open the mesh", problem);
+                },
+                () -> {});
+    }
+
+    private static Path absolute(Path file) {
+        return file.toAbsolutePath().normalize();
     }
 
     /** Asks which panorama, and makes it the sky. */
@@ -106,7 +172,7 @@ final class FileActions {
      * @param refused called in that case, and where the person does not wait for it
      */
     void useSky(Path panorama, Runnable refused) {
-        Path file = panorama.toAbsolutePath().normalize();
+        Path file = absolute(panorama);
         reading.begin(
                 name(file),
                 () -> {
@@ -128,7 +194,7 @@ final class FileActions {
      */
     void chooseTexture(Optional<Path> present, Consumer<Path> then) {
         choice.texture(present.map(Path::getParent).orElse(folder()))
-                .map(file -> file.toAbsolutePath().normalize())
+                .map(FileActions::absolute)
                 .ifPresent(then);
     }
 
@@ -383,15 +449,13 @@ final class FileActions {
 
     /** Has a scene that was opened or saved among the recent ones from now on. */
     void remember(Path file) {
-        settings.change(
-                kept -> kept.withRecentScene(file.toAbsolutePath().normalize().toString()));
+        settings.change(kept -> kept.withRecentScene(absolute(file).toString()));
         settings.write();
     }
 
     private void forgetWhereGone(Path file) {
         if (!Files.exists(file)) {
-            settings.change(kept ->
-                    kept.withoutRecentScene(file.toAbsolutePath().normalize().toString()));
+            settings.change(kept -> kept.withoutRecentScene(absolute(file).toString()));
         }
     }
 
@@ -402,7 +466,7 @@ final class FileActions {
 
     static String explain(Throwable problem) {
         return switch (problem) {
-            case SceneException _, SkyException _, IOException _ -> problem.getMessage();
+            case SceneException _, SkyException _, MeshException _, IOException _ -> problem.getMessage();
             case OutOfMemoryError _ -> "There is not enough memory for it.";
             default -> "This is a bug of Twister's: " + problem;
         };

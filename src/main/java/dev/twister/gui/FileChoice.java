@@ -5,7 +5,7 @@ import java.util.Optional;
 
 /** Asks a person for files; empty where they think better of it. A test answers in their place. */
 interface FileChoice {
-    /** A scene or a panorama that is there. */
+    /** A scene, a mesh or a panorama that is there. */
     Optional<Path> toOpen(Path folder);
 
     /** Where to save a scene. */
@@ -13,6 +13,9 @@ interface FileChoice {
 
     /** A panorama that is there. */
     Optional<Path> panorama(Path folder);
+
+    /** A mesh that is there. */
+    Optional<Path> mesh(Path folder);
 
     /** A texture that is there. */
     Optional<Path> texture(Path folder);

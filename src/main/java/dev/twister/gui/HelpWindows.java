@@ -34,9 +34,11 @@ final class HelpWindows {
             new KeyLine("Ctrl+0 … Ctrl+9", "Keep this view under a number"),
             new KeyLine("0 … 9", "Go to the view of that number"));
     private static final List<KeyLine> BODIES = List.of(
-            new KeyLine("Click", "Select a sphere, the light or the plane"),
+            new KeyLine("Click", "Select a sphere, a mesh, the light or the plane"),
             new KeyLine("Drag the selected one", "Move it, at the same distance from the camera"),
-            new KeyLine("Drop a file", "Open a scene; a panorama becomes the sky"));
+            new KeyLine("X, Y, Z while dragging it", "Move it along that axis, or freely again"),
+            new KeyLine("Ctrl while dragging it", "Snap to half meters"),
+            new KeyLine("Drop a file", "Open a scene or a mesh; a panorama becomes the sky"));
 
     /** What a key or a movement of the mouse does. */
     private record KeyLine(String keys, String meaning) {}

@@ -10,7 +10,8 @@ import java.util.Locale;
 final class InspectorText {
     private InspectorText() {}
 
-    static String of(PixelReading pixel, Picture shown) {
+    /** @param body the body of the pixel, as the scene numbers it */
+    static String of(PixelReading pixel, int body, Picture shown) {
         return String.format(
                 Locale.ROOT,
                 "x %d   y %d   RGB %d %d %d   #%06X%n%s%n%s   %d %s",
@@ -21,20 +22,23 @@ final class InspectorText {
                 pixel.argb() & 255,
                 pixel.argb() & 0xFFFFFF,
                 value(pixel.radiance(), shown),
-                pixel.body() == BodyNumber.NONE
+                body == BodyNumber.NONE
                         ? "sky"
-                        : String.format(Locale.ROOT, "%s, %.3f m away", bodyName(pixel.body()), pixel.distance()),
+                        : String.format(Locale.ROOT, "%s, %.3f m away", bodyName(body), pixel.distance()),
                 pixel.samples(),
                 pixel.samples() == 1 ? "sample" : "samples");
     }
 
-    /** A body as the panel numbers it. */
+    /** A body as the scene numbers it. */
     static String bodyName(int body) {
         return switch (body) {
             case BodyNumber.NONE -> "sky";
             case BodyNumber.LIGHT -> "light";
             case BodyNumber.PLANE -> "plane";
-            default -> "sphere " + (BodyNumber.sphere(body) + 1);
+            default ->
+                BodyNumber.mesh(body) >= 0
+                        ? "mesh " + (BodyNumber.mesh(body) + 1)
+                        : "sphere " + (BodyNumber.sphere(body) + 1);
         };
     }
 

@@ -1,6 +1,8 @@
 package dev.twister.gui;
 
 import dev.twister.gui.ChoiceRow.Look;
+import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyList;
 import dev.twister.gui.model.BodyMaterials;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.MaterialNumbers;
@@ -36,7 +38,7 @@ final class MaterialRows {
     private Optional<SharedMaterial> shared;
     private List<Optional<Path>> textures;
 
-    /** The material of the plane or a sphere. */
+    /** The material of the plane, of a sphere, or the own one of a mesh. */
     MaterialRows(Studio studio, FileActions files, int body) {
         this.studio = studio;
         this.files = files;
@@ -79,9 +81,9 @@ final class MaterialRows {
         return body;
     }
 
-    /** How many spheres the scene had at first. */
-    int spheres() {
-        return before.spheres().size();
+    /** Whether the body's number may mean another one by now. */
+    boolean isRenumbered() {
+        return BodyEdits.isRenumbered(before, studio.scene(), body);
     }
 
     List<PanelRow> rows() {
@@ -98,8 +100,7 @@ final class MaterialRows {
 
     /** What the material is called, and who has it. */
     String hint() {
-        String which = body == BodyNumber.PLANE ? "The plane" : "Sphere " + (BodyNumber.sphere(body) + 1);
-        return which
+        return (body == BodyNumber.PLANE ? "The plane" : BodyList.title(before, body))
                 + shared.map(named -> " has the material \"" + named.name() + "\", "
                                 + (named.bodies().size() == 1
                                         ? "alone."
@@ -110,7 +111,7 @@ final class MaterialRows {
     /** Shows the scene's material; the scene has the body. */
     void show() {
         Scene scene = studio.scene();
-        if (!hasSameMaterials(scene, known)) {
+        if (!BodyMaterials.areSame(scene, known)) {
             known = scene;
             shared = shared.filter(named -> named.isIn(scene)).or(() -> SharedMaterial.of(scene, body));
             textures = textures(scene);
@@ -124,12 +125,6 @@ final class MaterialRows {
         texture.show(textures, now.texture(), firstMaterial().texture());
         all.show(changesAll && shared.isPresent(), false);
         all.setDisable(shared.isEmpty());
-    }
-
-    private static boolean hasSameMaterials(Scene one, Scene other) {
-        return one.spheres().equals(other.spheres())
-                && one.plane().equals(other.plane())
-                && one.materials().equals(other.materials());
     }
 
     private Material material(Scene scene) {

@@ -1,16 +1,22 @@
 package dev.twister.gui;
 
+import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyList;
 import dev.twister.gui.model.BodyMaterials;
+import dev.twister.gui.model.BodyNumber;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javafx.scene.control.Label;
 import javafx.scene.layout.VBox;
 
-/** What the selected sphere or the plane is made of; not seen where neither is selected. */
+/** What the selected sphere, mesh or plane is made of; not seen where none is selected. */
 final class MaterialSection extends VBox {
     private final Studio studio;
     private final FileActions files;
     private final Label hint = new Label();
+    private final SwitchRow own;
+    private int body = BodyNumber.NONE;
     private Optional<MaterialRows> material = Optional.empty();
 
     MaterialSection(Studio studio, FileActions files) {
@@ -20,34 +26,64 @@ final class MaterialSection extends VBox {
         hint.getStyleClass().add("hint");
         hint.setWrapText(true);
         hint.setId("material-hint");
+        own = new SwitchRow(
+                "Own material",
+                "Give the mesh one material. Off: the materials of its file.",
+                "Alt+Shift+7",
+                this::setOwn);
         studio.selectionProperty().subscribe(_ -> rebuild());
         studio.sceneProperty().subscribe(_ -> refresh());
     }
 
     /** The rows of the body that is selected; none where it has no material. */
     List<PanelRow> rows() {
-        return material.map(MaterialRows::rows).orElse(List.of());
+        return Stream.concat(
+                        BodyEdits.isMesh(studio.scene(), body) ? Stream.of(own) : Stream.empty(),
+                        material.map(MaterialRows::rows).orElse(List.of()).stream())
+                .toList();
     }
 
     private void rebuild() {
-        int spheres = studio.scene().spheres().size();
-        // It would be taken as they lose the focus, for the sphere that has the number now.
-        material.filter(old -> old.spheres() != spheres).ifPresent(MaterialRows::forgetTyped);
-        int body = studio.selectionProperty().get();
+        // It would be taken as they lose the focus, for the body that has the number now.
+        material.filter(MaterialRows::isRenumbered).ifPresent(MaterialRows::forgetTyped);
+        body = studio.selectionProperty().get();
         material = Optional.of(body)
                 .filter(selected -> BodyMaterials.has(studio.scene(), selected))
                 .map(selected -> new MaterialRows(studio, files, selected));
-        setVisible(material.isPresent());
+        setVisible(material.isPresent() || BodyEdits.isMesh(studio.scene(), body));
         getChildren().setAll(hint);
         getChildren().addAll(rows());
         refresh();
     }
 
     private void refresh() {
-        // The selection follows a scene that has lost the sphere; until then there is nothing to show.
-        material.filter(rows -> BodyMaterials.has(studio.scene(), rows.body())).ifPresent(rows -> {
+        if (body != studio.selectionProperty().get()) {
+            // The selection follows a scene that has lost the body; until then there is nothing to show.
+            return;
+        }
+        boolean mesh = BodyEdits.isMesh(studio.scene(), body);
+        boolean has = BodyMaterials.has(studio.scene(), body);
+        if (mesh && has != material.isPresent()) {
+            rebuild();
+            return;
+        }
+        own.show(has, false);
+        material.filter(_ -> has).ifPresent(rows -> {
             rows.show();
             hint.setText(rows.hint());
         });
+        if (mesh && !has) {
+            hint.setText(BodyList.title(studio.scene(), body) + " has the materials of its file.");
+        }
+    }
+
+    private void setOwn(boolean on) {
+        int mesh = body;
+        studio.edit(
+                on ? "own material" : "file's materials",
+                scene -> on
+                        ? BodyMaterials.with(scene, mesh, studio.fileMaterial(mesh))
+                        : BodyMaterials.withFiles(scene, mesh));
+        studio.endGesture();
     }
 }

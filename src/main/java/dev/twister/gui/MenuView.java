@@ -39,6 +39,9 @@ final class MenuView extends MenuBar {
             Command.PANEL,
             Command.FULL_SCREEN,
             Command.RANDOMIZE,
+            Command.SET_KEYFRAME,
+            Command.NEXT_KEYFRAME,
+            Command.FILM,
             Command.ABOUT);
 
     private static final Set<Command> SWITCHES = EnumSet.of(
@@ -50,7 +53,9 @@ final class MenuView extends MenuBar {
             Command.FRAME_TIMES,
             Command.FULL_SCREEN,
             Command.MOVE,
-            Command.PAUSE);
+            Command.PAUSE,
+            Command.PLAY,
+            Command.FILM);
 
     private final Map<Command, MenuItem> items = new EnumMap<>(Command.class);
     private final Menu recent = new Menu("Open recent");
@@ -71,7 +76,7 @@ final class MenuView extends MenuBar {
         studio.editsProperty().subscribe(this::showEdits);
         studio.selectionProperty()
                 .subscribe(body ->
-                        items.get(Command.DELETE).setDisable(!BodyEdits.isSphere(studio.scene(), body.intValue())));
+                        items.get(Command.DELETE).setDisable(!BodyEdits.isSolid(studio.scene(), body.intValue())));
     }
 
     /** Says why a command does nothing whose key is pressed in the picture. */

@@ -88,7 +88,9 @@ final class OrbitMouse {
 
     private Vector3 pivot() {
         int selected = studio.selectionProperty().get();
-        return BodyEdits.isMovable(studio.scene(), selected) ? studio.positionNow(selected) : middle();
+        return BodyEdits.isMovable(studio.scene(), selected)
+                ? studio.extentNow(selected).middle()
+                : middle();
     }
 
     private Vector3 middle() {

@@ -1,7 +1,7 @@
 package dev.twister.gui;
 
 import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.Lens;
+import dev.twister.gui.model.CameraRig;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.world.Picture;
 import java.nio.file.Path;
@@ -199,7 +199,7 @@ final class Panel extends ScrollPane {
         studio.edit(
                 "everything",
                 scene -> studio.original()
-                        .withCamera(Lens.of(studio.original().camera()).on(scene.camera())));
+                        .withCamera(CameraRig.of(studio.original().camera()).on(scene.camera())));
         studio.endGesture();
         studio.hand().goHome();
         studio.setResolution(ResolutionMode.WINDOW);

@@ -8,6 +8,7 @@ import javafx.beans.property.ReadOnlyObjectWrapper;
 
 /** The pixel whose path is shown. It stays as it was when it was picked, wherever the camera goes. */
 final class PathPick {
+    private Optional<DrawnPicture> picked = Optional.empty();
     private final ReadOnlyObjectWrapper<Optional<PixelPath>> path = new ReadOnlyObjectWrapper<>(Optional.empty());
 
     PathPick(Studio studio) {
@@ -24,10 +25,17 @@ final class PathPick {
 
     /** Shows the path through a pixel's center. */
     void pick(DrawnPicture picture, int x, int y) {
+        picked = Optional.of(picture);
         path.set(Optional.of(PixelPath.of(picture.input().withSamples(0, 1), x, y, 0)));
     }
 
+    /** The scene's body that a step of the path meets. */
+    int sceneBody(int body) {
+        return picked.map(picture -> picture.sceneBody(body)).orElse(body);
+    }
+
     void clear() {
+        picked = Optional.empty();
         path.set(Optional.empty());
     }
 }

@@ -37,7 +37,7 @@ final class PathTable extends VBox {
         table.setPlaceholder(new Region());
         column("Step", 3.2, step -> String.valueOf(table.getItems().indexOf(step) + 1));
         column("Ray", 8.2, this::ray);
-        column("Meets", 5.5, step -> InspectorText.bodyName(step.body()));
+        column("Meets", 5.5, step -> InspectorText.bodyName(pick.sceneBody(step.body())));
         column("Distance", 6, step -> step.distance() == 0 ? "" : number(step.distance()) + " m");
         shading("N·L", 3.9, Shading::normalDotLight);
         shading("S", 3.6, Shading::visible);

@@ -1,38 +1,52 @@
 package dev.twister.gui;
 
+import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.physics.SameSpheres;
-import dev.twister.scene.Sphere;
+import dev.twister.scene.Mesh;
+import dev.twister.scene.Scene;
 import java.util.List;
 
 /**
- * Which body of a picture is which one of the scene, which may have been edited since the picture was asked for. See
- * {@link BodyNumber}.
+ * Which body of the scene that a picture shows is which one of the scene, which may have been edited since the picture was
+ * asked for. See {@link BodyNumber}.
  *
- * @param pictured the spheres that the picture shows
- * @param standing the spheres that the scene has now
- * @param renumbered whether spheres came or went in between: as many as before may be others
+ * @param pictured the scene that the picture shows
+ * @param standing the scene as it is now
+ * @param renumbered whether bodies came or went in between: as many as before may be others
  */
-record PictureBodies(List<Sphere> pictured, List<Sphere> standing, boolean renumbered) {
-    /** The scene's body that is this one of the picture. */
+record PictureBodies(Scene pictured, Scene standing, boolean renumbered) {
+    /** The scene's body that is this one of the picture's scene. */
     int inScene(int body) {
         return same(standing, pictured, body);
     }
 
-    /** The picture's body that is this one of the scene. */
+    /** The body of the picture's scene that is this one of the scene. */
     int inPicture(int body) {
         return same(pictured, standing, body);
     }
 
-    private int same(List<Sphere> wanted, List<Sphere> given, int body) {
-        int index = BodyNumber.sphere(body);
-        // As long as spheres neither come nor go, each keeps its number; half a million need not be counted for each
+    private int same(Scene wanted, Scene given, int body) {
+        // As long as bodies neither come nor go, each keeps its number; half a million need not be counted for each
         // picture.
-        if (index < 0 || !renumbered) {
+        if (BodyNumber.sphere(body) < 0 || !renumbered) {
             return body;
         }
+        return BodyNumber.mesh(body) < 0
+                ? sameSphere(wanted, given, BodyNumber.sphere(body))
+                : sameMesh(wanted.meshes(), given, body);
+    }
+
+    private static int sameSphere(Scene wanted, Scene given, int index) {
         // Poured ones are in the picture, but not in the scene: which is which is not known.
-        int found = index < given.size() ? SameSpheres.byPlace(wanted, given)[index] : SameSpheres.NONE;
+        int found = index < given.spheres().size()
+                ? SameSpheres.byPlace(wanted.spheres(), given.spheres())[index]
+                : SameSpheres.NONE;
         return found == SameSpheres.NONE ? BodyNumber.NONE : BodyNumber.ofSphere(found);
+    }
+
+    private static int sameMesh(List<Mesh> wanted, Scene given, int body) {
+        int found = BodyEdits.isMesh(given, body) ? wanted.indexOf(BodyEdits.mesh(given, body)) : -1;
+        return found < 0 ? BodyNumber.NONE : BodyNumber.ofMesh(found);
     }
 }

@@ -1,6 +1,5 @@
 package dev.twister.gui;
 
-import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import javafx.geometry.Pos;
@@ -44,7 +43,7 @@ final class ReadingView extends HBox {
     static void cancel(Studio studio, Reading reading) {
         name(studio, reading).ifPresent(file -> studio.notice("Canceled reading " + file));
         reading.cancel();
-        studio.cancelSky();
+        studio.cancelReading();
     }
 
     /** Called in every pulse. */
@@ -62,10 +61,7 @@ final class ReadingView extends HBox {
     }
 
     private static Optional<String> name(Studio studio, Reading reading) {
-        return reading.presentProperty()
-                .get()
-                .map(Reading.Task::name)
-                .or(() -> studio.skyBeingRead().map(Path::getFileName).map(Path::toString));
+        return reading.presentProperty().get().map(Reading.Task::name).or(studio::beingRead);
     }
 
     private void show(boolean shown) {

@@ -33,9 +33,14 @@ final class StatusText {
                         picture.frame().width() + " × " + picture.frame().height(),
                         picture.samples() + (picture.samples() == 1 ? " sample per pixel" : " samples per pixel"),
                         picture.input().bodyCount() + " bodies",
+                        meshes(picture.request().scene().meshes().size()),
                         camera.aperture() > 0 ? "focus at " + meters(camera) : "")
                 .filter(part -> !part.isEmpty())
                 .collect(Collectors.joining(BETWEEN));
+    }
+
+    private static String meshes(int count) {
+        return count == 0 ? "" : count + (count == 1 ? " mesh" : " meshes");
     }
 
     /** What the camera has been focused on. */

@@ -7,22 +7,29 @@ import dev.twister.gui.drawing.DrawingRequest;
 import dev.twister.gui.drawing.DrawingStatus;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.EngineChoice;
+import dev.twister.gui.drawing.MeshShelf;
 import dev.twister.gui.drawing.Motion;
 import dev.twister.gui.drawing.SkyShelf;
 import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyExtent;
 import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.model.CameraRig;
 import dev.twister.gui.model.EditState;
 import dev.twister.gui.model.EditedFile;
-import dev.twister.gui.model.Lens;
 import dev.twister.gui.model.RefinementGoal;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.gui.model.SceneHistory;
+import dev.twister.gui.model.Solid;
 import dev.twister.image.PictureSize;
+import dev.twister.mesh.MeshFile;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Material;
+import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 import dev.twister.world.CameraMotion;
 import dev.twister.world.Picture;
+import dev.twister.world.SceneMeshes;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
@@ -49,6 +56,7 @@ public final class Studio implements AutoCloseable {
     private static final double LONGEST_STEP_SECONDS = 0.25;
 
     private final SkyShelf skies;
+    private final MeshShelf meshes;
     private final DrawingLoop loop;
     private final ReadOnlyObjectWrapper<Scene> scene;
     private final ReadOnlyObjectWrapper<EngineChoice> engine;
@@ -61,6 +69,7 @@ public final class Studio implements AutoCloseable {
     private final ReadOnlyObjectWrapper<DrawingStatus> drawing = new ReadOnlyObjectWrapper<>(DrawingStatus.QUIET);
     private final BooleanProperty refining = new SimpleBooleanProperty(true);
     private final CameraHand hand = new CameraHand(this);
+    private final CameraFilm film;
     private final FrameHistory frames = new FrameHistory();
     private final ReadOnlyObjectWrapper<Motion> motion = new ReadOnlyObjectWrapper<>(Motion.NONE);
     private long starts;
@@ -73,12 +82,14 @@ public final class Studio implements AutoCloseable {
     private double viewWidth;
     private double viewHeight;
     private long requests;
+    private long meshesEdition;
 
-    /** The first request with the numbers that spheres have now; they change where some come or go. */
+    /** The first request with the numbers that bodies have now; they change where some come or go. */
     private long numbered;
 
-    private Studio(OpenedScene opened, EngineOffer offer, SkyShelf skies, DrawingLoop loop) {
+    private Studio(OpenedScene opened, EngineOffer offer, SkyShelf skies, MeshShelf meshes, DrawingLoop loop) {
         this.skies = skies;
+        this.meshes = meshes;
         this.loop = loop;
         Scene first = withCameraAbovePlane(opened.scene());
         scene = new ReadOnlyObjectWrapper<>(first);
@@ -86,6 +97,7 @@ public final class Studio implements AutoCloseable {
         file = new ReadOnlyObjectWrapper<>(opened.file());
         document = new SceneHistory(first);
         original = new ReadOnlyObjectWrapper<>(opened.scene());
+        film = new CameraFilm(this);
         refining.subscribe(_ -> request());
     }
 
@@ -97,8 +109,9 @@ public final class Studio implements AutoCloseable {
      */
     public static Studio start(OpenedScene opened, EngineOffer engine) {
         SkyShelf skies = new SkyShelf();
-        DrawingLoop loop = new DrawingLoop(skies, JvmEngines.parallel());
-        Studio studio = new Studio(opened, engine, skies, loop);
+        MeshShelf meshes = new MeshShelf(SceneMeshes.reader(skies::warn));
+        DrawingLoop loop = new DrawingLoop(skies, meshes, JvmEngines.parallel());
+        Studio studio = new Studio(opened, engine, skies, meshes, loop);
         loop.start();
         return studio;
     }
@@ -122,13 +135,12 @@ public final class Studio implements AutoCloseable {
         return picture.getReadOnlyProperty();
     }
 
-    /** Which body of the picture that is shown is which of the scene's; empty while it is a picture of the scene before. */
+    /** Which body of the scene that is shown is which of the scene's; empty while it is a picture of the scene before. */
     Optional<PictureBodies> picturedBodies() {
         return picture.get()
                 .map(DrawnPicture::request)
                 .filter(request -> request.document() == documents)
-                .map(request -> new PictureBodies(
-                        request.scene().spheres(), scene.get().spheres(), request.number() < numbered));
+                .map(request -> new PictureBodies(request.scene(), scene.get(), request.number() < numbered));
     }
 
     /** The samples per pixel of the picture that is shown, where it is finished and no other one is being drawn. */
@@ -145,9 +157,9 @@ public final class Studio implements AutoCloseable {
         return drawing.getReadOnlyProperty();
     }
 
-    /** A second drawing thread, not started yet, that has the same skies at hand. */
+    /** A second drawing thread, not started yet, that has the same skies and meshes at hand. */
     DrawingLoop anotherLoop() {
-        return new DrawingLoop(skies, JvmEngines.parallel());
+        return new DrawingLoop(skies, meshes, JvmEngines.parallel());
     }
 
     /** See {@link DrawingLoop#radiance}. */
@@ -231,6 +243,13 @@ public final class Studio implements AutoCloseable {
         show();
     }
 
+    /** Adds a sphere or a mesh to the scene, which is an edit of its own, and selects it. */
+    void insert(String what, Solid body) {
+        edit(what, body::insertedInto);
+        endGesture();
+        select(body.last(scene.get()));
+    }
+
     /** Whether and how bodies move. */
     public ReadOnlyObjectProperty<Motion> motionProperty() {
         return motion.getReadOnlyProperty();
@@ -283,6 +302,25 @@ public final class Studio implements AutoCloseable {
                 : BodyEdits.position(scene.get(), body);
     }
 
+    /** The room that a movable body takes in the picture that is shown. */
+    BodyExtent extentNow(int body) {
+        SceneMeshes shown = picture.get().map(DrawnPicture::meshes).orElse(SceneMeshes.NONE);
+        Vector3 standing = BodyEdits.position(scene.get(), body);
+        Vector3 now = positionNow(body);
+        return BodyExtent.of(scene.get(), shown, body)
+                .movedBy(now.x() - standing.x(), now.y() - standing.y(), now.z() - standing.z());
+    }
+
+    /** What a mesh's file says that it is made of; the default where it has not been read. */
+    Material fileMaterial(int body) {
+        Mesh mesh = BodyEdits.mesh(scene.get(), body);
+        return picture.get()
+                .map(DrawnPicture::meshes)
+                .filter(shown -> shown.holds(mesh))
+                .map(shown -> shown.fileMaterial(mesh))
+                .orElse(Material.DEFAULT);
+    }
+
     /** The next edit is one of its own: the mouse button was let go, say. */
     public void endGesture() {
         document.endGesture();
@@ -307,7 +345,7 @@ public final class Studio implements AutoCloseable {
         return selection.getReadOnlyProperty();
     }
 
-    /** Selects the light, the plane, a sphere or one that is poured; any other number selects nothing. */
+    /** Selects the light, the plane, a sphere, a mesh, or a sphere that is poured; any other number selects nothing. */
     public void select(int body) {
         Scene now = scene.get();
         int selected = BodyEdits.isEditable(now, body) || BodyEdits.isPoured(now, body) ? body : BodyNumber.NONE;
@@ -343,10 +381,26 @@ public final class Studio implements AutoCloseable {
         return hand;
     }
 
-    /** Moves the viewer, which is no edit; the lens stays. */
+    /** What plays the film of the camera's keyframes. */
+    CameraFilm film() {
+        return film;
+    }
+
+    /** Moves the viewer along the film's path, which is no edit; the focus goes along. */
+    void followPath(Camera seen) {
+        Scene now = scene.get();
+        Camera followed = seen.withKeyframes(now.camera().keyframes())
+                .withAperture(now.camera().aperture());
+        if (!followed.equals(now.camera())) {
+            document.carryOn(now.withCamera(followed));
+            show();
+        }
+    }
+
+    /** Moves the viewer, which is no edit; the lens and the keyframes stay. */
     public void moveCamera(UnaryOperator<Camera> move) {
         Scene now = scene.get();
-        Camera moved = Lens.of(now.camera()).on(move.apply(now.camera()));
+        Camera moved = CameraRig.of(now.camera()).on(move.apply(now.camera()));
         if (!moved.equals(now.camera())) {
             document.carryOn(now.withCamera(moved));
             show();
@@ -380,6 +434,7 @@ public final class Studio implements AutoCloseable {
         selection.set(BodyNumber.NONE);
         motion.set(Motion.NONE);
         show();
+        film.startAnew();
         request();
     }
 
@@ -469,14 +524,29 @@ public final class Studio implements AutoCloseable {
         skies.refreshTexture(textured, file);
     }
 
-    /** The panorama or texture that the drawing thread waits for. */
-    Optional<Path> skyBeingRead() {
-        return skies.beingRead();
+    /** The panorama or texture that the drawing thread waits for, or the meshes that it draws without until they are read. */
+    Optional<String> beingRead() {
+        return skies.beingRead().map(file -> String.valueOf(file.getFileName())).or(meshes::progress);
     }
 
-    /** The drawing thread waits no more for a panorama or a texture, and draws without it. */
-    void cancelSky() {
+    /** What is {@link #beingRead} is not read any more: the drawing thread draws without it. */
+    void cancelReading() {
         skies.cancel();
+        meshes.cancel();
+    }
+
+    /**
+     * Reads a mesh's file; any thread may do so.
+     *
+     * @throws dev.twister.mesh.MeshException where it is not a mesh that can be read
+     */
+    MeshFile readMesh(Mesh mesh) {
+        return SceneMeshes.reader(skies::warn).apply(SceneMeshes.Source.of(mesh));
+    }
+
+    /** Keeps a mesh's file that was read for a scene that is shown next, or is edited to have it. */
+    void keepMesh(Mesh mesh, MeshFile file) {
+        meshes.keep(mesh, file);
     }
 
     /** The area for the picture, in pixels of the screen. */
@@ -497,6 +567,7 @@ public final class Studio implements AutoCloseable {
         double seconds = Math.clamp((nanos - lastPulseNanos) / NANOS_PER_SECOND, 0, LONGEST_STEP_SECONDS);
         lastPulseNanos = nanos;
         hand.pulse(seconds);
+        film.pulse(seconds);
         loop.takeNewest().ifPresent(newest -> {
             frames.add(newest, displayMillis);
             picture.set(Optional.of(newest));
@@ -504,6 +575,10 @@ public final class Studio implements AutoCloseable {
         String warnings = skies.takeWarnings();
         if (!warnings.isEmpty()) {
             notice(warnings);
+        }
+        if (meshes.edition() != meshesEdition) {
+            meshesEdition = meshes.edition();
+            request();
         }
         drawing.set(loop.status());
     }
@@ -528,14 +603,15 @@ public final class Studio implements AutoCloseable {
         document.carryOn(withCameraAbovePlane(document.present()));
         edits.set(EditState.of(document));
         if (!document.present().equals(scene.get())) {
-            boolean sameSpheres =
-                    scene.get().spheres().size() == document.present().spheres().size();
-            if (!sameSpheres) {
+            Scene before = scene.get();
+            Scene now = document.present();
+            if (before.spheres().size() != now.spheres().size()
+                    || before.meshes().size() != now.meshes().size()) {
                 numbered = requests + 1;
             }
-            scene.set(document.present());
-            // Where spheres come and go, a number may mean another one.
-            select(sameSpheres ? selection.get() : BodyNumber.NONE);
+            boolean renumbered = BodyEdits.isRenumbered(before, now, selection.get());
+            scene.set(now);
+            select(renumbered ? BodyNumber.NONE : selection.get());
             request();
         }
     }

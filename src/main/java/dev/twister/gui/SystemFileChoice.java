@@ -18,6 +18,7 @@ import javafx.stage.Window;
 final class SystemFileChoice implements FileChoice {
     private static final String SCENE = "*" + ChosenFile.SCENE;
     private static final List<String> PANORAMAS = List.of("*.hdr", "*.pic", "*.png", "*.jpg", "*.jpeg");
+    private static final List<String> MESHES = List.of("*.obj", "*.gltf", "*.glb", "*.ply", "*.stl");
     private static final List<String> TEXTURES = List.of("*.png", "*.jpg", "*.jpeg");
 
     private final Window owner;
@@ -28,11 +29,12 @@ final class SystemFileChoice implements FileChoice {
 
     @Override
     public Optional<Path> toOpen(Path folder) {
-        FileChooser chooser = chooser("Open a scene or a panorama", folder);
+        FileChooser chooser = chooser("Open a scene, a mesh or a panorama", folder);
         chooser.getExtensionFilters()
                 .addAll(
-                        new ExtensionFilter("Scenes and panoramas", both()),
+                        new ExtensionFilter("Scenes, meshes and panoramas", all()),
                         new ExtensionFilter("Scenes", ScenePatterns.ofThisSystem()),
+                        new ExtensionFilter("Meshes", MESHES),
                         new ExtensionFilter("Panoramas", PANORAMAS),
                         new ExtensionFilter("All files", "*"));
         return path(chooser.showOpenDialog(owner));
@@ -51,6 +53,14 @@ final class SystemFileChoice implements FileChoice {
         FileChooser chooser = chooser("Choose a sky", folder);
         chooser.getExtensionFilters()
                 .addAll(new ExtensionFilter("Panoramas", PANORAMAS), new ExtensionFilter("All files", "*"));
+        return path(chooser.showOpenDialog(owner));
+    }
+
+    @Override
+    public Optional<Path> mesh(Path folder) {
+        FileChooser chooser = chooser("Insert a mesh", folder);
+        chooser.getExtensionFilters()
+                .addAll(new ExtensionFilter("Meshes", MESHES), new ExtensionFilter("All files", "*"));
         return path(chooser.showOpenDialog(owner));
     }
 
@@ -85,8 +95,9 @@ final class SystemFileChoice implements FileChoice {
         return path(chooser.showDialog(owner));
     }
 
-    private static List<String> both() {
-        return Stream.concat(ScenePatterns.ofThisSystem().stream(), PANORAMAS.stream())
+    private static List<String> all() {
+        return Stream.of(ScenePatterns.ofThisSystem(), MESHES, PANORAMAS)
+                .flatMap(List::stream)
                 .toList();
     }
 

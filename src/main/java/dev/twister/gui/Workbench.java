@@ -16,6 +16,7 @@ import javafx.geometry.Rectangle2D;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
 import javafx.stage.Screen;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
@@ -45,9 +46,10 @@ final class Workbench implements AutoCloseable {
     private final PathPick paths;
     private final BodyMouse bodyMouse;
     private final MenuView menu;
+    private final FilmBar film;
 
     /**
-     * Puts the menu at the root's top and the panel at its right.
+     * Puts the menu at the root's top, the panel at its right, and the keyframes above what is at its bottom.
      *
      * @param root of the stage's scene
      * @param middle of the root, with the picture; what is said of the picture is laid over it
@@ -98,13 +100,19 @@ final class Workbench implements AutoCloseable {
         menu.check(Command.FRAME_TIMES, frameTimes.visibleProperty());
         menu.check(Command.FULL_SCREEN, stage.fullScreenProperty());
         menu.explainKeys(root.getScene(), studio);
+        film = new FilmBar(studio, actions, picture::requestFocus);
+        menu.check(Command.PLAY, studio.film().playingProperty());
+        menu.check(Command.FILM, film.visibleProperty());
         root.setTop(menu);
+        root.setBottom(new VBox(film, root.getBottom()));
         root.setRight(panel);
-        picture.addOverlay(new SelectionView(picture, studio));
+        SelectionView outline = new SelectionView(picture, studio);
+        picture.addOverlay(outline);
         ZoomMouse.install(picture);
         OrbitMouse.install(picture, studio);
         picture.addOverlay(new PathView(picture, studio, paths));
         bodyMouse = BodyMouse.install(picture, studio, paths, stage.focusedProperty());
+        bodyMouse.axisProperty().subscribe(outline::showAxis);
         PanelKeys.install(root.getScene(), panel, picture, this::showPanel);
         DropTarget.install(root.getScene(), files);
         errands.run(
@@ -199,6 +207,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.REDO, studio::redo)
                 .on(Command.REDO_ALSO, studio::redo)
                 .on(Command.INSERT, bodies::insert)
+                .on(Command.INSERT_MESH, files::insertMesh)
                 .on(Command.DUPLICATE, bodies::duplicate)
                 .on(Command.COPY, bodies::copy)
                 .on(Command.PASTE, bodies::paste)
@@ -227,6 +236,12 @@ final class Workbench implements AutoCloseable {
                 .on(Command.STEP, studio::stepOnce)
                 .on(Command.RANDOMIZE, this::randomize)
                 .on(Command.FULL_SCREEN, () -> stage.setFullScreen(!stage.isFullScreen()))
+                .on(Command.PLAY, studio.film()::togglePlaying)
+                .on(Command.SET_KEYFRAME, studio.film()::setKeyframe)
+                .on(Command.DELETE_KEYFRAME, studio.film()::deleteKeyframe)
+                .on(Command.NEXT_KEYFRAME, () -> studio.film().goAlong(true))
+                .on(Command.PREVIOUS_KEYFRAME, () -> studio.film().goAlong(false))
+                .on(Command.FILM, () -> studio.film().shownProperty().set(!film.isVisible()))
                 .on(Command.CONTROLS, this::showControls)
                 .on(Command.ABOUT, help::showAbout);
     }

@@ -35,6 +35,13 @@ public final class MeshStage {
 
     private MeshStage() {}
 
+    /** Where the scene of a mesh is saved when it is: beside the mesh. */
+    public static Path sceneFile(Path mesh) {
+        String name = mesh.getFileName().toString();
+        int dot = name.lastIndexOf('.');
+        return mesh.toAbsolutePath().resolveSibling((dot > 0 ? name.substring(0, dot) : name) + ".json");
+    }
+
     /**
      * The scene.
      *

@@ -1,12 +1,16 @@
 package dev.twister.world;
 
 import dev.twister.kernel.Layout;
+import dev.twister.mesh.Affine;
 import dev.twister.mesh.MeshException;
 import dev.twister.mesh.MeshFile;
 import dev.twister.mesh.MeshPart;
+import dev.twister.mesh.MeshPlacement;
 import dev.twister.mesh.MeshReader;
+import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -30,7 +34,7 @@ public final class SceneMeshes {
 
     /** What is read: normals that a file leaves out depend on the angle. */
     public record Source(Path file, double smoothDegrees) {
-        static Source of(Mesh mesh) {
+        public static Source of(Mesh mesh) {
             return new Source(mesh.file(), mesh.smoothDegrees());
         }
     }
@@ -39,8 +43,9 @@ public final class SceneMeshes {
      * A file and where its meshes are.
      *
      * @param places one for each of the file's meshes
+     * @param farPoints see {@link FarPoints}
      */
-    private record Loaded(MeshFile file, List<MeshPlace> places) {}
+    private record Loaded(MeshFile file, List<MeshPlace> places, List<Vector3> farPoints) {}
 
     private SceneMeshes(float[] floats, Map<Source, Loaded> loadedBySource) {
         this.floats = floats;
@@ -70,18 +75,18 @@ public final class SceneMeshes {
      *     together are more than an array holds
      */
     public static SceneMeshes of(Scene scene, Function<Source, MeshFile> reader) {
-        return NONE.changedTo(scene, reader);
+        return NONE.changedTo(scene.meshes(), reader);
     }
 
     /**
-     * The meshes of another scene; those that are here already are not read again.
+     * These meshes, of another scene, say; those that are here already are not read again.
      *
      * @throws MeshException as {@link #of} does
      */
-    public SceneMeshes changedTo(Scene scene, Function<Source, MeshFile> reader) {
+    public SceneMeshes changedTo(List<Mesh> meshes, Function<Source, MeshFile> reader) {
         Map<Source, MeshFile> files = new LinkedHashMap<>();
-        for (int i = 0; i < scene.meshes().size(); i++) {
-            Source source = Source.of(scene.meshes().get(i));
+        for (int i = 0; i < meshes.size(); i++) {
+            Source source = Source.of(meshes.get(i));
             if (!files.containsKey(source)) {
                 files.put(source, file(source, "meshes[" + i + "].file", reader));
             }
@@ -116,7 +121,8 @@ public final class SceneMeshes {
                 parts.add(geometry.floats());
                 start = checked(start + (long) geometry.floats().length);
             }
-            loaded.put(entry.getKey(), new Loaded(file, places));
+            List<Vector3> farPoints = before == null ? FarPoints.of(file) : before.farPoints();
+            loaded.put(entry.getKey(), new Loaded(file, places, farPoints));
         }
         return new SceneMeshes(joined(parts, start), loaded);
     }
@@ -154,13 +160,36 @@ public final class SceneMeshes {
                 : scene.withMeshes(scene.meshes().stream().filter(this::holds).toList());
     }
 
-    private boolean holds(Mesh mesh) {
+    /** Whether the mesh's file is here. */
+    public boolean holds(Mesh mesh) {
         return loadedBySource.containsKey(Source.of(mesh));
     }
 
     /** What a mesh's file holds. */
     public MeshFile file(Mesh mesh) {
         return loaded(mesh).file();
+    }
+
+    /**
+     * Vertices of a mesh that is here, where the scene has it: those that lie farthest out in many directions, so that
+     * its outline from anywhere is about that of these points.
+     */
+    public List<Vector3> farPoints(Mesh mesh) {
+        Affine placement = MeshPlacement.of(mesh);
+        return loaded(mesh).farPoints().stream().map(placement::point).toList();
+    }
+
+    /** How many bodies of a picture a mesh that is here comes to: one for each part. */
+    public int parts(Mesh mesh) {
+        return loaded(mesh).file().parts().size();
+    }
+
+    /** What a mesh that is here is made of where the scene does not say: the material of its file's first part. */
+    public Material fileMaterial(Mesh mesh) {
+        Material material = loaded(mesh).file().parts().getFirst().material();
+        boolean embedded = material.texture().flatMap(this::embeddedImage).isPresent();
+        // No scene file can name what is inside another file.
+        return embedded ? material.withTexture(Optional.empty()) : material;
     }
 
     /** The textures that the files' own materials have, where a mesh of the scene shows them, and where it names the file. */

@@ -39,6 +39,11 @@ final class Answers implements FileChoice {
     }
 
     @Override
+    public Optional<Path> mesh(Path folder) {
+        return answer(folder);
+    }
+
+    @Override
     public Optional<Path> texture(Path folder) {
         return answer(folder);
     }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.model.Solid;
 import dev.twister.gui.model.SphereOutline;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Rgb;
@@ -22,6 +23,7 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.paint.Color;
+import javafx.scene.shape.Line;
 import javafx.scene.shape.Polygon;
 import javafx.stage.Stage;
 import org.junit.jupiter.api.AfterAll;
@@ -175,6 +177,35 @@ class BodiesTest {
     }
 
     @Test
+    void whileItIsHeldABodyMovesAlongAnAxisAndSnaps() {
+        Point2D start = seenAt(MIDDLE);
+        click(start);
+        Vector3 before = BodyEdits.position(scene(), MIDDLE);
+        driver.withRobot(hand -> hand.mouseMove(start.getX(), start.getY()));
+        driver.withRobot(hand -> hand.mousePress(MouseButton.PRIMARY));
+        driver.withRobot(hand -> hand.mouseMove(start.getX() + 60, start.getY() - 30));
+        assertThat(BodyEdits.position(scene(), MIDDLE).y()).isGreaterThan(before.y() + 0.1);
+        driver.type(KeyCode.X);
+        Vector3 along = BodyEdits.position(scene(), MIDDLE);
+        assertThat(along.x()).isGreaterThan(before.x() + 0.2);
+        assertThat(along.y()).isEqualTo(before.y());
+        assertThat(along.z()).isEqualTo(before.z());
+        assertThat(WindowDriver.call(driver.find("#axis", Line.class)::isVisible))
+                .isTrue();
+        driver.press(KeyCode.CONTROL);
+        Vector3 snapped = BodyEdits.position(scene(), MIDDLE);
+        assertThat(2 * snapped.x()).isEqualTo(Math.rint(2 * along.x()));
+        assertThat(snapped.y()).isEqualTo(before.y());
+        driver.release(KeyCode.CONTROL);
+        assertThat(BodyEdits.position(scene(), MIDDLE).x()).isCloseTo(along.x(), within(0.05));
+        driver.withRobot(hand -> hand.mouseRelease(MouseButton.PRIMARY));
+        assertThat(WindowDriver.call(driver.find("#axis", Line.class)::isVisible))
+                .isFalse();
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+    }
+
+    @Test
     void aDragWhoseEndIsNotReportedEndsWithTheNext() {
         Point2D start = seenAt(MIDDLE);
         click(start);
@@ -297,7 +328,7 @@ class BodiesTest {
         driver.run(() -> {
             driver.studio.edit("delete sphere", scene -> BodyEdits.deleted(scene, Layout.FIRST_SPHERE));
             Sphere elsewhere = Sphere.of(new Vector3(0, 20, 0), 1, new Rgb(1, 1, 1), 0);
-            driver.studio.edit("insert sphere", scene -> BodyEdits.inserted(scene, elsewhere));
+            driver.studio.edit("insert sphere", new Solid.OfSphere(elsewhere)::insertedInto);
             fire(MouseEvent.MOUSE_CLICKED, middle, view());
             assertThat(selected()).isEqualTo(MIDDLE - 1);
             fire(MouseEvent.MOUSE_CLICKED, first, view());
@@ -372,7 +403,7 @@ class BodiesTest {
         fire(MouseEvent.MOUSE_CLICKED, place, view(), true);
 
         Vector3 center = BodyEdits.position(before, MIDDLE);
-        double radius = BodyEdits.radius(before, MIDDLE);
+        double radius = BodyEdits.sphere(before, MIDDLE).radius();
         double away = Math.hypot(
                 Math.hypot(
                         center.x() - before.camera().position().x(),

@@ -9,6 +9,8 @@ import dev.twister.gui.model.FileMark;
 import dev.twister.gui.model.SceneHistory;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
+import dev.twister.mesh.MeshException;
+import dev.twister.mesh.MeshReader;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
 import dev.twister.scene.SceneReader;
@@ -125,6 +127,8 @@ class FilesTest {
                 Files.writeString(folder.resolve("broken.hdr"), "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 9")),
         HUGE_HDR(folder -> Files.writeString(
                 folder.resolve("wide.hdr"), "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 99999 +X 999999\n")),
+        BROKEN_MESH(folder -> Files.writeString(folder.resolve("broken.ply"), "ply\nformat ascii 1.0\n")),
+        NO_TRIANGLES(folder -> Files.writeString(folder.resolve("empty.obj"), "v 0 0 0\n")),
         NOT_A_PICTURE(folder -> Files.writeString(folder.resolve("text.png"), "hello")),
         HUGE_PICTURE(folder -> sized(folder.resolve("huge.hdr"), 2L << 30));
 
@@ -150,14 +154,16 @@ class FilesTest {
     /** What the command line says of a file. */
     private static String commandLinesMessage(Path file) {
         try {
-            if (file.toString().endsWith(".json")) {
+            if (file.toString().matches(".*\\.(obj|ply)")) {
+                MeshReader.read(file, 0, _ -> {});
+            } else if (file.toString().endsWith(".json")) {
                 Scene scene = SceneReader.read(file);
                 SkyboxReader.read(scene.skybox());
             } else {
                 SkyboxReader.read(file);
             }
             throw new AssertionError(file + " is all right");
-        } catch (SceneException | SkyException problem) {
+        } catch (SceneException | SkyException | MeshException problem) {
             return problem.getMessage();
         }
     }
@@ -175,7 +181,7 @@ class FilesTest {
             case SCHEMA ->
                 assertThat(dialog.getContentText()).startsWith(file.toString()).contains("describes scenes");
             case BINARY ->
-                assertThat(dialog.getContentText()).startsWith(file.toString()).contains("neither a scene");
+                assertThat(dialog.getContentText()).startsWith(file.toString()).contains("unknown kind of file");
             default -> assertThat(dialog.getContentText()).isEqualTo(commandLinesMessage(file));
         }
         assertThat(dialog.getContentText().lines()).hasSize(1);

@@ -10,6 +10,7 @@ import dev.twister.gui.drawing.EngineChoice;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.SampleWorld;
+import dev.twister.world.SceneMeshes;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
@@ -107,6 +108,7 @@ class FrameHistoryTest {
                 Frame.ofPixels(2, 2),
                 request,
                 SampleWorld.ofSize(2, 2).snapshot(),
+                SceneMeshes.NONE,
                 "test",
                 "a test",
                 times,

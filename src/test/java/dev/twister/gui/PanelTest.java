@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyNumbers;
 import dev.twister.gui.model.MaterialNumbers;
 import dev.twister.gui.model.NumberSetting;
 import dev.twister.gui.model.ResolutionMode;
@@ -81,10 +82,10 @@ class PanelTest {
                 SceneNumbers.LIGHT_STRENGTH,
                 SceneNumbers.SKY_ROTATION,
                 SceneNumbers.SKY_STRENGTH,
-                BodyEdits.x(SPHERE),
-                BodyEdits.y(SPHERE),
-                BodyEdits.z(SPHERE),
-                BodyEdits.radiusOf(SPHERE),
+                BodyNumbers.ofSphere(SPHERE).x(),
+                BodyNumbers.ofSphere(SPHERE).y(),
+                BodyNumbers.ofSphere(SPHERE).z(),
+                BodyNumbers.ofSphere(SPHERE).radius(),
                 MaterialNumbers.of(SPHERE).reflectivity(),
                 MaterialNumbers.of(SPHERE).roughness(),
                 MaterialNumbers.of(SPHERE).transmission(),
@@ -329,7 +330,7 @@ class PanelTest {
     }
 
     private static double sphereX() {
-        return BodyEdits.x(SPHERE).read(scene());
+        return BodyNumbers.ofSphere(SPHERE).x().read(scene());
     }
 
     @Test

@@ -7,6 +7,8 @@ import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.Motion;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyMaterials;
+import dev.twister.gui.model.BodyNumbers;
+import dev.twister.gui.model.Solid;
 import dev.twister.kernel.Layout;
 import dev.twister.physics.Simulation;
 import dev.twister.scene.Rgb;
@@ -333,8 +335,8 @@ class PhysicsTest {
     @Test
     void spheresThatWereEditedWhileTheyWereThrownAreThrownAgain() {
         Scene before = editWhileSpheresAreThrown(scene -> {
-            Scene larger = BodyEdits.radiusOf(Layout.FIRST_SPHERE).write(scene, 2);
-            return BodyEdits.inserted(larger, larger.spheres().getFirst());
+            Scene larger = BodyNumbers.ofSphere(Layout.FIRST_SPHERE).radius().write(scene, 2);
+            return new Solid.OfSphere(larger.spheres().getFirst()).insertedInto(larger);
         });
         assertThat(before.spheres()).hasSize(2);
 

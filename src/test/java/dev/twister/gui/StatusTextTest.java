@@ -12,6 +12,7 @@ import dev.twister.scene.Camera;
 import dev.twister.world.FrameInput;
 import dev.twister.world.Positions;
 import dev.twister.world.SampleWorld;
+import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import org.junit.jupiter.api.Test;
 
@@ -64,6 +65,7 @@ class StatusTextTest {
                 Frame.ofPixels(side, side),
                 new DrawingRequest(request, WindowScenes.tiny(), 2, 2, new EngineChoice(0, JvmEngines.parallel()), 0),
                 input,
+                SceneMeshes.NONE,
                 engine,
                 "a test",
                 FrameTimes.NONE,

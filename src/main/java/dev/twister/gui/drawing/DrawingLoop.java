@@ -37,15 +37,16 @@ public final class DrawingLoop implements AutoCloseable {
      * A loop that is not started yet.
      *
      * @param skies where panoramas come from
+     * @param meshes where meshes come from
      * @param substitute the engine that draws until the chosen one is ready, and where that fails; must open at once
      */
-    public DrawingLoop(SkyShelf skies, EngineOffer substitute) {
-        this(skies, substitute, System::nanoTime);
+    public DrawingLoop(SkyShelf skies, MeshShelf meshes, EngineOffer substitute) {
+        this(skies, meshes, substitute, System::nanoTime);
     }
 
     /** The same by another clock than {@link System#nanoTime}. */
-    DrawingLoop(SkyShelf skies, EngineOffer substitute, LongSupplier clock) {
-        work = new PictureWork(exchange, skies, substitute, this::newest, this::wake, clock);
+    DrawingLoop(SkyShelf skies, MeshShelf meshes, EngineOffer substitute, LongSupplier clock) {
+        work = new PictureWork(exchange, skies, meshes, substitute, this::newest, this::wake, clock);
         thread = Thread.ofPlatform().daemon().name("drawing").unstarted(this::run);
     }
 

@@ -1,8 +1,10 @@
 package dev.twister.gui.drawing;
 
+import dev.twister.gui.model.BodyNumber;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
+import dev.twister.world.SceneMeshes;
 
 /**
  * A finished picture.
@@ -11,6 +13,7 @@ import dev.twister.world.FrameInput;
  *     start, when nothing is compiled yet
  * @param request the request that it answers
  * @param input what the engine saw: where each body was
+ * @param meshes those that it shows, where its scene has them
  * @param engine the id of the engine that drew it
  * @param device what did the work, for a person
  * @param times where its time went
@@ -23,6 +26,7 @@ public record DrawnPicture(
         Frame frame,
         DrawingRequest request,
         FrameInput input,
+        SceneMeshes meshes,
         String engine,
         String device,
         FrameTimes times,
@@ -32,7 +36,13 @@ public record DrawnPicture(
         long finishedNanos) {
     /** The same picture with its pixels in another frame, which has them too. */
     DrawnPicture in(Frame other) {
-        return new DrawnPicture(other, request, input, engine, device, times, samples, number, original, finishedNanos);
+        return new DrawnPicture(
+                other, request, input, meshes, engine, device, times, samples, number, original, finishedNanos);
+    }
+
+    /** The number that its scene's body has that is seen under a number of the input, see {@link BodyNumber}. */
+    public int sceneBody(int body) {
+        return BodyNumber.inScene(body, input, request.scene(), meshes);
     }
 
     /** Whether it has all the pixels that were asked for. */

@@ -1,5 +1,6 @@
 package dev.twister.gui.drawing;
 
+import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
@@ -9,8 +10,10 @@ import dev.twister.world.SceneMeshes;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 
 /** The textures of the scene that is being drawn. Used by the drawing thread alone. */
 final class LivingTextures {
@@ -77,7 +80,11 @@ final class LivingTextures {
         return newest.get()
                 .filter(now -> scene.textures().containsKey(file)
                         ? now.textures().containsKey(file)
-                        : now.meshes().equals(scene.meshes()))
+                        : meshFiles(now).containsAll(meshFiles(scene)))
                 .isPresent();
+    }
+
+    private static Set<Path> meshFiles(Scene scene) {
+        return scene.meshes().stream().map(Mesh::file).collect(Collectors.toSet());
     }
 }

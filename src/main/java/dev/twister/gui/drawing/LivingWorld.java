@@ -8,7 +8,6 @@ import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 
@@ -22,7 +21,7 @@ final class LivingWorld implements AutoCloseable {
     private final SkyShelf skies;
     private final Supplier<Optional<Scene>> newest;
     private final LivingTextures textures;
-    private final LivingMeshes meshes;
+    private final MeshShelf meshes;
     private final MovingBodies moving = new MovingBodies();
     private Motion motion = Motion.NONE;
     private Optional<Scene> scene = Optional.empty();
@@ -31,6 +30,7 @@ final class LivingWorld implements AutoCloseable {
     private Skybox sky = new Skybox(1, 1, new float[] {GRAY, GRAY, GRAY});
     private Optional<Path> skyFile = Optional.empty();
     private long skyEdition;
+    private SceneMeshes shownMeshes = SceneMeshes.NONE;
     private Optional<String> complaint = Optional.empty();
 
     /**
@@ -38,20 +38,24 @@ final class LivingWorld implements AutoCloseable {
      *
      * @param newest the scene that is asked for by now; empty where none is
      */
-    LivingWorld(SkyShelf skies, Supplier<Optional<Scene>> newest) {
+    LivingWorld(SkyShelf skies, MeshShelf meshes, Supplier<Optional<Scene>> newest) {
         this.skies = skies;
+        this.meshes = meshes;
         this.newest = newest;
         textures = new LivingTextures(skies, newest);
-        meshes = new LivingMeshes(SceneMeshes.reader(skies::warn));
     }
 
     /**
-     * A snapshot of the scene at that size.
+     * A snapshot of the scene that is asked for, at the size that is.
      *
      * @param nanos now, by {@link System#nanoTime}
      */
-    FrameInput snapshot(Scene wanted, Motion wantedMotion, int width, int height, long nanos) {
-        boolean sameImages = !chooseSky(wanted.skybox()) && !textures.areOld();
+    FrameInput snapshot(DrawingRequest request, long nanos) {
+        Scene wanted = request.scene();
+        Motion wantedMotion = request.motion();
+        SceneMeshes atHand = meshes.of(wanted, request.document());
+        boolean sameImages = !chooseSky(wanted.skybox()) && !textures.areOld() && atHand.equals(shownMeshes);
+        shownMeshes = atHand;
         // A world whose bodies have moved is not one in which they stand.
         boolean sameKind = motion.isOn() == wantedMotion.isOn();
         motion = wantedMotion;
@@ -61,7 +65,7 @@ final class LivingWorld implements AutoCloseable {
                         && scene.filter(old -> hasSameBodies(old, wanted)).isPresent())
                 .orElseGet(() -> world(wanted));
         now.setCamera(wanted.camera());
-        now.setSettings(wanted.settings().withSize(width, height));
+        now.setSettings(wanted.settings().withSize(request.width(), request.height()));
         moving.place(wanted, wantedMotion, now, nanos);
         scene = Optional.of(wanted);
         world = Optional.of(now);
@@ -71,17 +75,20 @@ final class LivingWorld implements AutoCloseable {
         return snapshot;
     }
 
-    /** The scene's world, without its meshes where one cannot be read. */
+    /** The scene's world, without the meshes that are not at hand. */
     private World world(Scene wanted) {
-        Optional<SceneMeshes> read = meshes.of(wanted);
-        Scene shown = read.isPresent() ? wanted : wanted.withMeshes(List.of());
-        SceneMeshes shownMeshes = read.orElse(SceneMeshes.NONE);
+        Scene shown = shownMeshes.shown(wanted);
         return World.of(shown, new SceneImages(sky, textures.of(shown, shownMeshes)), shownMeshes);
+    }
+
+    /** The meshes that the last snapshot shows, where its scene has them. */
+    SceneMeshes meshes() {
+        return shownMeshes;
     }
 
     /** Why the scene's own sky, a mesh or a texture is not seen, where it is not. */
     Optional<String> complaint() {
-        return complaint.or(meshes::complaint).or(textures::complaint);
+        return complaint.or(() -> scene.flatMap(meshes::complaint)).or(textures::complaint);
     }
 
     /** Lets go of what moves the bodies. */

@@ -66,6 +66,7 @@ final class PictureWork implements AutoCloseable {
     PictureWork(
             PictureExchange exchange,
             SkyShelf skies,
+            MeshShelf meshes,
             EngineOffer substitute,
             Supplier<Optional<DrawingRequest>> newest,
             Runnable whenReady,
@@ -74,16 +75,14 @@ final class PictureWork implements AutoCloseable {
         this.newest = newest;
         slowPictures = new SlowPictures(clock);
         this.exchange = exchange;
-        world = new LivingWorld(skies, () -> newest.get().map(DrawingRequest::scene));
+        world = new LivingWorld(skies, meshes, () -> newest.get().map(DrawingRequest::scene));
         seat = new EngineSeat(substitute, whenReady);
     }
 
     /** Looks at a request: the world is as it says, and its engine is being opened. Whether there is something to draw. */
     boolean prepare(DrawingRequest wanted) {
         try {
-            FrameInput snapshot =
-                    world.snapshot(wanted.scene(), wanted.motion(), wanted.width(), wanted.height(), clock.getAsLong());
-            input = showing(wanted.shown(), snapshot);
+            input = showing(wanted.shown(), world.snapshot(wanted, clock.getAsLong()));
             seat.choose(wanted.engine(), new WarmUp(input, coarse(COARSEST), clock));
             sceneFailure = Optional.empty();
         } catch (OutOfMemoryError _) {
@@ -209,7 +208,8 @@ final class PictureWork implements AutoCloseable {
 
     /** A smaller picture first, where the full one is known to take long; whether it was drawn. */
     private boolean drawQuickly(DrawingRequest wanted, Engine engine) {
-        int divisor = QuickAnswer.divisor(slowPictures.knownNanos(engine, input));
+        boolean unknown = slowPictures.mayTakeLong(engine, input);
+        int divisor = unknown ? QuickAnswer.MOST : QuickAnswer.divisor(slowPictures.knownNanos(engine, input));
         if (divisor == 1) {
             return false;
         }
@@ -217,6 +217,7 @@ final class PictureWork implements AutoCloseable {
         FrameInput small = coarse(divisor);
         Frame frame = exchange.frameToDraw(small.width(), small.height());
         boolean whole = false;
+        long start = clock.getAsLong();
         try {
             whole = render(wanted, small, frame, (seen, pixels) -> {
                 engine.render(seen, pixels);
@@ -226,6 +227,9 @@ final class PictureWork implements AutoCloseable {
             if (!whole) {
                 exchange.abandon(frame);
             }
+        }
+        if (unknown) {
+            slowPictures.guess(engine, input, (clock.getAsLong() - start) * divisor * divisor);
         }
         finish(wanted, small, engine, frame, frame.times(), small.samplesPerPixel(), false);
         return true;
@@ -365,6 +369,7 @@ final class PictureWork implements AutoCloseable {
                 frame,
                 wanted,
                 seen,
+                world.meshes(),
                 engine.id(),
                 engine.device(),
                 times,

@@ -10,7 +10,7 @@ final class QuickAnswer {
     /** How long the smaller one may take. */
     private static final long QUICK_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
 
-    private static final int MOST = 8;
+    static final int MOST = 8;
 
     private QuickAnswer() {}
 

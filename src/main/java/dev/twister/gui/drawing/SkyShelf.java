@@ -191,7 +191,7 @@ public final class SkyShelf {
     }
 
     /** Adds to what {@link #takeWarnings} tells: what a file says that was read elsewhere. */
-    void warn(String warning) {
+    public void warn(String warning) {
         warnings.add(warning);
     }
 

@@ -32,12 +32,18 @@ final class SlowPictures {
 
     /**
      * What the time of a picture hangs on most, beside its samples a pixel, with which it grows. Of a scene only the room for
-     * bodies: more of them come one by one, and the next picture of the same scene is much like the last.
+     * bodies, and the meshes: more bodies come one by one, and the next picture of the same scene is much like the last.
      */
-    private record Work(Engine engine, int width, int rows, int room, int shadowSamples, int bounces) {
+    private record Work(Engine engine, int width, int rows, int room, int meshFloats, int shadowSamples, int bounces) {
         static Work of(Engine engine, FrameInput input) {
             return new Work(
-                    engine, input.width(), input.rows(), input.bodies().room(), input.shadowSamples(), input.bounces());
+                    engine,
+                    input.width(),
+                    input.rows(),
+                    input.bodies().room(),
+                    input.bodies().meshes().length,
+                    input.shadowSamples(),
+                    input.bounces());
         }
     }
 
@@ -50,6 +56,21 @@ final class SlowPictures {
     /** How long the last picture took, where it was one like that and had enough pixels to be left; else 0. */
     long knownNanos(Engine engine, FrameInput input) {
         return (long) (nanosARow(engine, input) * input.rows());
+    }
+
+    /** Whether nothing is known of a picture whose meshes may make it take long. */
+    boolean mayTakeLong(Engine engine, FrameInput input) {
+        return input.bodies().firstMesh() > 0 && isLeft(engine, input) && nanosARow(engine, input) == 0;
+    }
+
+    /** Takes it that a picture of which nothing is known would take so long. */
+    void guess(Engine engine, FrameInput input, long nanos) {
+        pace = Optional.of(new Pace(Work.of(engine, input), nanos / ((double) input.rows() * input.samplesPerPixel())));
+    }
+
+    /** Whether such a picture is drawn in bands, between which it can be left. */
+    private static boolean isLeft(Engine engine, FrameInput input) {
+        return engine.drawsBandsInProportion() && input.width() * input.rows() >= FEWEST_PIXELS;
     }
 
     /** 0 where it is not known. */
@@ -68,7 +89,7 @@ final class SlowPictures {
      */
     boolean draw(Engine engine, FrameInput input, Frame frame, LongPredicate leave) {
         int height = input.rows();
-        if (!engine.drawsBandsInProportion() || input.width() * height < FEWEST_PIXELS) {
+        if (!isLeft(engine, input)) {
             engine.render(input, frame);
             return true;
         }

@@ -2,18 +2,25 @@ package dev.twister.gui.model;
 
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
+import java.util.Optional;
 import java.util.function.UnaryOperator;
 
-/** What a scene's spheres and its plane are made of, by their {@link BodyNumber}. */
+/** What a scene's plane, spheres and meshes are made of, by their {@link BodyNumber}. */
 public final class BodyMaterials {
     private BodyMaterials() {}
 
-    /** Whether it is a body with a material: the plane or a sphere. */
+    /** Whether it is a body to which the scene gives a material: the plane, a sphere, or a mesh with one of its own. */
     public static boolean has(Scene scene, int body) {
-        return body == BodyNumber.PLANE || BodyEdits.isSphere(scene, body);
+        return body == BodyNumber.PLANE
+                || BodyEdits.isSphere(scene, body)
+                || (BodyEdits.isMesh(scene, body)
+                        && BodyEdits.mesh(scene, body).material().isPresent());
     }
 
     public static Material of(Scene scene, int body) {
+        if (BodyEdits.isMesh(scene, body)) {
+            return BodyEdits.mesh(scene, body).material().orElseThrow();
+        }
         return body == BodyNumber.PLANE
                 ? scene.plane().material()
                 : BodyEdits.sphere(scene, body).material();
@@ -21,9 +28,29 @@ public final class BodyMaterials {
 
     /** The scene with another material of that body alone. */
     public static Scene edited(Scene scene, int body, UnaryOperator<Material> edit) {
-        Material material = edit.apply(of(scene, body));
+        return with(scene, body, edit.apply(of(scene, body)));
+    }
+
+    /** The scene with that material of that body alone. */
+    public static Scene with(Scene scene, int body, Material material) {
+        if (BodyEdits.isMesh(scene, body)) {
+            return BodyEdits.editedMesh(scene, body, mesh -> mesh.withMaterial(Optional.of(material)));
+        }
         return body == BodyNumber.PLANE
                 ? scene.withPlane(scene.plane().withMaterial(material))
-                : BodyEdits.edited(scene, body, sphere -> sphere.withMaterial(material));
+                : BodyEdits.editedSphere(scene, body, sphere -> sphere.withMaterial(material));
+    }
+
+    /** The scene with a mesh that has the materials of its file again. */
+    public static Scene withFiles(Scene scene, int body) {
+        return BodyEdits.editedMesh(scene, body, mesh -> mesh.withMaterial(Optional.empty()));
+    }
+
+    /** Whether all materials, those of bodies and those that are shared, are the same in both scenes. */
+    public static boolean areSame(Scene one, Scene other) {
+        return one.spheres().equals(other.spheres())
+                && one.meshes().equals(other.meshes())
+                && one.plane().equals(other.plane())
+                && one.materials().equals(other.materials());
     }
 }

@@ -1,8 +1,15 @@
 package dev.twister.gui.model;
 
 import dev.twister.kernel.Layout;
+import dev.twister.scene.Mesh;
+import dev.twister.scene.Scene;
+import dev.twister.world.FrameInput;
+import dev.twister.world.SceneMeshes;
 
-/** How the window numbers a scene's bodies: as a picture of it does. */
+/**
+ * How the window numbers a scene's bodies: the light, the plane and the spheres as a picture of it does. A mesh is one body
+ * of the scene, and one for each of its parts in a picture.
+ */
 public final class BodyNumber {
     /** No body: the sky is seen there, or nothing is selected. */
     public static final int NONE = Layout.NOTHING;
@@ -11,6 +18,9 @@ public final class BodyNumber {
 
     public static final int PLANE = Layout.PLANE;
 
+    /** Beyond all spheres, poured ones included, so that a mesh keeps its number while spheres come and go. */
+    private static final int FIRST_MESH = 1 << 24;
+
     private BodyNumber() {}
 
     /** The number of the sphere at that place of the scene's list. */
@@ -18,8 +28,41 @@ public final class BodyNumber {
         return Layout.FIRST_SPHERE + index;
     }
 
-    /** The sphere's place in the scene's list; below 0 for what is no sphere. */
+    /** The sphere's place in the scene's list; below 0 for what is no sphere, and beyond the list for a mesh. */
     public static int sphere(int body) {
         return body - Layout.FIRST_SPHERE;
+    }
+
+    /** The number of the mesh at that place of the scene's list. */
+    public static int ofMesh(int index) {
+        return FIRST_MESH + index;
+    }
+
+    /** The mesh's place in the scene's list; below 0 for what is no mesh. */
+    public static int mesh(int body) {
+        return body - FIRST_MESH;
+    }
+
+    /**
+     * The body of a picture's scene that has a number in the picture.
+     *
+     * @param scene of the picture
+     * @param meshes that the picture shows
+     */
+    public static int inScene(int pictured, FrameInput input, Scene scene, SceneMeshes meshes) {
+        int firstMesh = input.bodies().firstMesh();
+        if (firstMesh == Layout.NO_MESHES || pictured < firstMesh) {
+            return pictured;
+        }
+        int part = pictured - firstMesh;
+        for (int index = 0; index < scene.meshes().size(); index++) {
+            Mesh mesh = scene.meshes().get(index);
+            int parts = meshes.holds(mesh) ? meshes.parts(mesh) : 0;
+            if (part < parts) {
+                return ofMesh(index);
+            }
+            part -= parts;
+        }
+        return NONE;
     }
 }

@@ -11,13 +11,16 @@ import java.util.Locale;
 public final class DroppedFile {
     private static final String SCHEMA = ".schema.json";
     private static final int LOOKED_AT = 256;
+    private static final String EXPECTED =
+            "a scene (.json), a mesh (.obj, .gltf, .glb, .ply, .stl) or a panorama (.hdr, .png, .jpg)";
 
     /** What to read it as; whether it is one is for that reader to say. */
     public enum Kind {
         SCENE,
         SKYBOX,
+        MESH,
         /** A folder, a device, or what neither ends nor starts like one of them. */
-        NEITHER
+        OTHER
     }
 
     private DroppedFile() {}
@@ -25,11 +28,11 @@ public final class DroppedFile {
     /** Reads at most the first {@value #LOOKED_AT} bytes. A file that is gone is what its name says. */
     public static Kind kind(Path file) {
         if (Files.exists(file) && !Files.isRegularFile(file)) {
-            return Kind.NEITHER;
+            return Kind.OTHER;
         }
         String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
         if (name.endsWith(SCHEMA)) {
-            return Kind.NEITHER;
+            return Kind.OTHER;
         }
         if (name.endsWith(".json")) {
             return Kind.SCENE;
@@ -37,21 +40,21 @@ public final class DroppedFile {
         if (name.matches(".*\\.(hdr|pic|png|jpe?g)")) {
             return Kind.SKYBOX;
         }
+        if (name.matches(".*\\.(obj|gltf|glb|ply|stl)")) {
+            return Kind.MESH;
+        }
         return kindByContent(file);
     }
 
-    /** What to say of a file that is neither. */
+    /** What to say of a file that is none of them. */
     public static String complaint(Path file) {
         if (Files.isDirectory(file)) {
-            return file + ": is a folder, but must be a scene (.json) or a panorama (.hdr, .png, .jpg)";
+            return file + ": is a folder, but must be " + EXPECTED;
         }
         if (Files.exists(file) && file.toString().toLowerCase(Locale.ROOT).endsWith(SCHEMA)) {
             return file + ": describes scenes for editors, and is none itself";
         }
-        return file
-                + (Files.exists(file)
-                        ? ": neither a scene (.json) nor a panorama (.hdr, .png, .jpg)"
-                        : ": file not found");
+        return file + (Files.exists(file) ? ": unknown kind of file; expected " + EXPECTED : ": file not found");
     }
 
     private static Kind kindByContent(Path file) {
@@ -59,13 +62,17 @@ public final class DroppedFile {
         try (InputStream in = Files.newInputStream(file)) {
             start = in.readNBytes(LOOKED_AT);
         } catch (IOException _) {
-            return Kind.NEITHER;
+            return Kind.OTHER;
         }
         String text = new String(start, StandardCharsets.ISO_8859_1);
         if (text.stripLeading().startsWith("{")) {
             return Kind.SCENE;
         }
         boolean panorama = text.startsWith("#?") || text.startsWith("\u0089PNG") || text.startsWith("\u00ff\u00d8");
-        return panorama ? Kind.SKYBOX : Kind.NEITHER;
+        if (panorama) {
+            return Kind.SKYBOX;
+        }
+        boolean mesh = text.startsWith("ply\n") || text.startsWith("ply\r") || text.startsWith("glTF");
+        return mesh ? Kind.MESH : Kind.OTHER;
     }
 }

@@ -28,7 +28,10 @@ public final class RefinementGoal {
         return scene.camera().aperture() > 0
                 || isRough(scene.plane().material())
                 || scene.pour().filter(pour -> isRough(pour.material())).isPresent()
-                || hasRoughSphere(scene);
+                || hasRoughSphere(scene)
+                || scene.meshes().stream()
+                        .anyMatch(mesh ->
+                                mesh.material().filter(RefinementGoal::isRough).isPresent());
     }
 
     // Asked for each picture while the camera moves, of up to half a million spheres.

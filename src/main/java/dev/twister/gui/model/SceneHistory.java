@@ -15,7 +15,7 @@ import java.util.Set;
  * A scene with the edits that led to it, which can be taken back and made again. Successive edits of one gesture (a
  * drag, a slider's movement) count as one. Where the camera stands and looks is no edit: taking one back
  * leaves the viewer where they are; nor is where time has moved spheres. The field of view can be taken
- * back, but is nothing to save; the lens is both. Used by one thread.
+ * back, but is nothing to save; the lens and the keyframes are both. Used by one thread.
  */
 public final class SceneHistory {
     static final int MAX_STEPS = 1000;
@@ -97,7 +97,7 @@ public final class SceneHistory {
         }
         future.clear();
         boolean onlyViewed = edited.withCamera(present.camera()).equals(present)
-                && Lens.of(edited.camera()).equals(Lens.of(present.camera()));
+                && CameraRig.of(edited.camera()).equals(CameraRig.of(present.camera()));
         present = edited;
         if (!onlyViewed) {
             newestVersion++;
@@ -109,7 +109,7 @@ public final class SceneHistory {
     private boolean isOnlySeenFromElsewhere(Scene edited) {
         Camera camera = edited.camera();
         return camera.fieldOfViewDegrees() == present.camera().fieldOfViewDegrees()
-                && Lens.of(camera).equals(Lens.of(present.camera()))
+                && CameraRig.of(camera).equals(CameraRig.of(present.camera()))
                 && edited.withCamera(present.camera()).equals(present);
     }
 
@@ -201,8 +201,11 @@ public final class SceneHistory {
         double from = step.from().camera().fieldOfViewDegrees();
         double to = step.to().camera().fieldOfViewDegrees();
         Camera turned = from == to ? present.camera() : present.camera().withFieldOfView(to);
-        Lens lens = Lens.of(step.to().camera());
-        return lens.equals(Lens.of(step.from().camera())) ? turned : lens.on(turned);
+        return CameraRig.of(present.camera())
+                .edited(
+                        CameraRig.of(step.from().camera()),
+                        CameraRig.of(step.to().camera()))
+                .on(turned);
     }
 
     private void forgetTheOldest() {

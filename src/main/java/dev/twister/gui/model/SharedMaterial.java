@@ -1,6 +1,7 @@
 package dev.twister.gui.model;
 
 import dev.twister.scene.Material;
+import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import java.util.ArrayList;
@@ -42,6 +43,11 @@ public record SharedMaterial(String name, List<Integer> bodies) {
                 bodies.add(BodyNumber.ofSphere(i));
             }
         }
+        for (int i = 0; i < scene.meshes().size(); i++) {
+            if (scene.meshes().get(i).material().filter(material::equals).isPresent()) {
+                bodies.add(BodyNumber.ofMesh(i));
+            }
+        }
         return bodies;
     }
 
@@ -60,14 +66,17 @@ public record SharedMaterial(String name, List<Integer> bodies) {
         SequencedMap<String, Material> materials = new LinkedHashMap<>(scene.materials());
         materials.put(name, material);
         List<Sphere> spheres = new ArrayList<>(scene.spheres());
+        List<Mesh> meshes = new ArrayList<>(scene.meshes());
         for (int body : bodies) {
-            if (body != BodyNumber.PLANE) {
-                spheres.set(
-                        BodyNumber.sphere(body),
-                        spheres.get(BodyNumber.sphere(body)).withMaterial(material));
+            if (BodyEdits.isMesh(scene, body)) {
+                int index = BodyNumber.mesh(body);
+                meshes.set(index, meshes.get(index).withMaterial(Optional.of(material)));
+            } else if (body != BodyNumber.PLANE) {
+                int index = BodyNumber.sphere(body);
+                spheres.set(index, spheres.get(index).withMaterial(material));
             }
         }
-        Scene edited = scene.withMaterials(materials).withSpheres(spheres);
+        Scene edited = scene.withMaterials(materials).withSpheres(spheres).withMeshes(meshes);
         return bodies.contains(BodyNumber.PLANE)
                 ? edited.withPlane(scene.plane().withMaterial(material))
                 : edited;

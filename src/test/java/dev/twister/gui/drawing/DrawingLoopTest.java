@@ -8,6 +8,7 @@ import dev.twister.image.HdrWriter;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
 import dev.twister.world.Picture;
+import dev.twister.world.SceneMeshes;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -52,7 +53,8 @@ class DrawingLoopTest {
     private final TestEngine.Kind red = new TestEngine.Kind("red", RED);
     private final AtomicLong nanos = new AtomicLong();
     private final SkyShelf skies = new SkyShelf();
-    private final DrawingLoop loop = new DrawingLoop(skies, substitute.offer(), nanos::get);
+    private final DrawingLoop loop =
+            new DrawingLoop(skies, new MeshShelf(SceneMeshes.reader(skies::warn)), substitute.offer(), nanos::get);
     private final Scene scene = WindowScenes.tiny();
     private Thread thread;
     private long requests;

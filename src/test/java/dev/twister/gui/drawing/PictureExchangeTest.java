@@ -8,6 +8,7 @@ import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SampleWorld;
+import dev.twister.world.SceneMeshes;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -120,6 +121,7 @@ class PictureExchangeTest {
         number++;
         DrawingRequest request =
                 new DrawingRequest(number, WindowScenes.tiny(), SIDE, SIDE, new EngineChoice(0, ENGINE), 0);
-        return new DrawnPicture(frame, request, SEEN, "test", "a test", FrameTimes.NONE, 1, number, original, number);
+        return new DrawnPicture(
+                frame, request, SEEN, SceneMeshes.NONE, "test", "a test", FrameTimes.NONE, 1, number, original, number);
     }
 }

@@ -7,9 +7,15 @@ import dev.twister.gui.WindowScenes;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.oracle.Crowds;
+import dev.twister.oracle.MeshShapes;
+import dev.twister.scene.Mesh;
+import dev.twister.scene.Scene;
 import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
+import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -132,6 +138,23 @@ class SlowPicturesTest {
 
         draw(Crowds.world(10_000, WIDTH, HEIGHT).snapshot());
         assertThat(engine.rows).containsExactly(HEIGHT);
+    }
+
+    @Test
+    void whatAPictureOfMeshesTakesIsGuessedOnce() {
+        Scene scene = WindowScenes.tiny().withMeshes(List.of(Mesh.of(Path.of("cube.obj"))));
+        World world = World.of(
+                scene,
+                SceneImages.of(new Skybox(1, 1, new float[3])),
+                SceneMeshes.of(scene, _ -> MeshShapes.file(MeshShapes.cube())));
+        world.setSettings(world.settings().withSize(WIDTH, HEIGHT));
+        FrameInput meshes = world.snapshot();
+
+        assertThat(pictures.mayTakeLong(engine, input(WIDTH, HEIGHT, 1))).isFalse();
+        assertThat(pictures.mayTakeLong(engine, meshes)).isTrue();
+        pictures.guess(engine, meshes, TimeUnit.SECONDS.toNanos(HEIGHT));
+        assertThat(pictures.mayTakeLong(engine, meshes)).isFalse();
+        assertThat(pictures.knownNanos(engine, meshes)).isEqualTo(TimeUnit.SECONDS.toNanos(HEIGHT));
     }
 
     @Test

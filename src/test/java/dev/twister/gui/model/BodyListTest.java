@@ -2,10 +2,18 @@ package dev.twister.gui.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.scene.Material;
+import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.world.SceneMeshes;
+import java.nio.file.Path;
 import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 class BodyListTest {
@@ -27,10 +35,33 @@ class BodyListTest {
     }
 
     @Test
-    void aCopyStandsBesideItsOriginal() {
-        Sphere sphere = scene.spheres().getFirst();
+    void aMeshIsListedByItsFileAndItsMaterial() {
+        Mesh knot = Mesh.of(Path.of("some", "knot.obj"));
+        Material glass = Material.DEFAULT.withTransmission(1);
+        Scene meshes = scene.withMaterials(new LinkedHashMap<>(Map.of("glass", glass)))
+                .withMeshes(List.of(knot, knot.withMaterial(Optional.of(glass))));
+        int first = BodyNumber.ofMesh(0);
 
-        Sphere copy = BodyEdits.beside(sphere);
+        assertThat(BodyList.of(meshes, BodyNumber.NONE)).endsWith(3, first, first + 1);
+        assertThat(BodyList.name(meshes, first)).isEqualTo("Mesh 1 (knot.obj)");
+        assertThat(BodyList.name(meshes, first + 1)).isEqualTo("Mesh 2 (knot.obj), glass");
+    }
+
+    @Test
+    void theRoundGoesFromTheSpheresToTheMeshesAndToNothing() {
+        Scene meshes = scene.withMeshes(List.of(Mesh.of(Path.of("knot.obj"))));
+
+        assertThat(BodyEdits.along(meshes, 3, 1)).isEqualTo(BodyNumber.ofMesh(0));
+        assertThat(BodyEdits.along(meshes, BodyNumber.ofMesh(0), 1)).isEqualTo(BodyNumber.NONE);
+        assertThat(BodyEdits.along(meshes, BodyNumber.NONE, -1)).isEqualTo(BodyNumber.ofMesh(0));
+        assertThat(BodyEdits.along(meshes, BodyNumber.ofMesh(0), -1)).isEqualTo(3);
+    }
+
+    @Test
+    void aCopyStandsBesideItsOriginal() {
+        Solid sphere = BodyEdits.solid(scene, 2);
+
+        Solid copy = sphere.beside(BodyExtent.of(scene, SceneMeshes.NONE, 2).apart());
 
         assertThat(copy.position()).isEqualTo(new Vector3(3.3000000000000003, 2, 0));
         assertThat(copy.withPosition(sphere.position())).isEqualTo(sphere);

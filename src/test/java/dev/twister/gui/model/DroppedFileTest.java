@@ -26,8 +26,12 @@ class DroppedFileTest {
         "sky, '#?RADIANCE', SKYBOX",
         "sky.bin, '\u0089PNG', SKYBOX",
         "photo, '\u00ff\u00d8', SKYBOX",
-        "notes.txt, hello, NEITHER",
-        "empty, '', NEITHER"
+        "knot.obj, x, MESH",
+        "KNOT.GLB, x, MESH",
+        "scan, 'ply\n', MESH",
+        "model, 'glTF', MESH",
+        "notes.txt, hello, OTHER",
+        "empty, '', OTHER"
     })
     void isToldByNameOrFirstBytes(String name, String start, Kind kind) throws IOException {
         Path file = Files.write(folder.resolve(name), start.getBytes(StandardCharsets.ISO_8859_1));
@@ -35,9 +39,9 @@ class DroppedFileTest {
     }
 
     @Test
-    void aFolderIsNeither() throws IOException {
+    void aFolderIsNoneOfThem() throws IOException {
         Path scene = Files.createDirectory(folder.resolve("scene.json"));
-        assertThat(DroppedFile.kind(scene)).isEqualTo(Kind.NEITHER);
+        assertThat(DroppedFile.kind(scene)).isEqualTo(Kind.OTHER);
         assertThat(DroppedFile.complaint(scene)).startsWith(scene + ": is a folder");
     }
 
@@ -46,7 +50,7 @@ class DroppedFileTest {
         assertThat(DroppedFile.kind(folder.resolve("gone.json"))).isEqualTo(Kind.SCENE);
         assertThat(DroppedFile.kind(folder.resolve("gone.hdr"))).isEqualTo(Kind.SKYBOX);
         Path gone = folder.resolve("gone");
-        assertThat(DroppedFile.kind(gone)).isEqualTo(Kind.NEITHER);
+        assertThat(DroppedFile.kind(gone)).isEqualTo(Kind.OTHER);
         assertThat(DroppedFile.complaint(gone)).isEqualTo(gone + ": file not found");
     }
 

@@ -12,6 +12,7 @@ import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
 import java.util.List;
+import java.util.Optional;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
@@ -63,15 +64,15 @@ class PickingTest {
                 .position();
         assertThat(inserted.y() - far).isCloseTo(near.y(), within(1e-3));
         Vector3 center = new Vector3(1, far + 3, 2);
-        Vector3 dragged = SphereDrag.start(there, center, 50, 40).centerAt(there, 50, 40);
+        Vector3 dragged = BodyDrag.start(there, center, center, 50, 40).placeAt(there, 50, 40);
         assertThat(dragged.y()).isCloseTo(center.y(), within(1e-6));
-        assertThat(SphereDrag.start(there, center, 50, 40)
-                                .centerAt(there, 60, 40)
+        assertThat(BodyDrag.start(there, center, center, 50, 40)
+                                .placeAt(there, 60, 40)
                                 .x()
                         - dragged.x())
                 .isCloseTo(
-                        SphereDrag.start(input, new Vector3(1, 3, 2), 50, 40)
-                                        .centerAt(input, 60, 40)
+                        BodyDrag.start(input, new Vector3(1, 3, 2), new Vector3(1, 3, 2), 50, 40)
+                                        .placeAt(input, 60, 40)
                                         .x()
                                 - 1,
                         within(1e-3));
@@ -104,8 +105,8 @@ class PickingTest {
         Vector3 forward = forward(camera);
         Vector3 center = new Vector3(3 + 6 * forward.x(), 4 + 6 * forward.y(), -2 + 6 * forward.z());
         // The sphere lies in the middle of the picture, where it is taken.
-        SphereDrag drag = SphereDrag.start(view, center, Scenes.WIDTH / 2.0, Scenes.HEIGHT / 2.0);
-        Vector3 moved = drag.centerAt(view, x, y);
+        BodyDrag drag = BodyDrag.start(view, center, center, Scenes.WIDTH / 2.0, Scenes.HEIGHT / 2.0);
+        Vector3 moved = drag.placeAt(view, x, y);
         double depth = (moved.x() - 3) * forward.x() + (moved.y() - 4) * forward.y() + (moved.z() + 2) * forward.z();
         assertThat(depth).isCloseTo(6, within(1e-4));
         Scene dragged = BodyEdits.moved(scene.withCamera(camera), Layout.FIRST_SPHERE, moved);
@@ -127,8 +128,8 @@ class PickingTest {
     @Test
     void takingHoldDoesNotMoveIt() {
         Vector3 center = scene.spheres().getFirst().position();
-        SphereDrag drag = SphereDrag.start(input, center, 52, 30);
-        Vector3 still = drag.centerAt(input, 52, 30);
+        BodyDrag drag = BodyDrag.start(input, center, center, 52, 30);
+        Vector3 still = drag.placeAt(input, 52, 30);
         assertThat(still.x()).isCloseTo(center.x(), within(1e-6));
         assertThat(still.y()).isCloseTo(center.y(), within(1e-6));
         assertThat(still.z()).isCloseTo(center.z(), within(1e-6));
@@ -136,11 +137,38 @@ class PickingTest {
 
     @Test
     void aDragMovesByWhatThePointerMoves() {
-        SphereDrag drag = SphereDrag.start(input, new Vector3(0, 2, 0), 48, 32);
-        Vector3 moved = drag.centerAt(input, 48 + 16, 32);
+        BodyDrag drag = BodyDrag.start(input, new Vector3(0, 2, 0), new Vector3(0, 2, 0), 48, 32);
+        Vector3 moved = drag.placeAt(input, 48 + 16, 32);
         assertThat(moved.x()).isCloseTo(10 * TAN * 16 / 32, within(1e-4));
         assertThat(moved.y()).isCloseTo(2, within(1e-4));
         assertThat(moved.z()).isCloseTo(0, within(1e-4));
+    }
+
+    @Test
+    void alongAnAxisABodyFollowsThePointerAndStaysOnTheAxis() {
+        Vector3 place = new Vector3(0, 2, 0);
+        double[] start = pixelOf(place);
+        BodyDrag drag = BodyDrag.start(input, place, place, start[0], start[1]);
+        double[] right = pixelOf(new Vector3(3, 2.5, 0));
+        Vector3 along = drag.placeAlong(Axis.X, input, right[0], right[1]);
+        assertThat(along.x()).isCloseTo(3, within(0.05));
+        assertThat(along.y()).isEqualTo(2);
+        assertThat(along.z()).isZero();
+        // The axis is seen end on.
+        assertThat(drag.placeAlong(Axis.Z, input, start[0], start[1])).isEqualTo(place);
+
+        Vector3 beside = new Vector3(3, 2, 0);
+        double[] hold = pixelOf(beside);
+        BodyDrag other = BodyDrag.start(input, beside, beside, hold[0], hold[1]);
+        double[] farther = pixelOf(new Vector3(3, 2, 4));
+        assertThat(other.placeAlong(Axis.Z, input, farther[0], farther[1]).z()).isCloseTo(4, within(1e-3));
+    }
+
+    @Test
+    void snappingRoundsToHalfMeters() {
+        Vector3 place = new Vector3(1.2, -0.2, 3.3);
+        assertThat(BodyDrag.snapped(place, Optional.empty())).isEqualTo(new Vector3(1, 0, 3.5));
+        assertThat(BodyDrag.snapped(place, Optional.of(Axis.X))).isEqualTo(new Vector3(1, -0.2, 3.3));
     }
 
     @Test
@@ -151,7 +179,9 @@ class PickingTest {
                 - inserted.position().z();
         assertThat(gap).isCloseTo(inserted.radius(), within(0.05));
         assertThat(BodyPicker.bodyAt(
-                        Scenes.input(BodyEdits.inserted(scene, inserted)), Scenes.WIDTH / 2.0, Scenes.HEIGHT / 2.0))
+                        Scenes.input(new Solid.OfSphere(inserted).insertedInto(scene)),
+                        Scenes.WIDTH / 2.0,
+                        Scenes.HEIGHT / 2.0))
                 .isEqualTo(Layout.FIRST_SPHERE + 2);
     }
 
@@ -159,7 +189,7 @@ class PickingTest {
     void newSpheresPileUpWhereThePictureDoesNotShowThemYet() {
         Scene edited = scene;
         for (int number = 0; number < 5; number++) {
-            edited = BodyEdits.inserted(edited, NewSphere.inFrontOf(input, edited));
+            edited = new Solid.OfSphere(NewSphere.inFrontOf(input, edited)).insertedInto(edited);
         }
         assertThat(edited.spheres().stream().map(Sphere::position)).doesNotHaveDuplicates();
     }

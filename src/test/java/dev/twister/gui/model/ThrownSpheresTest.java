@@ -116,7 +116,8 @@ class ThrownSpheresTest {
         Light larger = light.withRadius(2 * light.radius());
         assertThat(ThrownSpheres.fit(thrown, before.withLight(larger))).isFalse();
         assertThat(ThrownSpheres.fit(
-                        thrown, BodyEdits.radiusOf(Layout.FIRST_SPHERE).write(before, 2)))
+                        thrown,
+                        BodyNumbers.ofSphere(Layout.FIRST_SPHERE).radius().write(before, 2)))
                 .isFalse();
     }
 

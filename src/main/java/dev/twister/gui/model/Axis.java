@@ -1,0 +1,36 @@
+package dev.twister.gui.model;
+
+import dev.twister.scene.Vector3;
+import java.util.Locale;
+
+/** An axis of the scene. */
+public enum Axis {
+    X(new Vector3(1, 0, 0)),
+    Y(new Vector3(0, 1, 0)),
+    Z(new Vector3(0, 0, 1));
+
+    @SuppressWarnings("ImmutableEnumChecker") // a record of numbers
+    private final Vector3 direction;
+
+    Axis(Vector3 direction) {
+        this.direction = direction;
+    }
+
+    /** As a person writes it. */
+    public String label() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** The point so many meters along from another one. */
+    public Vector3 from(Vector3 place, double meters) {
+        return new Vector3(
+                place.x() + meters * direction.x(),
+                place.y() + meters * direction.y(),
+                place.z() + meters * direction.z());
+    }
+
+    /** A vector's part along this axis. */
+    double of(Vector3 vector) {
+        return vector.x() * direction.x() + vector.y() * direction.y() + vector.z() * direction.z();
+    }
+}

@@ -1,0 +1,228 @@
+package dev.twister.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.twister.scene.Camera;
+import dev.twister.scene.CameraKeyframe;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneReader;
+import dev.twister.scene.SceneWriter;
+import dev.twister.scene.Vector3;
+import dev.twister.world.CameraPath;
+import java.nio.file.Path;
+import java.util.List;
+import javafx.scene.control.Button;
+import javafx.scene.control.ComboBox;
+import javafx.scene.control.Slider;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The camera's keyframes set, listed, moved, deleted and played by hand. */
+class FilmTest {
+    private static WindowDriver driver;
+
+    @TempDir
+    private Path folder;
+
+    @BeforeAll
+    static void open() {
+        driver = WindowDriver.openWithPanel();
+    }
+
+    @AfterAll
+    static void close() {
+        driver.close();
+    }
+
+    @BeforeEach
+    void startAnew() {
+        show(WindowScenes.tiny());
+    }
+
+    private static void show(Scene scene) {
+        driver.run(() -> driver.studio.show(new OpenedScene(Path.of("test.json"), scene)));
+        driver.awaitCurrentPicture();
+        focusPicture();
+    }
+
+    private static void focusPicture() {
+        PictureView view = driver.find(".picture", PictureView.class);
+        driver.run(view::requestFocus);
+    }
+
+    private static Camera camera() {
+        return WindowDriver.call(driver.studio::scene).camera();
+    }
+
+    private static List<Double> times() {
+        return camera().keyframes().stream().map(CameraKeyframe::seconds).toList();
+    }
+
+    private static double seconds() {
+        return WindowDriver.call(driver.studio.film().secondsProperty()::get);
+    }
+
+    private static boolean playing() {
+        return WindowDriver.call(driver.studio.film().playingProperty()::get);
+    }
+
+    private static void walkTo(double x) {
+        driver.run(() -> driver.studio.moveCamera(camera -> camera.withPosition(new Vector3(x, 2, -8))));
+    }
+
+    private static void goTo(double time) {
+        TextField field = driver.find("#film-time", TextField.class);
+        driver.run(field::requestFocus);
+        driver.typeWith(KeyCode.A, KeyCode.CONTROL);
+        driver.run(() -> field.replaceSelection(String.valueOf(time)));
+        driver.type(KeyCode.ENTER);
+    }
+
+    /** At 1 s at x = 0, at 3 s at x = 4. */
+    private static void setTwo() {
+        driver.type(Command.FILM.keys());
+        goTo(1);
+        walkTo(0);
+        driver.type(Command.SET_KEYFRAME.keys());
+        goTo(3);
+        walkTo(4);
+        driver.type(Command.SET_KEYFRAME.keys());
+    }
+
+    private static FilmBar bar() {
+        return driver.find("#film", FilmBar.class);
+    }
+
+    @Test
+    void keyframesAreSetFromTheCameraAtATimeAndTakenBack() {
+        assertThat(WindowDriver.call(bar()::isVisible)).isFalse();
+        setTwo();
+        assertThat(WindowDriver.call(bar()::isVisible)).isTrue();
+        assertThat(times()).containsExactly(1.0, 3.0);
+        assertThat(camera().keyframes().getLast().position()).isEqualTo(new Vector3(4, 2, -8));
+        assertThat(driver.notice()).startsWith("Keyframe set at 3 s");
+        assertThat(WindowDriver.call(driver.studio.editsProperty()::get).changed())
+                .isTrue();
+        assertThat(WindowDriver.call(driver.studio.editsProperty()::get).undoable())
+                .contains("set keyframe");
+        driver.type(Command.UNDO.keys());
+        assertThat(times()).containsExactly(1.0);
+        // Whoever takes it back stays where they are.
+        assertThat(camera().position().x()).isEqualTo(4);
+        driver.type(Command.REDO.keys());
+        assertThat(times()).containsExactly(1.0, 3.0);
+        Path file = folder.resolve("film.json");
+        SceneWriter.write(WindowDriver.call(driver.studio::scene), file);
+        assertThat(SceneReader.read(file).camera().keyframes()).isEqualTo(camera().keyframes());
+    }
+
+    @Test
+    void theListAndTheKeysGoToAKeyframe() {
+        setTwo();
+        ComboBox<?> list = driver.find("#film-list", ComboBox.class);
+        assertThat(WindowDriver.call(() -> list.getItems().toString()))
+                .isEqualTo("[2 keyframes, 1 of 2: 1 s, 2 of 2: 3 s]");
+        driver.run(() -> list.getSelectionModel().select(1));
+        assertThat(seconds()).isEqualTo(1);
+        assertThat(camera().position().x()).isZero();
+        driver.type(Command.NEXT_KEYFRAME.keys());
+        assertThat(seconds()).isEqualTo(3);
+        assertThat(camera().position().x()).isEqualTo(4);
+        assertThat(WindowDriver.call(() -> list.getValue().toString())).isEqualTo("2 of 2: 3 s");
+        driver.type(Command.NEXT_KEYFRAME.keys());
+        assertThat(driver.notice()).isEqualTo("No later keyframe");
+        driver.type(Command.PREVIOUS_KEYFRAME.keys());
+        assertThat(camera().position().x()).isZero();
+    }
+
+    @Test
+    void aTimeBetweenShowsThePathAndATimeAfterItLeavesTheCamera() {
+        setTwo();
+        Slider slider = driver.find("#film-slider", Slider.class);
+        driver.run(() -> slider.setValue(2));
+        assertThat(camera()).isEqualTo(CameraPath.at(camera(), 2));
+        assertThat(camera().position().x()).isCloseTo(2, within(1e-9));
+        walkTo(-7);
+        driver.run(() -> slider.setValue(8));
+        assertThat(camera().position().x()).isEqualTo(-7);
+        assertThat(WindowDriver.call(driver.studio.editsProperty()::get).undoable())
+                .contains("set keyframe");
+    }
+
+    @Test
+    void aKeyframeIsDeletedAtItsTime() {
+        setTwo();
+        Button delete = driver.find("#film-delete-keyframe", Button.class);
+        goTo(2);
+        assertThat(WindowDriver.call(delete::isDisabled)).isTrue();
+        driver.type(Command.DELETE_KEYFRAME.keys());
+        assertThat(driver.notice()).isEqualTo("No keyframe at 2 s");
+        goTo(1);
+        driver.run(delete::fire);
+        assertThat(times()).containsExactly(3.0);
+        assertThat(WindowDriver.call(driver.studio.editsProperty()::get).undoable())
+                .contains("delete keyframe");
+    }
+
+    @Test
+    void aMarkIsDraggedToAnotherTimeAndThatIsOneEdit() {
+        setTwo();
+        driver.pulse();
+        KeyframeMarks marks = driver.find("#film-marks", KeyframeMarks.class);
+        var place = WindowDriver.call(() -> {
+            var mark = marks.getChildrenUnmodifiable().getLast();
+            return mark.localToScreen(mark.getBoundsInLocal());
+        });
+        driver.withRobot(hand -> hand.mouseMove(place.getCenterX(), place.getCenterY()));
+        driver.withRobot(hand -> hand.mousePress(MouseButton.PRIMARY));
+        driver.withRobot(hand -> hand.mouseMove(place.getCenterX() + 10, place.getCenterY()));
+        driver.withRobot(hand -> hand.mouseMove(place.getCenterX() + 20, place.getCenterY()));
+        driver.withRobot(hand -> hand.mouseRelease(MouseButton.PRIMARY));
+        assertThat(times().getLast()).isGreaterThan(3.2);
+        assertThat(seconds()).isEqualTo(times().getLast());
+        driver.run(driver.studio::undo);
+        assertThat(times()).containsExactly(1.0, 3.0);
+    }
+
+    @Test
+    void theFilmPlaysFromItsBeginningToItsEnd() {
+        driver.type(Command.PLAY.keys());
+        assertThat(driver.notice()).isEqualTo("Set two keyframes or more to play the camera's path");
+        setTwo();
+        driver.type(Command.PLAY.keys());
+        driver.await(() -> seconds() > 1);
+        driver.await(() -> !playing());
+        assertThat(seconds()).isEqualTo(3);
+        assertThat(camera().position()).isEqualTo(new Vector3(4, 2, -8));
+        goTo(1);
+        focusPicture();
+        driver.type(Command.PLAY.keys());
+        driver.await(() -> seconds() > 1 && seconds() < 3);
+        driver.type(Command.PLAY.keys());
+        assertThat(playing()).isFalse();
+        assertThat(WindowDriver.call(driver.studio.editsProperty()::get).undoable())
+                .contains("set keyframe");
+    }
+
+    @Test
+    void anotherSceneHasItsOwnKeyframesAndAViewThatIsKeptHasNone() {
+        setTwo();
+        Scene film = WindowDriver.call(driver.studio::scene);
+        driver.run(() -> driver.studio.hand().keepView(7));
+        show(WindowScenes.tiny());
+        assertThat(WindowDriver.call(bar()::isVisible)).isFalse();
+        assertThat(seconds()).isZero();
+        driver.run(() -> driver.studio.hand().recallView(7));
+        assertThat(camera().position().x()).isEqualTo(4);
+        assertThat(camera().keyframes()).isEmpty();
+        show(film);
+        assertThat(WindowDriver.call(bar()::isVisible)).isTrue();
+    }
+}
