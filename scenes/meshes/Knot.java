@@ -4,8 +4,8 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * Makes knot.obj and knot.mtl beside itself: {@code java scenes/meshes/Knot.java}. A (2, 3) torus knot of six pieces with
- * round ends, glass and metal in turn.
+ * Makes knot.obj and knot.mtl beside itself: {@code java scenes/meshes/Knot.java}. A (2, 3) torus knot of six pieces
+ * with round ends, glass and metal in turn.
  */
 public final class Knot {
     private static final int PIECES = 6;

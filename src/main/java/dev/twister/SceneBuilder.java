@@ -21,8 +21,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Makes a scene in code, without any file. What is not set is as in a scene file that leaves it out; the sky is light gray.
- * Used by one thread.
+ * Makes a scene in code, without any file. What is not set is as in a scene file that leaves it out; the sky is light
+ * gray. Used by one thread.
  */
 public final class SceneBuilder {
     private final List<Sphere> spheres = new ArrayList<>();

@@ -24,7 +24,9 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** The hierarchy over a crowd of spheres: building it, in milliseconds, and walking it, in nanoseconds a ray or point. */
+/**
+ * The hierarchy over a crowd of spheres: building it, in milliseconds, and walking it, in nanoseconds a ray or point.
+ */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
 @Warmup(iterations = 3, time = 1)

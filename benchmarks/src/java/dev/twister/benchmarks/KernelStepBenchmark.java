@@ -25,7 +25,9 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Each step of the scalar kernel in the paper's scene, in nanoseconds a call, over a table of random rays and points. */
+/**
+ * Each step of the scalar kernel in the paper's scene, in nanoseconds a call, over a table of random rays and points.
+ */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)

@@ -13,8 +13,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Measures the cold start of the process that runs it, in milliseconds since the JVM began. Run by {@code benchmarks/start-up},
- * which says what the arguments are: an engine, a size, and seconds.
+ * Measures the cold start of the process that runs it, in milliseconds since the JVM began. Run by
+ * {@code benchmarks/start-up}, which says what the arguments are: an engine, a size, and seconds.
  */
 public final class StartUp {
     /** What counts as full speed: this share of the most frames per second that last. */

@@ -5,8 +5,8 @@ import dev.twister.engine.Engines;
 import dev.twister.engine.auto.FastestEngine;
 
 /**
- * An engine under the name that it was asked for by: {@value FastestEngine#AUTO} becomes another one, which may be measured
- * beside it.
+ * An engine under the name that it was asked for by: {@value FastestEngine#AUTO} becomes another one, which may be
+ * measured beside it.
  *
  * @param id the name in the report
  */

@@ -48,8 +48,8 @@ public final class Benchmark {
     }
 
     /**
-     * Opens the engine of that name to be measured. {@value FastestEngine#AUTO} has chosen before it draws: frames of another
-     * engine meanwhile would be measured as its own.
+     * Opens the engine of that name to be measured. {@value FastestEngine#AUTO} has chosen before it draws: frames of
+     * another engine meanwhile would be measured as its own.
      *
      * @throws UnknownEngineException where no engine has that name
      * @throws EngineException where it cannot be opened

@@ -13,12 +13,13 @@ import java.util.stream.Stream;
  *
  * @param engines their ids, in the order of the report
  * @param figures what each figure of the report shows, in the order of its axis; figures may share settings
- * @param warmupFrames frames drawn before the measured ones at each setting; where there are any, small pictures are drawn
- *     before an engine's first setting until they get no faster, so that compilers are done; all of them of bodies at their
- *     start, where they move
+ * @param warmupFrames frames drawn before the measured ones at each setting; where there are any, small pictures are
+ *     drawn before an engine's first setting until they get no faster, so that compilers are done; all of them of
+ *     bodies at their start, where they move
  * @param frames measured frames
- * @param maxSeconds for one engine at one setting, warm-up included, half of it at most; fewer frames are taken where it
- *     is short, but always one of each. And as long again, at most, for small pictures of each of the {@link #shown} settings
+ * @param maxSeconds for one engine at one setting, warm-up included, half of it at most; fewer frames are taken where
+ *     it is short, but always one of each. And as long again, at most, for small pictures of each of the {@link #shown}
+ *     settings
  */
 public record BenchmarkPlan(
         List<String> engines,

@@ -63,7 +63,9 @@ public record BenchmarkReport(
         return find(engine, setting).map(measurement -> measurement.times().fps());
     }
 
-    /** How many times faster than the baseline, by the means of the same frames; empty where that one was not measured. */
+    /**
+     * How many times faster than the baseline, by the means of the same frames; empty where that one was not measured.
+     */
     public Optional<Double> speedupOver(String baseline, Measurement measurement) {
         return find(baseline, measurement.setting()).map(other -> speedup(other, measurement));
     }

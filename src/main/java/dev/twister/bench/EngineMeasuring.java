@@ -14,8 +14,8 @@ record EngineMeasuring(AskedEngine asked, BenchmarkPlan plan, BenchmarkProgress 
     private static final double NANOS_PER_SECOND = 1e9;
 
     /**
-     * Draws the bodies where they are, then as they move, where they do: the same frames for every engine, however many it
-     * draws to warm up.
+     * Draws the bodies where they are, then as they move, where they do: the same frames for every engine, however many
+     * it draws to warm up.
      *
      * @param reference draws what the last frame should have been
      */

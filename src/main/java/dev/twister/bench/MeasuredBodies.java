@@ -16,7 +16,10 @@ final class MeasuredBodies implements AutoCloseable {
     private long stepNanos;
     private long rebuildNanos;
 
-    /** Steps are to be compiled too, but the bodies that are measured must stay at their start: others are moved for that. */
+    /**
+     * Steps are to be compiled too, but the bodies that are measured must stay at their start: others are moved for
+     * that.
+     */
     private record Moving(MotionPlan plan, Simulation simulation, Simulation rehearsal) {}
 
     /** Of a world whose settings are those to measure with. */

@@ -25,8 +25,8 @@ public record Measurement(
         PictureComparison comparison,
         Optional<MotionTimes> motionTimes) {
     /**
-     * The mean time of the first frames in milliseconds, by which engines compare: of the first ones where bodies move, as an
-     * engine that had time for more went on with other bodies; otherwise of all, which are alike.
+     * The mean time of the first frames in milliseconds, by which engines compare: of the first ones where bodies move,
+     * as an engine that had time for more went on with other bodies; otherwise of all, which are alike.
      */
     double meanOfFirst(int frames) {
         return motionTimes

@@ -44,8 +44,8 @@ public final class PaperFolder {
     }
 
     /**
-     * Writes the pictures, the plots and the page, each file whole or not at all. An older evaluation's plots of what was not
-     * measured now are gone then.
+     * Writes the pictures, the plots and the page, each file whole or not at all. An older evaluation's plots of what
+     * was not measured now are gone then.
      *
      * @param folder must be there
      * @param srgb whether the pictures are sRGB-encoded

@@ -14,8 +14,8 @@ public final class ReportNumbers {
     private ReportNumbers() {}
 
     /**
-     * With this number of decimals, and with more where fewer than two digits would count: the rate of an engine that needs a
-     * minute for a frame is not 0.
+     * With this number of decimals, and with more where fewer than two digits would count: the rate of an engine that
+     * needs a minute for a frame is not 0.
      */
     public static String legible(double value, int decimals) {
         BigDecimal exact = BigDecimal.valueOf(value);

@@ -11,9 +11,9 @@ import java.io.PrintWriter;
 import java.util.Optional;
 
 /**
- * One progress bar for a whole benchmark, with the time left. What is measured is kept on the disk as it comes, where files
- * were asked for: a process that ends before its time, by a driver's hand perhaps, may not be asked for it any more. Where it
- * may, it says where that was, and what is left.
+ * One progress bar for a whole benchmark, with the time left. What is measured is kept on the disk as it comes, where
+ * files were asked for: a process that ends before its time, by a driver's hand perhaps, may not be asked for it any
+ * more. Where it may, it says where that was, and what is left.
  */
 final class BenchmarkLine implements BenchmarkProgress, AutoCloseable {
     private final PrintWriter out;

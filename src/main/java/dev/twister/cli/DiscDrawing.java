@@ -17,7 +17,8 @@ final class DiscDrawing {
     /**
      * An SVG document.
      *
-     * @param json of {@code twister explain --json}; its first step has shadow rays, the first of them to the disc's center
+     * @param json of {@code twister explain --json}; its first step has shadow rays, the first of them to the disc's
+     *     center
      * @param discRadius in meters
      */
     static String svg(String json, double discRadius) {

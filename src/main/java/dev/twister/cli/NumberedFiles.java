@@ -12,8 +12,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Names for frames, which sort as they were drawn. The number's place is {@code %04d} or {@code ####} in the file's name; where
- * there is none, {@code fall.png} becomes {@code fall-0000.png} and so on.
+ * Names for frames, which sort as they were drawn. The number's place is {@code %04d} or {@code ####} in the file's
+ * name; where there is none, {@code fall.png} becomes {@code fall-0000.png} and so on.
  */
 final class NumberedFiles {
     private static final int MIN_DIGITS = 4;

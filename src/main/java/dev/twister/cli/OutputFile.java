@@ -40,8 +40,8 @@ final class OutputFile {
     }
 
     /**
-     * Whether what is written to one file is lost when the other one is written; devices and pipes take both. Names that
-     * differ in case alone are one file on some systems, and nobody wants two such on the others.
+     * Whether what is written to one file is lost when the other one is written; devices and pipes take both. Names
+     * that differ in case alone are one file on some systems, and nobody wants two such on the others.
      */
     static boolean replaces(Path one, Path other) throws IOException {
         if (Files.exists(one) && Files.exists(other)) {

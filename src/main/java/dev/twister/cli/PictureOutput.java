@@ -22,7 +22,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** Where pictures go: one to a file, numbered ones to files, or all of them to the standard output, one after the other. */
+/**
+ * Where pictures go: one to a file, numbered ones to files, or all of them to the standard output, one after the other.
+ */
 final class PictureOutput {
     private static final String OPTION = "--output";
     private static final Path STANDARD_OUTPUT = Path.of("-");

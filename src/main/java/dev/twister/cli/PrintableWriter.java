@@ -6,7 +6,9 @@ import java.io.Writer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Everything that commands print goes through this, so that no text of a user's controls the terminal that shows it. */
+/**
+ * Everything that commands print goes through this, so that no text of a user's controls the terminal that shows it.
+ */
 final class PrintableWriter extends Writer {
     /** Lines, tables and the bar of progress are made of them. */
     private static final Pattern BETWEEN = Pattern.compile("[^\n\r\t]+");

@@ -9,13 +9,13 @@ import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
 
 /**
- * A progress bar on a terminal, gone without a trace when it is closed, or lines for a program that watches; nothing at all
- * elsewhere.
+ * A progress bar on a terminal, gone without a trace when it is closed, or lines for a program that watches; nothing at
+ * all elsewhere.
  */
 final class ProgressLine implements AutoCloseable {
     /**
-     * Set by the launcher, which knows whether the error output is a terminal, and how many columns it has; Java does not. 0
-     * where it is none.
+     * Set by the launcher, which knows whether the error output is a terminal, and how many columns it has; Java does
+     * not. 0 where it is none.
      */
     private static final String COLUMNS_PROPERTY = "twister.terminal.columns";
 

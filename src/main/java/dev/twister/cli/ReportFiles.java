@@ -11,8 +11,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Where a benchmark's report goes. One that was stopped goes beside it, so that an older, finished one is not lost for it:
- * {@code report.json} to {@code report-unfinished.json}.
+ * Where a benchmark's report goes. One that was stopped goes beside it, so that an older, finished one is not lost for
+ * it: {@code report.json} to {@code report-unfinished.json}.
  */
 record ReportFiles(Optional<Path> json, Optional<Path> csv) {
     private static final String UNFINISHED = "-unfinished";

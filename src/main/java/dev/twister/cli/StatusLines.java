@@ -6,8 +6,8 @@ import java.util.Locale;
 import java.util.function.LongSupplier;
 
 /**
- * How far work is, in the lines that Open Job Description reads: {@code openjd_progress} and {@code openjd_status}. At most one
- * pair a second, and one at the end.
+ * How far work is, in the lines that Open Job Description reads: {@code openjd_progress} and {@code openjd_status}. At
+ * most one pair a second, and one at the end.
  */
 final class StatusLines {
     private static final long NANOS_BETWEEN = 1_000_000_000L;

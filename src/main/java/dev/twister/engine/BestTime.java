@@ -5,7 +5,9 @@ import java.util.Optional;
 
 /** The fastest of a series of frames, and whether it is likely to stay that; used by several threads. */
 public final class BestTime {
-    /** What a frame must be faster by to count as better: less than a compiler's next step, more than a clock's noise. */
+    /**
+     * What a frame must be faster by to count as better: less than a compiler's next step, more than a clock's noise.
+     */
     private static final double BETTER = 0.95;
 
     /** One compilation may take about so long. */

@@ -9,8 +9,8 @@ public interface EngineProvider {
     List<EngineOffer> offers();
 
     /**
-     * How the ids of this family's engines begin where they are devices, before a colon; the name alone stands for the first
-     * one. To look for devices takes a noticeable time. Empty where it does not, and there are none.
+     * How the ids of this family's engines begin where they are devices, before a colon; the name alone stands for the
+     * first one. To look for devices takes a noticeable time. Empty where it does not, and there are none.
      */
     default Optional<String> devices() {
         return Optional.empty();

@@ -8,7 +8,10 @@ import java.util.Optional;
 public final class JvmOptions {
     private JvmOptions() {}
 
-    /** The value of the option of that name, without {@code -XX:}; empty where the JVM has no such option, or tells none. */
+    /**
+     * The value of the option of that name, without {@code -XX:}; empty where the JVM has no such option, or tells
+     * none.
+     */
     public static Optional<String> value(String name) {
         HotSpotDiagnosticMXBean diagnostics = ManagementFactory.getPlatformMXBean(HotSpotDiagnosticMXBean.class);
         if (diagnostics == null) {

@@ -1,8 +1,9 @@
 package dev.twister.engine;
 
 /**
- * An order of a picture's rows of which every part has rows from everywhere. A parallel stream cuts its range into few parts, each
- * for one thread; with rows in order a part of sky would be done long before one of spheres, and its thread idle.
+ * An order of a picture's rows of which every part has rows from everywhere. A parallel stream cuts its range into few
+ * parts, each for one thread; with rows in order a part of sky would be done long before one of spheres, and its thread
+ * idle.
  *
  * @param height of the picture, at least 1
  * @param step from one row to the next, around the picture's end; has no divisor in common with the height

@@ -35,8 +35,8 @@ public final class SettlingFrames {
     }
 
     /**
-     * The same view with few pixels: the JVM compiles the same code for it, and sooner, for before that an engine may be
-     * hundreds of times slower.
+     * The same view with few pixels: the JVM compiles the same code for it, and sooner, for before that an engine may
+     * be hundreds of times slower.
      */
     public static FrameInput small(FrameInput input) {
         int width = Math.min(SMALL_WIDTH, input.width());
@@ -74,7 +74,10 @@ public final class SettlingFrames {
         return best.isSettled();
     }
 
-    /** Whether the JVM's compiler has finished anything since it was last asked: code that is compiled anew is faster soon. */
+    /**
+     * Whether the JVM's compiler has finished anything since it was last asked: code that is compiled anew is faster
+     * soon.
+     */
     private boolean hasCompiled() {
         long before = compiledMillis;
         compiledMillis =

@@ -14,8 +14,8 @@ import java.util.Optional;
  * @param direction a unit vector
  * @param inside whether it goes through the inside of a transparent body
  * @param throughput what part of the radiance it finds reaches the pixel
- * @param body what it meets, as view {@code body} numbers it: {@link Layout#NOTHING} is the sky, {@link Layout#LIGHT} and
- *     {@link Layout#PLANE} are what they say, spheres follow
+ * @param body what it meets, as view {@code body} numbers it: {@link Layout#NOTHING} is the sky, {@link Layout#LIGHT}
+ *     and {@link Layout#PLANE} are what they say, spheres follow
  * @param distance in meters; 0 where it meets nothing
  * @param shading of the surface it meets; none for the light and the sky
  * @param adds radiance that the step adds to the pixel's sample

@@ -5,9 +5,9 @@ import dev.twister.scene.Vector3;
 import java.util.List;
 
 /**
- * A surface that a ray has met, and the numbers of the equation there: {@code (1 - m) (1 - t) lit C + lightColor spec} is
- * what the surface adds, {@code m lit + (1 - m) t F} the reflected and {@code (1 - m) t (1 - F) C} the refracted ray's part
- * (the rough facet's weight aside).
+ * A surface that a ray has met, and the numbers of the equation there: {@code (1 - m) (1 - t) lit C + lightColor spec}
+ * is what the surface adds, {@code m lit + (1 - m) t F} the reflected and {@code (1 - m) t (1 - F) C} the refracted
+ * ray's part (the rough facet's weight aside).
  *
  * @param point in the scene's meters
  * @param normal N, a unit vector, towards the ray where it comes from inside a transparent body

@@ -2,7 +2,9 @@ package dev.twister.files;
 
 import java.io.IOException;
 
-/** The files that are written because the process ends; no others are begun then, as nobody waits until they are done. */
+/**
+ * The files that are written because the process ends; no others are begun then, as nobody waits until they are done.
+ */
 public final class LastWrites {
     static final String REFUSAL = "the process is ending";
 

@@ -4,7 +4,10 @@ package dev.twister.files;
 public final class PrintableText {
     private PrintableText() {}
 
-    /** The text on one line: characters that control a terminal, end lines, reorder or show nothing become {@code \}{@code u001b} and the like. */
+    /**
+     * The text on one line: characters that control a terminal, end lines, reorder or show nothing become
+     * {@code \}{@code u001b} and the like.
+     */
     public static String line(String text) {
         StringBuilder shown = new StringBuilder(text.length());
         text.codePoints().forEach(point -> {

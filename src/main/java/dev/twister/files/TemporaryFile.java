@@ -24,8 +24,8 @@ import java.util.UUID;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * A file that is gone when this is closed, unless it was moved into place, and also where the process ends before that. While it
- * is written it is locked, so that other processes can tell it from what a killed one has left.
+ * A file that is gone when this is closed, unless it was moved into place, and also where the process ends before that.
+ * While it is written it is locked, so that other processes can tell it from what a killed one has left.
  */
 final class TemporaryFile implements AutoCloseable {
     private static final String START = ".twister-";

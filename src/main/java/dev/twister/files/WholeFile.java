@@ -64,10 +64,10 @@ public final class WholeFile {
 
     /**
      * Streams the content into a temporary file in the target's own folder, waits until it is safely on the disk, and
-     * moves it into place, replacing what was there, with the same permissions. A failure of any kind, and the end of the
-     * process, leaves the target as it was and no temporary file behind; a process that is killed without a word leaves
-     * one ({@link #deleteLeftovers}). While the process ends, only {@link LastWrites} are begun. A symbolic link stays, and
-     * the file it leads to is replaced, or made where it was not there.
+     * moves it into place, replacing what was there, with the same permissions. A failure of any kind, and the end of
+     * the process, leaves the target as it was and no temporary file behind; a process that is killed without a word
+     * leaves one ({@link #deleteLeftovers}). While the process ends, only {@link LastWrites} are begun. A symbolic link
+     * stays, and the file it leads to is replaced, or made where it was not there.
      *
      * @param target no folder or device
      * @throws IOException whatever the disk or the content reported
@@ -87,8 +87,8 @@ public final class WholeFile {
     }
 
     /**
-     * Deletes temporary files that killed processes have left in a folder. What a living process writes, on this machine or
-     * another one, stays; so does what cannot be deleted.
+     * Deletes temporary files that killed processes have left in a folder. What a living process writes, on this
+     * machine or another one, stays; so does what cannot be deleted.
      */
     public static void deleteLeftovers(Path folder) {
         TemporaryFile.deleteLeftovers(folder);

@@ -19,8 +19,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * The program ffmpeg, which makes MP4 films of H.264: 4:2:0 chroma, as all players take it, BT.709's primaries and matrix and
- * the sRGB transfer function, all tagged.
+ * The program ffmpeg, which makes MP4 films of H.264: 4:2:0 chroma, as all players take it, BT.709's primaries and
+ * matrix and the sRGB transfer function, all tagged.
  *
  * @param program its file
  */
@@ -41,8 +41,8 @@ public record Ffmpeg(Path program) {
     /**
      * Writes a film, whole or not at all. An odd last column or row is left out, as 4:2:0 chroma needs even sides.
      *
-     * @throws IOException where ffmpeg fails, with its own last words; as {@link WholeFile#write}; or what the source has
-     *     thrown
+     * @throws IOException where ffmpeg fails, with its own last words; as {@link WholeFile#write}; or what the source
+     *     has thrown
      */
     public void write(Path file, FilmFormat format, FrameSource source) throws IOException {
         Path folder = Files.createTempDirectory("twister-film");

@@ -17,8 +17,8 @@ import javafx.stage.Screen;
 import javafx.util.Duration;
 
 /**
- * Turns the camera by dragging over the picture, with the pointer hidden and however far, and changes the field of view by the wheel. What
- * another handler of the picture's consumes (the drag of a body, say) does not come here.
+ * Turns the camera by dragging over the picture, with the pointer hidden and however far, and changes the field of view
+ * by the wheel. What another handler of the picture's consumes (the drag of a body, say) does not come here.
  */
 final class CameraMouse {
     private final Node picture;

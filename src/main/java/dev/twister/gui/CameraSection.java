@@ -26,7 +26,7 @@ final class CameraSection {
                 new NumberRow(SceneNumbers.FOCUS_DISTANCE, "Alt+Shift+D", studio));
         speed = new ChoiceRow<>(
                 "Speed",
-                "Meters per second that W A S D walk; with Shift, 4 times as many.",
+                "Walking speed in meters per second; Shift is 4 times as fast.",
                 "Alt+Shift+Z",
                 metersPerSecond -> new Look(SceneNumbers.FOCUS_DISTANCE.text(metersPerSecond) + " m/s"),
                 studio.hand().speedProperty()::set,

@@ -35,7 +35,7 @@ final class CompareSection {
                 studio::notice);
         engine = new ChoiceRow<>(
                 "Its engine",
-                "What renders the second picture.",
+                "The engine of the second picture.",
                 "Alt+Shift+G",
                 this::look,
                 id -> comparison.engineProperty().set(engines.find(id)),

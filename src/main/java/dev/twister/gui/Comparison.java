@@ -18,8 +18,9 @@ import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleObjectProperty;
 
 /**
- * A second picture of what the first one shows, by another engine, of another stage, or with other settings, and how they
- * differ. It follows the first one, and is drawn on a thread of its own while it is wanted. Used by JavaFX's thread.
+ * A second picture of what the first one shows, by another engine, of another stage, or with other settings, and how
+ * they differ. It follows the first one, and is drawn on a thread of its own while it is wanted. Used by JavaFX's
+ * thread.
  */
 final class Comparison implements AutoCloseable {
     /** To compare pictures takes some milliseconds. */

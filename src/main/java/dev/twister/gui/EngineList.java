@@ -13,8 +13,8 @@ import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.util.Subscription;
 
 /**
- * The engines that a person can choose from: those of the JVM at once, devices later. Looking for devices takes TornadoVM a
- * second of the processor's time, which at the start is the compiler's and the first pictures'.
+ * The engines that a person can choose from: those of the JVM at once, devices later. Looking for devices takes
+ * TornadoVM a second of the processor's time, which at the start is the compiler's and the first pictures'.
  */
 final class EngineList {
     private final Studio studio;

@@ -25,14 +25,14 @@ final class EngineSection {
         this.usualEngine = usualEngine;
         engine = new ChoiceRow<>(
                 "Engine",
-                "What draws the picture. Those that cannot work here say why.",
+                "The engine that renders. Engines that do not work here say why.",
                 "Alt+G",
                 this::look,
                 id -> engines.find(id).ifPresent(studio::chooseEngine),
                 studio::notice);
         resolution = new ChoiceRow<>(
                 "Resolution",
-                "How many pixels are drawn; they are scaled to fit the window.",
+                "Pixels to render; the picture is scaled to fit the window.",
                 "Alt+R",
                 mode -> new Look(mode.label()),
                 studio::setResolution,

@@ -72,8 +72,8 @@ final class FileActions {
     }
 
     /**
-     * Opens a scene, or a mesh in a scene of its own, once changes are saved or given up; a panorama becomes the sky. What
-     * is none of them is complained of.
+     * Opens a scene, or a mesh in a scene of its own, once changes are saved or given up; a panorama becomes the sky.
+     * What is none of them is complained of.
      */
     void open(Path file) {
         reading.begin(
@@ -86,11 +86,11 @@ final class FileActions {
                         case MESH -> openMesh(file);
                         case OTHER -> {
                             forgetWhereGone(file);
-                            dialogs.complain("This cannot be opened", DroppedFile.complaint(file));
+                            dialogs.complain("Couldn't open the file", DroppedFile.complaint(file));
                         }
                     }
                 },
-                problem -> complain("This cannot be opened", problem),
+                problem -> complain("Couldn't open the file", problem),
                 () -> {});
     }
 
@@ -182,7 +182,7 @@ final class FileActions {
                 studio::useSky,
                 problem -> {
                     refused.run();
-                    complain("This sky cannot be used", problem);
+                    complain("Couldn't load the sky", problem);
                 },
                 refused);
     }
@@ -241,8 +241,8 @@ final class FileActions {
     }
 
     /**
-     * Does that once changes are saved or given up; not at all where the person would rather stay, or is typing what cannot
-     * be taken.
+     * Does that once changes are saved or given up; not at all where the person would rather stay, or is typing what
+     * cannot be taken.
      */
     void afterSaving(Runnable action) {
         if (!takeTyped.getAsBoolean()) {
@@ -250,7 +250,8 @@ final class FileActions {
         }
         if (saving > 0) {
             // One scene is written after the other: then it is known whether there is something to lose.
-            errands.keepScene(() -> "", _ -> afterSaving(action), problem -> complain("This cannot be done", problem));
+            errands.keepScene(
+                    () -> "", _ -> afterSaving(action), problem -> complain("Couldn't keep the scene", problem));
         } else if (studio.editsProperty().get().changed()) {
             // While the file is being written the scene can be edited on: that is asked about again.
             dialogs.askToSave(
@@ -294,7 +295,7 @@ final class FileActions {
                                 "Choose a sky…",
                                 () -> choice.panorama(folder()).ifPresent(sky -> openUnder(sky, file))),
                         new Answer("Use the present sky", () -> openUnder(present, file))),
-                _ -> complain("This scene cannot be opened", problem),
+                _ -> complain("Couldn't open the scene", problem),
                 () -> {});
     }
 
@@ -311,7 +312,7 @@ final class FileActions {
                     studio.restore(opened, opened.scene());
                     remember(file);
                 }),
-                problem -> complain("This sky cannot be used", problem),
+                problem -> complain("Couldn't load the sky", problem),
                 () -> {});
     }
 
@@ -417,7 +418,7 @@ final class FileActions {
                 },
                 problem -> {
                     saving--;
-                    complain("The scene was not saved", problem);
+                    complain("Couldn't save the scene", problem);
                 });
     }
 
@@ -444,7 +445,7 @@ final class FileActions {
                         () -> errands.keepScene(
                                 () -> new EditedFile(file, FileMark.of(file)),
                                 seen -> saveTo(file, seen, then),
-                                problem -> complain("The scene was not saved", problem))));
+                                problem -> complain("Couldn't save the scene", problem))));
     }
 
     /** Has a scene that was opened or saved among the recent ones from now on. */

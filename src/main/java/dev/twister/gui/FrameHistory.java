@@ -54,8 +54,8 @@ public final class FrameHistory {
     }
 
     /**
-     * Pictures drawn in a second, over the last second or the last two pictures; 0 before there are two, and where none is
-     * being drawn any more.
+     * Pictures drawn in a second, over the last second or the last two pictures; 0 before there are two, and where none
+     * is being drawn any more.
      *
      * @param nanos now, by {@link System#nanoTime}
      */

@@ -6,8 +6,8 @@ import javafx.geometry.Point2D;
 import javafx.geometry.Rectangle2D;
 
 /**
- * A pointer that is not seen and never comes to the end of the screen: near an edge it is put in the screen's middle, and at the end
- * back where it was. Where a system does not let it be put elsewhere, it stops at the edge.
+ * A pointer that is not seen and never comes to the end of the screen: near an edge it is put in the screen's middle,
+ * and at the end back where it was. Where a system does not let it be put elsewhere, it stops at the edge.
  */
 final class HiddenPointer {
     /** So near an edge, as a share of the screen's shorter side. */

@@ -26,7 +26,7 @@ final class LightSection {
                 new NumberRow(SurroundingsNumbers.AMBIENT, "Alt+Shift+L", studio));
         color = new ColorRow(
                 "Light color",
-                "The light's hue; how bright it is, the strength says.",
+                "The light's color. Set brightness with Light strength.",
                 "Alt+C",
                 studio,
                 scene -> Radiance.of(scene.light().color()).hue(),

@@ -14,8 +14,8 @@ final class MainWindow implements AutoCloseable {
     private static final double WIDTH = 1280;
     private static final double HEIGHT = 760;
     /**
-     * Painted with the clearing of the window: a background under the picture would be a second coat, which takes JavaFX without a
-     * graphics card a quarter of a picture's time.
+     * Painted with the clearing of the window: a background under the picture would be a second coat, which takes
+     * JavaFX without a graphics card a quarter of a picture's time.
      */
     private static final Color AROUND_THE_PICTURE = Color.web("#101113");
 
@@ -34,7 +34,9 @@ final class MainWindow implements AutoCloseable {
     private long pulseNanos;
     private PulseListener listener = (_, _) -> {};
 
-    /** Told of each pulse when it began and when the interface's thread was done with it, by {@link System#nanoTime}. */
+    /**
+     * Told of each pulse when it began and when the interface's thread was done with it, by {@link System#nanoTime}.
+     */
     @FunctionalInterface
     interface PulseListener {
         void pulsed(long startNanos, long endNanos);

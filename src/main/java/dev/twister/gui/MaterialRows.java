@@ -150,7 +150,7 @@ final class MaterialRows {
         boolean plane = body == BodyNumber.PLANE;
         ColorRow color = new ColorRow(
                 plane ? "First color" : "Color",
-                plane ? "The color of every other square." : "The color of the surface.",
+                plane ? "The color of half of the squares." : "The color of the surface.",
                 "Alt+9",
                 studio,
                 scene -> material(scene).color(),
@@ -175,7 +175,7 @@ final class MaterialRows {
     private ChoiceRow<Optional<Path>> texture() {
         ChoiceRow<Optional<Path>> row = new ChoiceRow<>(
                 "Texture",
-                "A picture that the color is multiplied by.",
+                "A picture that multiplies the color.",
                 "Alt+Shift+X",
                 file -> {
                     String name = file.map(FileActions::name).orElse("None");

@@ -12,8 +12,8 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
 
 /**
- * Moves the camera about the selected body, or about what is seen in the picture's middle: the middle button turns, with
- * Shift it pans, and the wheel with Alt or Shift goes nearer.
+ * Moves the camera about the selected body, or about what is seen in the picture's middle: the middle button turns,
+ * with Shift it pans, and the wheel with Alt or Shift goes nearer.
  */
 final class OrbitMouse {
     private static final double DEGREES_A_PIXEL = 0.3;

@@ -120,7 +120,10 @@ final class Panel extends ScrollPane {
                 .toList();
     }
 
-    /** Makes an edit of a number that is typed and not yet entered; false where it is none that is allowed, which is said. */
+    /**
+     * Makes an edit of a number that is typed and not yet entered; false where it is none that is allowed, which is
+     * said.
+     */
     boolean takeTyped() {
         return rows().stream()
                 .filter(NumberRow.class::isInstance)

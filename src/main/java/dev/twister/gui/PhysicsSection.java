@@ -20,7 +20,7 @@ final class PhysicsSection {
     PhysicsSection(Studio studio, CommandActions actions) {
         moving = new SwitchRow(
                 "Physics",
-                "Whether bodies fall and collide; off puts them back where the scene has them.",
+                "Simulate physics. Off: bodies return to their places in the scene.",
                 "Alt+M",
                 studio::setMoving);
         numbers = List.of(
@@ -28,10 +28,7 @@ final class PhysicsSection {
                 new NumberRow(SurroundingsNumbers.ELASTICITY, "Alt+Shift+E", studio),
                 new NumberRow(SurroundingsNumbers.FRICTION, "Alt+Shift+F", studio));
         walls = new SwitchRow(
-                "Walls",
-                "Whether walls on the plane's border hold the spheres; they are not seen.",
-                "Alt+Shift+W",
-                on -> {
+                "Walls", "Invisible walls on the border of the plane hold the spheres.", "Alt+Shift+W", on -> {
                     studio.edit(
                             "walls", scene -> scene.withPhysics(scene.physics().withWalls(on)));
                     studio.endGesture();
@@ -61,7 +58,7 @@ final class PhysicsSection {
 
     private void show(Motion motion) {
         moving.show(motion.isOn(), false);
-        pause.setText(motion.isOn() && !motion.running() ? "Go on" : Command.PAUSE.label());
+        pause.setText(motion.isOn() && !motion.running() ? "Resume" : Command.PAUSE.label());
         pause.setDisable(!motion.isOn());
     }
 

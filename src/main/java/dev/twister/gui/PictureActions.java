@@ -70,7 +70,7 @@ final class PictureActions implements AutoCloseable {
                                 return file;
                             },
                             written -> studio.notice("Saved " + written),
-                            problem -> dialogs.complain("The picture was not saved", FileActions.explain(problem)));
+                            problem -> dialogs.complain("Couldn't save the picture", FileActions.explain(problem)));
                 });
     }
 
@@ -99,7 +99,7 @@ final class PictureActions implements AutoCloseable {
         finished.forEach(ended -> {
             FrameRecorder.Progress progress = ended.progress();
             studio.notice(describe("Recorded", progress));
-            progress.failure().ifPresent(why -> dialogs.complain("The recording has ended", why));
+            progress.failure().ifPresent(why -> dialogs.complain("Recording stopped", why));
         });
     }
 
@@ -125,7 +125,7 @@ final class PictureActions implements AutoCloseable {
             studio.watch(picture -> record(started, picture));
             recorder.set(Optional.of(started));
         } catch (IOException problem) {
-            dialogs.complain("Nothing is recorded", problem.getMessage());
+            dialogs.complain("Couldn't start recording", problem.getMessage());
         }
     }
 

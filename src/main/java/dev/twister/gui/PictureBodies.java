@@ -8,8 +8,8 @@ import dev.twister.scene.Scene;
 import java.util.List;
 
 /**
- * Which body of the scene that a picture shows is which one of the scene, which may have been edited since the picture was
- * asked for. See {@link BodyNumber}.
+ * Which body of the scene that a picture shows is which one of the scene, which may have been edited since the picture
+ * was asked for. See {@link BodyNumber}.
  *
  * @param pictured the scene that the picture shows
  * @param standing the scene as it is now

@@ -27,19 +27,16 @@ final class PictureSection {
                 new NumberRow(SceneNumbers.EXPOSURE, "Alt+X", studio));
         toneMap = new ChoiceRow<>(
                 "Tone map",
-                "How bright colors are brought down to what a screen can show.",
+                "Maps bright colors to the range that a screen can show.",
                 "Alt+T",
                 map -> new Look(map.name().toLowerCase(Locale.ROOT)),
                 this::setToneMap,
                 studio::notice);
         srgb = new SwitchRow(
-                "sRGB curve",
-                "Whether colors are encoded as screens expect, after the tone map.",
-                "Alt+U",
-                this::setSrgb);
+                "sRGB curve", "Apply the sRGB transfer function after tone mapping.", "Alt+U", this::setSrgb);
         refining = new SwitchRow(
                 "Refine at rest",
-                "Whether a picture in which nothing moves gathers samples; otherwise it is drawn again and again.",
+                "Keep refining the picture while nothing moves.",
                 "Alt+N",
                 studio.refiningProperty()::set);
         studio.sceneProperty().subscribe(_ -> refresh());

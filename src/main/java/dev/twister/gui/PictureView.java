@@ -19,8 +19,8 @@ import javafx.scene.shape.Rectangle;
 import javafx.stage.Window;
 
 /**
- * Shows the newest picture, as large as fits, without copying it: each of the frames that go round has an image that looks
- * at the same pixels.
+ * Shows the newest picture, as large as fits, without copying it: each of the frames that go round has an image that
+ * looks at the same pixels.
  */
 final class PictureView extends Pane {
     /** Nearer than that, pixels are squares. */

@@ -11,8 +11,8 @@ import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 
 /**
- * The settings that last, as they are now; written when the window closes, and whenever a scene was opened or saved. Another
- * window of this user may have written its own meanwhile: what was changed here is changed in those.
+ * The settings that last, as they are now; written when the window closes, and whenever a scene was opened or saved.
+ * Another window of this user may have written its own meanwhile: what was changed here is changed in those.
  */
 final class SettingsKeeper {
     private final SettingsStore store;

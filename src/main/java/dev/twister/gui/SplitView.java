@@ -18,7 +18,9 @@ import javafx.scene.layout.Pane;
 import javafx.scene.layout.Region;
 import javafx.scene.shape.Rectangle;
 
-/** The second picture of a comparison to the right of a divider that can be moved, or the difference of both pictures. */
+/**
+ * The second picture of a comparison to the right of a divider that can be moved, or the difference of both pictures.
+ */
 final class SplitView extends Pane {
     private static final double GRIP = 11;
     private static final double MARGIN = 8;

@@ -46,8 +46,8 @@ import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
 
 /**
- * What a person sees and edits, and the one place where it changes: views bind to its properties and call its methods. Used by
- * JavaFX's thread alone; needs no toolkit.
+ * What a person sees and edits, and the one place where it changes: views bind to its properties and call its methods.
+ * Used by JavaFX's thread alone; needs no toolkit.
  */
 public final class Studio implements AutoCloseable {
     private static final double NANOS_PER_SECOND = 1e9;
@@ -135,7 +135,9 @@ public final class Studio implements AutoCloseable {
         return picture.getReadOnlyProperty();
     }
 
-    /** Which body of the scene that is shown is which of the scene's; empty while it is a picture of the scene before. */
+    /**
+     * Which body of the scene that is shown is which of the scene's; empty while it is a picture of the scene before.
+     */
     Optional<PictureBodies> picturedBodies() {
         return picture.get()
                 .map(DrawnPicture::request)
@@ -224,9 +226,9 @@ public final class Studio implements AutoCloseable {
     }
 
     /**
-     * Changes the scene. Where bodies move, the change is told where they are seen, and only those that it puts elsewhere
-     * are there from then on; all others go on as they were. Successive edits of the same name are one to {@link #undo}, until {@link #endGesture}; the camera
-     * is no part of that.
+     * Changes the scene. Where bodies move, the change is told where they are seen, and only those that it puts
+     * elsewhere are there from then on; all others go on as they were. Successive edits of the same name are one to
+     * {@link #undo}, until {@link #endGesture}; the camera is no part of that.
      *
      * @param what names the edit to a person, such as "light's size"
      */
@@ -524,7 +526,10 @@ public final class Studio implements AutoCloseable {
         skies.refreshTexture(textured, file);
     }
 
-    /** The panorama or texture that the drawing thread waits for, or the meshes that it draws without until they are read. */
+    /**
+     * The panorama or texture that the drawing thread waits for, or the meshes that it draws without until they are
+     * read.
+     */
     Optional<String> beingRead() {
         return skies.beingRead().map(file -> String.valueOf(file.getFileName())).or(meshes::progress);
     }

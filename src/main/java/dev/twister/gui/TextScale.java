@@ -10,8 +10,8 @@ import java.util.concurrent.TimeUnit;
 import javafx.scene.text.Font;
 
 /**
- * How much larger than usual a person wants text. JavaFX follows the size of a screen's pixels by itself, and the size of text on
- * Windows; the factor that GNOME and its relatives have for text alone it does not know.
+ * How much larger than usual a person wants text. JavaFX follows the size of a screen's pixels by itself, and the size
+ * of text on Windows; the factor that GNOME and its relatives have for text alone it does not know.
  */
 final class TextScale {
     static final double USUAL = 1;

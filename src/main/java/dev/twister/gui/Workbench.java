@@ -164,8 +164,8 @@ final class Workbench implements AutoCloseable {
     }
 
     /**
-     * Waits for a recording's last frames, and for what else a person wants to keep; called after {@link #close}, by any
-     * thread.
+     * Waits for a recording's last frames, and for what else a person wants to keep; called after {@link #close}, by
+     * any thread.
      */
     void awaitFiles() {
         pictures.close();

@@ -3,8 +3,8 @@ package dev.twister.image;
 /**
  * The pixels an engine fills, either 8-bit ARGB or linear radiance, never both.
  *
- * <p>The arrays are handed out, not copied: a frame may be read once the engine's {@code render} has
- * returned and until the next call with the same frame.
+ * <p>The arrays are handed out, not copied: a frame may be read once the engine's {@code render} has returned and until
+ * the next call with the same frame.
  */
 public final class Frame {
     private static final int CHANNELS = 3;

@@ -9,8 +9,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A picture that is put together from parts: tiles, which are runs of rows, and ranges of samples, which are averaged. Rows of
- * one part alone keep all their bits. Messages of exceptions are one line.
+ * A picture that is put together from parts: tiles, which are runs of rows, and ranges of samples, which are averaged.
+ * Rows of one part alone keep all their bits. Messages of exceptions are one line.
  */
 public final class JoinedPicture {
     private static final Pattern RANGE = Pattern.compile("(\\d{1,9})-(\\d{1,9})");

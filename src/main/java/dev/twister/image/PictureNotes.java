@@ -11,8 +11,8 @@ public final class PictureNotes {
     private PictureNotes() {}
 
     /**
-     * What a file says of how it was made; empty where it is not there, is no picture of Twister's, has other rows, or is not
-     * whole.
+     * What a file says of how it was made; empty where it is not there, is no picture of Twister's, has other rows, or
+     * is not whole.
      *
      * @param file .png, .hdr or .exr; the first two have all rows
      * @param firstRow that it must have

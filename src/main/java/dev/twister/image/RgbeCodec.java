@@ -8,8 +8,8 @@ final class RgbeCodec {
     private RgbeCodec() {}
 
     /**
-     * Encodes one texel. A texel that is not black has a largest mantissa of 128 or more, so that no texel of a flat row
-     * looks like a run length code, (1, 1, 1, n) or (2, 2, n, n).
+     * Encodes one texel. A texel that is not black has a largest mantissa of 128 or more, so that no texel of a flat
+     * row looks like a run length code, (1, 1, 1, n) or (2, 2, n, n).
      *
      * @param radiance red, green, blue from index {@code from} on; any values
      * @param rgbe receives three mantissas and the exponent from index {@code to} on
@@ -33,7 +33,9 @@ final class RgbeCodec {
         rgbe[to + 3] = (byte) (exponent + 128);
     }
 
-    /** Cut at 255, not carried into the exponent: that would double the error of the other two, beyond a part in 256. */
+    /**
+     * Cut at 255, not carried into the exponent: that would double the error of the other two, beyond a part in 256.
+     */
     private static byte mantissa(double channel, int exponent) {
         return (byte) Math.min(255, Math.rint(Math.scalb(channel, 8 - exponent)));
     }

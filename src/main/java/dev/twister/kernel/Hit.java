@@ -2,7 +2,10 @@ package dev.twister.kernel;
 
 /** Which body a ray meets first. */
 public final class Hit {
-    /** Values of the argument {@code search}: every body is tested, or the spheres by way of the hierarchy. Both find the same. */
+    /**
+     * Values of the argument {@code search}: every body is tested, or the spheres by way of the hierarchy. Both find
+     * the same.
+     */
     public static final int ALL = 0;
 
     public static final int WALK = 1;
@@ -10,9 +13,9 @@ public final class Hit {
     private Hit() {}
 
     /**
-     * The closest body in front of the path's ray, the lower index on a tie; {@link Layout#NOTHING} where there is none.
-     * The body that the ray leaves is ignored, of a
-     * mesh the triangle. Writes the distance in meters to {@link Layout#DISTANCE}.
+     * The closest body in front of the path's ray, the lower index on a tie; {@link Layout#NOTHING} where there is
+     * none. The body that the ray leaves is ignored, of a mesh the triangle. Writes the distance in meters to
+     * {@link Layout#DISTANCE}.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param places {@link Layout#PLACE_STRIDE} floats a body

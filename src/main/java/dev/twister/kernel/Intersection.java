@@ -6,8 +6,8 @@ public final class Intersection {
     public static final float MISS = 3.0e38f;
 
     /**
-     * Of the plane's side, how far the square reaches from its middle: a little beyond the half, so that no border is at a
-     * round number, where rounding alone decides.
+     * Of the plane's side, how far the square reaches from its middle: a little beyond the half, so that no border is
+     * at a round number, where rounding alone decides.
      */
     public static final float PLANE_REACH = 0.5f + 0x1p-17f;
 

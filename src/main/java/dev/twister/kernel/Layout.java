@@ -34,8 +34,8 @@ public final class Layout {
 
     /**
      * {@code float[] pixelSamples}, {@value #SAMPLE_STRIDE} floats a sample: its place in the pixel, x and y in (0, 1);
-     * then pairs of numbers in [0, 1), one pair for the lens and one for the surface of each of the first {@value
-     * #SAMPLE_SURFACES} bounces, which the next ones take again.
+     * then pairs of numbers in [0, 1), one pair for the lens and one for the surface of each of the first
+     * {@value #SAMPLE_SURFACES} bounces, which the next ones take again.
      */
     public static final int SAMPLE_LENS = 2;
 
@@ -87,8 +87,8 @@ public final class Layout {
     public static final int NO_MESHES = 0;
 
     /**
-     * {@code float[] places}, {@value #PLACE_STRIDE} floats a body: the center, then a sphere's radius or the plane's side. A
-     * mesh has those of a sphere around it.
+     * {@code float[] places}, {@value #PLACE_STRIDE} floats a body: the center, then a sphere's radius or the plane's
+     * side. A mesh has those of a sphere around it.
      */
     public static final int PLACE_SIZE = 3;
 
@@ -125,8 +125,9 @@ public final class Layout {
     public static final int TEXTURE_STRIDE = 3;
 
     /**
-     * {@code float[] hierarchy}, a bounding volume hierarchy over the spheres: first the spheres, each of a leaf beside the
-     * others of it, then the nodes. A sphere's center and radius as in {@code places}, then its body (a whole number, exact in a float).
+     * {@code float[] hierarchy}, a bounding volume hierarchy over the spheres: first the spheres, each of a leaf beside
+     * the others of it, then the nodes. A sphere's center and radius as in {@code places}, then its body (a whole
+     * number, exact in a float).
      */
     public static final int SPHERE_RADIUS = PLACE_SIZE;
 
@@ -176,8 +177,8 @@ public final class Layout {
     /**
      * {@code float[] meshes}, one mesh after the other, however many bodies show it: nodes as in {@code hierarchy}, the
      * root first, with numbers of nodes and triangles as links; triangles in the order of the leaves; then, where there
-     * are any, the vertices' unit normals, and their places in the texture (u, v). A triangle: its corners, then
-     * their vertices.
+     * are any, the vertices' unit normals, and their places in the texture (u, v). A triangle: its corners, then their
+     * vertices.
      */
     public static final int MESH_ALIGNMENT = 256;
 
@@ -191,8 +192,8 @@ public final class Layout {
     public static final int MOST_ANCESTORS = 48;
 
     /**
-     * How many candidates a shadow remembers; where there are more, each sample looks through the hierarchy. So few that
-     * PoCL has room for the scratch of 4,096 pixels on a stack of 8 MB.
+     * How many candidates a shadow remembers; where there are more, each sample looks through the hierarchy. So few
+     * that PoCL has room for the scratch of 4,096 pixels on a stack of 8 MB.
      */
     public static final int MOST_CANDIDATES = 32;
 
@@ -200,8 +201,8 @@ public final class Layout {
     public static final int CANDIDATE_STRIDE = 4;
 
     /**
-     * {@code float[] scratch}, a thread's own: what a shadow remembers of its candidates, then the nodes to come back to
-     * (two floats each, one a generation).
+     * {@code float[] scratch}, a thread's own: what a shadow remembers of its candidates, then the nodes to come back
+     * to (two floats each, one a generation).
      */
     public static final int SCRATCH_STACK = CANDIDATE_STRIDE * MOST_CANDIDATES;
 
@@ -232,8 +233,8 @@ public final class Layout {
 
     /**
      * {@code float[] path}, a thread's own: the ray, the body that it leaves and whether it goes on inside that body
-     * (1, else 0), its triangle, what part of the radiance found from here on reaches the pixel, for each channel, and the radiance
-     * so far.
+     * (1, else 0), its triangle, what part of the radiance found from here on reaches the pixel, for each channel, and
+     * the radiance so far.
      */
     public static final int ORIGIN = 0;
 
@@ -267,7 +268,9 @@ public final class Layout {
     public static final int LIGHT_DISTANCE = 32;
     public static final int NORMAL_DOT_LIGHT = 33;
 
-    /** The axes U (its x is 0) and W of the light's disc, and tangent and secant of its half angle as the point sees it. */
+    /**
+     * The axes U (its x is 0) and W of the light's disc, and tangent and secant of its half angle as the point sees it.
+     */
     public static final int DISC_U_Y = 34;
 
     public static final int DISC_U_Z = 35;

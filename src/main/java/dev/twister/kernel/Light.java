@@ -1,6 +1,9 @@
 package dev.twister.kernel;
 
-/** The light: as a body that is seen, and as what a surface is lit by (Blinn-Phong, {@code shade(C) = C * lit + lightColor * spec}). */
+/**
+ * The light: as a body that is seen, and as what a surface is lit by (Blinn-Phong, {@code shade(C) = C * lit +
+ * lightColor * spec}).
+ */
 public final class Light {
     /** {@code 1 / (8 pi)}. */
     public static final float INVERSE_EIGHT_PI = 0.039788734f;

@@ -62,7 +62,10 @@ public final class Material {
         }
     }
 
-    /** 1 where {@code floor(x + s) + floor(z + s)} is even (the plane's first color), else 0; s is {@link #CHECKER_SHIFT}. */
+    /**
+     * 1 where {@code floor(x + s) + floor(z + s)} is even (the plane's first color), else 0; s is
+     * {@link #CHECKER_SHIFT}.
+     */
     public static int isEvenSquare(float x, float z) {
         return 1 - ((KernelMath.floor(x + CHECKER_SHIFT) + KernelMath.floor(z + CHECKER_SHIFT)) & 1);
     }

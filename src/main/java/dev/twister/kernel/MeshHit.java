@@ -5,8 +5,8 @@ final class MeshHit {
     private MeshHit() {}
 
     /**
-     * The closest body: what is closest so far, at {@link Layout#DISTANCE}, or a mesh that is closer, the lower index and
-     * the lower triangle on a tie. The triangle that the ray leaves is ignored. Writes the distance in meters, the
+     * The closest body: what is closest so far, at {@link Layout#DISTANCE}, or a mesh that is closer, the lower index
+     * and the lower triangle on a tie. The triangle that the ray leaves is ignored. Writes the distance in meters, the
      * instance and the triangle.
      *
      * @param path {@link Layout#PATH_LENGTH} floats

@@ -9,8 +9,8 @@ public final class MeshSurface {
 
     /**
      * Writes the point, interpolated between the corners, the face's unit normal, the normal for shading, on the side
-     * from which the ray comes, and the place in the texture, for the instance and the triangle that
-     * {@link MeshHit} has written. The path now leaves that triangle.
+     * from which the ray comes, and the place in the texture, for the instance and the triangle that {@link MeshHit}
+     * has written. The path now leaves that triangle.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param firstMesh the first mesh's body

@@ -1,17 +1,17 @@
 package dev.twister.kernel;
 
 /**
- * Whether a ray or a cone may meet a node's box. Both err on one side only: rounding never drops a sphere that the plain
- * loop over all spheres would find.
+ * Whether a ray or a cone may meet a node's box. Both err on one side only: rounding never drops a sphere that the
+ * plain loop over all spheres would find.
  */
 public final class NodeBox {
     /** What {@link #entry} is where the box is passed: beyond every distance, {@link Intersection#MISS} too. */
     public static final float PASSED = 3.3e38f;
 
     /**
-     * How much a box is grown, as a part of its distance: {@link Intersection#sphere} rounds a center's place across the
-     * ray by some ten units of 2^-24 of its distance; this is three times as much. (The part that the box's own size
-     * asks for is in the box.)
+     * How much a box is grown, as a part of its distance: {@link Intersection#sphere} rounds a center's place across
+     * the ray by some ten units of 2^-24 of its distance; this is three times as much. (The part that the box's own
+     * size asks for is in the box.)
      */
     public static final float GROWTH = 2.0e-6f;
 
@@ -30,8 +30,8 @@ public final class NodeBox {
     }
 
     /**
-     * How many lengths of the direction lie before the box, less than 0 from inside; {@link #PASSED} where the ray passes
-     * it.
+     * How many lengths of the direction lie before the box, less than 0 from inside; {@link #PASSED} where the ray
+     * passes it.
      *
      * @param node where the node is in the hierarchy
      * @param inverseX {@link #inverse} of the direction's x
@@ -62,9 +62,9 @@ public final class NodeBox {
     }
 
     /**
-     * Meters along the axis from a point to the near side of the box, where a sphere in it may come between the point and
-     * a disc; else {@link #PASSED}. The axis from the point to the disc's center must meet the box, grown by as much as the
-     * cone about the axis widens until the box's far side.
+     * Meters along the axis from a point to the near side of the box, where a sphere in it may come between the point
+     * and a disc; else {@link #PASSED}. The axis from the point to the disc's center must meet the box, grown by as
+     * much as the cone about the axis widens until the box's far side.
      *
      * @param path with {@link Layout#POINT}, {@link Layout#TO_LIGHT}, and the disc's distance, tangent and secant
      * @param inverseX {@link #inverse} of the axis's x

@@ -1,6 +1,8 @@
 package dev.twister.kernel;
 
-/** A path of rays from a given one to its end. An engine that renders part of a path by other means continues it here. */
+/**
+ * A path of rays from a given one to its end. An engine that renders part of a path by other means continues it here.
+ */
 public final class Path {
     private Path() {}
 

@@ -2,7 +2,9 @@ package dev.twister.kernel;
 
 /** One pixel, from its view rays to what is stored: the kernel that engines call, and that defines the picture. */
 public final class PixelKernel {
-    /** Values of the argument {@code output}: 8-bit ARGB into {@code pixels}, or linear floats into {@code radiance}. */
+    /**
+     * Values of the argument {@code output}: 8-bit ARGB into {@code pixels}, or linear floats into {@code radiance}.
+     */
     public static final int ARGB = 0;
 
     public static final int LINEAR = 1;

@@ -1,6 +1,9 @@
 package dev.twister.kernel;
 
-/** The plane's part in {@link Shadow}: it blocks what crosses its square on the way from a sphere to a sample of the light. */
+/**
+ * The plane's part in {@link Shadow}: it blocks what crosses its square on the way from a sphere to a sample of the
+ * light.
+ */
 final class PlaneShadow {
     private PlaneShadow() {}
 
@@ -23,8 +26,8 @@ final class PlaneShadow {
     }
 
     /**
-     * 1 where the shadow ray to a sample crosses the square. A light whose center is as high as the plane is lit itself: the
-     * sample's height is counted from the light's, which loses no digits.
+     * 1 where the shadow ray to a sample crosses the square. A light whose center is as high as the plane is lit
+     * itself: the sample's height is counted from the light's, which loses no digits.
      *
      * @param x the sample's place along U, at distance 1
      * @param y along W

@@ -5,13 +5,13 @@ package dev.twister.kernel;
  *
  * <p>Everything is seen in a frame with the surface point at its origin: A towards the light's center at distance D, U
  * and W the disc's axes. A shadow ray then goes through (D, x, y), with (x, y) the sample's place on the disc, and a
- * sphere at (a, u, w) meets its line where the perpendicular distance is at most the radius:
- * {@code |(a, u, w) x (D, x, y)|^2 <= radius^2 * |(D, x, y)|^2}. With x' = x / D, y' = y / D, p = u - a x' and q = w - a y'
- * that is {@code (p y' - q x')^2 + p^2 + q^2 <= radius^2 * (1 + x'^2 + y'^2)}: no square root, and small differences of
- * large numbers only where they cancel exactly.
+ * sphere at (a, u, w) meets its line where the perpendicular distance is at most the radius: {@code |(a, u, w) x (D, x,
+ * y)|^2 <= radius^2 * |(D, x, y)|^2}. With x' = x / D, y' = y / D, p = u - a x' and q = w - a y' that is {@code (p y' -
+ * q x')^2 + p^2 + q^2 <= radius^2 * (1 + x'^2 + y'^2)}: no square root, and small differences of large numbers only
+ * where they cancel exactly.
  *
- * <p>Spheres that cannot meet the cone from the point to the disc are left out first; most points have none left. So is the
- * plane, see {@link PlaneShadow}.
+ * <p>Spheres that cannot meet the cone from the point to the disc are left out first; most points have none left. So is
+ * the plane, see {@link PlaneShadow}.
  */
 public final class Shadow {
     /** What {@link #judge} says of a sphere. */
@@ -145,8 +145,8 @@ public final class Shadow {
     }
 
     /**
-     * How many samples are blocked, by the plane, by the candidates in the scratch or, where there are more, by any sphere,
-     * or by meshes.
+     * How many samples are blocked, by the plane, by the candidates in the scratch or, where there are more, by any
+     * sphere, or by meshes.
      *
      * @param plane whether it may block any
      * @param mesh whether one may
@@ -355,8 +355,8 @@ public final class Shadow {
     }
 
     /**
-     * Whether a sphere may come between the point and the disc, with its center at (a, u, w), and whether it surely hides
-     * the whole disc.
+     * Whether a sphere may come between the point and the disc, with its center at (a, u, w), and whether it surely
+     * hides the whole disc.
      */
     public static int judge(float a, float u, float w, float radius, float distance, float tangent, float secant) {
         float across = u * u + w * w;
@@ -367,7 +367,9 @@ public final class Shadow {
         return judgment;
     }
 
-    /** 1 where a sphere may meet the cone, with its center at a along the axis and a square of {@code across} beside it. */
+    /**
+     * 1 where a sphere may meet the cone, with its center at a along the axis and a square of {@code across} beside it.
+     */
     static int mayMeet(float a, float across, float radius, float distance, float tangent, float secant) {
         return mayReach(a, across, radius, distance, tangent, secant) & (a * a + across > radius * radius ? 1 : 0);
     }
@@ -382,13 +384,17 @@ public final class Shadow {
                 & (across <= reach * reach ? 1 : 0);
     }
 
-    /** 1 where the first candidate lies wholly between the point and the disc: then only its distance from a ray counts. */
+    /**
+     * 1 where the first candidate lies wholly between the point and the disc: then only its distance from a ray counts.
+     */
     private static int liesBetween(float[] scratch, float distance) {
         float radius = (float) Math.sqrt(scratch[3]);
         return (scratch[0] - radius > 0f ? 1 : 0) & (scratch[0] + radius < distance * UMBRA_MARGIN ? 1 : 0);
     }
 
-    /** How many samples the first candidate blocks, which lies wholly between: most points in a penumbra have but one. */
+    /**
+     * How many samples the first candidate blocks, which lies wholly between: most points in a penumbra have but one.
+     */
     private static int blockedByOne(float[] scratch, float[] shadowDisc, float sampleScale, int samples) {
         float a = scratch[0];
         float u = scratch[1];

@@ -1,6 +1,8 @@
 package dev.twister.kernel;
 
-/** The panorama in a direction: equirectangular, bilinear between texel centers, wrapping around, clamped up and down. */
+/**
+ * The panorama in a direction: equirectangular, bilinear between texel centers, wrapping around, clamped up and down.
+ */
 public final class Sky {
     private static final float TURNS_PER_RADIAN = 0.15915494f;
     private static final float HALF_TURNS_PER_RADIAN = 0.31830987f;
@@ -28,8 +30,8 @@ public final class Sky {
     }
 
     /**
-     * Columns from the first texel's center, in [-0.5, width - 0.5]: {@code (0.5 + atan2(x, z) / 2 pi - turn) * width - 0.5},
-     * wrapped.
+     * Columns from the first texel's center, in [-0.5, width - 0.5]: {@code (0.5 + atan2(x, z) / 2 pi - turn) * width -
+     * 0.5}, wrapped.
      *
      * @param turn how far the panorama is turned to the right, in whole turns, in [0, 1)
      */

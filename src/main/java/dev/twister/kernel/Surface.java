@@ -5,8 +5,8 @@ public final class Surface {
     private Surface() {}
 
     /**
-     * Says whether the ray comes from inside, as it can where the body transmits, and turns a sphere's normal against it
-     * then; a mesh's is turned already.
+     * Says whether the ray comes from inside, as it can where the body transmits, and turns a sphere's normal against
+     * it then; a mesh's is turned already.
      *
      * @param path {@link Layout#PATH_LENGTH} floats, after {@link #find} and {@link Material#find}
      * @param body any but the light

@@ -32,8 +32,8 @@ public final class Triangle {
     }
 
     /**
-     * How many lengths of the direction the triangle is away; {@link Intersection#MISS} where the ray passes it, or where
-     * it is not in front.
+     * How many lengths of the direction the triangle is away; {@link Intersection#MISS} where the ray passes it, or
+     * where it is not in front.
      *
      * @param at where in {@code meshes} the triangle is
      * @param axis {@link #longestAxis} of the direction
@@ -80,8 +80,8 @@ public final class Triangle {
     }
 
     /**
-     * Which part of the point where the ray meets the triangle is a corner's, in [0, 1]; the parts of all three add up to
-     * 1.
+     * Which part of the point where the ray meets the triangle is a corner's, in [0, 1]; the parts of all three add up
+     * to 1.
      *
      * @param corner 0, 1 or 2
      */

@@ -2,9 +2,7 @@ package dev.twister.mesh;
 
 import dev.twister.scene.Vector3;
 
-/**
- * A placement: the point (x, y, z) goes to {@code x * axisX + y * axisY + z * axisZ + origin}.
- */
+/** A placement: the point (x, y, z) goes to {@code x * axisX + y * axisY + z * axisZ + origin}. */
 public record Affine(Vector3 axisX, Vector3 axisY, Vector3 axisZ, Vector3 origin) {
     public static final Affine IDENTITY =
             new Affine(new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1), new Vector3(0, 0, 0));

@@ -1,6 +1,8 @@
 package dev.twister.mesh;
 
-/** How a format's right-handed axes become Twister's: x right, y up, z into the picture. Neither mirrors what is seen. */
+/**
+ * How a format's right-handed axes become Twister's: x right, y up, z into the picture. Neither mirrors what is seen.
+ */
 enum Axes {
     /** y up and z to the viewer: z changes its sign. */
     Y_UP {

@@ -13,7 +13,9 @@ final class GltfAccessor {
     private static final int UNSIGNED_INT = 5125;
     private static final int FLOAT = 5126;
 
-    /** Of elements that are 0 but where an accessor's sparse part says otherwise: no buffer's length speaks for them. */
+    /**
+     * Of elements that are 0 but where an accessor's sparse part says otherwise: no buffer's length speaks for them.
+     */
     private static final int MAX_ZEROS = 1_000_000;
 
     private static final GltfBuffers.Range ZEROS = new GltfBuffers.Range(Bytes.of("", new byte[0]), 0, 0);

@@ -7,7 +7,10 @@ import dev.twister.scene.Vector3;
 public final class MeshPlacement {
     private MeshPlacement() {}
 
-    /** From the file's coordinates to the scene's: scaled, rolled about z (positive from x to y), pitched, turned, moved. */
+    /**
+     * From the file's coordinates to the scene's: scaled, rolled about z (positive from x to y), pitched, turned,
+     * moved.
+     */
     public static Affine of(Mesh mesh) {
         double pitch = Math.toRadians(mesh.rotation().x());
         double yaw = Math.toRadians(mesh.rotation().y());

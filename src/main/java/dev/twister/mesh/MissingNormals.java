@@ -4,7 +4,8 @@ import java.util.Arrays;
 
 /**
  * Gives corners the normals that a file leaves out. Triangles that share an edge, whose planes meet there at no larger
- * angle than asked for, get the same normal where they meet: the mean of theirs, weighted by their angles at the corner.
+ * angle than asked for, get the same normal where they meet: the mean of theirs, weighted by their angles at the
+ * corner.
  */
 final class MissingNormals {
     private final TriangleSoup soup;

@@ -10,7 +10,9 @@ interface PlyValues {
     /** Skips a number of values. */
     void skip(PlyType type, long count) throws IOException;
 
-    /** Goes to the next element: in text to the next line, as some programs write more numbers than the header names. */
+    /**
+     * Goes to the next element: in text to the next line, as some programs write more numbers than the header names.
+     */
     void endElement() throws IOException;
 
     /** What is wrong where the reader is. */

@@ -15,8 +15,8 @@ final class PolygonCutter {
     private int[] previous = new int[16];
 
     /**
-     * Cuts a polygon into {@code count - 2} triangles, that wind as it does. One that crosses itself, or has no area, is
-     * cut somehow.
+     * Cuts a polygon into {@code count - 2} triangles, that wind as it does. One that crosses itself, or has no area,
+     * is cut somehow.
      *
      * @param positions of all vertices
      * @param corners the polygon's vertices

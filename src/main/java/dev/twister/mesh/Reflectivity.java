@@ -1,6 +1,9 @@
 package dev.twister.mesh;
 
-/** Twister's reflectivity p, which is the exponent of highlights and, over 128, the mirror ratio, for other programs' materials. */
+/**
+ * Twister's reflectivity p, which is the exponent of highlights and, over 128, the mirror ratio, for other programs'
+ * materials.
+ */
 final class Reflectivity {
     static final double MOST = 128;
 

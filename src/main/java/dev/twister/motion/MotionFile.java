@@ -13,8 +13,8 @@ import java.nio.file.StandardOpenOption;
 import java.util.Optional;
 
 /**
- * A motion file that is read by frame number; it may still be written meanwhile. Messages of exceptions are one line and name
- * the file.
+ * A motion file that is read by frame number; it may still be written meanwhile. Messages of exceptions are one line
+ * and name the file.
  */
 public final class MotionFile implements AutoCloseable {
     private static final String CONTINUE = "; 'twister simulate' with the same options completes it";

@@ -6,8 +6,8 @@ import java.nio.ByteOrder;
 import java.util.zip.CRC32C;
 
 /**
- * Where the bodies are in a frame. In a file: the number of bodies that are there, the positions as floats, and a CRC-32C of
- * both, little-endian.
+ * Where the bodies are in a frame. In a file: the number of bodies that are there, the positions as floats, and a
+ * CRC-32C of both, little-endian.
  *
  * @param present how many bodies are there, light and plane included; the others are not poured yet
  * @param positions {@code float[3 * bodies]}, as the world takes them, relative to the file's origin

@@ -15,8 +15,8 @@ import java.util.Arrays;
 import java.util.Optional;
 
 /**
- * A motion file that is written frame by frame, by one process at a time. After a kill at any moment its whole frames count:
- * the next recording goes on behind them. Messages of exceptions are one line and name the file.
+ * A motion file that is written frame by frame, by one process at a time. After a kill at any moment its whole frames
+ * count: the next recording goes on behind them. Messages of exceptions are one line and name the file.
  */
 public final class MotionRecording implements AutoCloseable {
     private final Path path;

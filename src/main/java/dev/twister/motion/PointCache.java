@@ -9,8 +9,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 
 /**
- * Writes point caches ({@code .pc2}), which Blender and 3ds Max read: the spheres' centers of each frame, in the scene's
- * coordinates, as floats. A sphere that is not poured yet is where a motion file has it.
+ * Writes point caches ({@code .pc2}), which Blender and 3ds Max read: the spheres' centers of each frame, in the
+ * scene's coordinates, as floats. A sphere that is not poured yet is where a motion file has it.
  */
 public final class PointCache {
     private static final String MAGIC = "POINTCACHE2\0";

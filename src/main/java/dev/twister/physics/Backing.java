@@ -3,9 +3,10 @@ package dev.twister.physics;
 import dev.twister.scene.Vector3;
 
 /**
- * Says which small bodies give way to what presses them, and which cannot: one that is pressed against the ground, a wall
- * or others that hold it is as firm as they are, however little it weighs. Without that, a heavy body would sink into
- * a small one as long as the small one's contacts take to build up its weight, which is seconds at thousands to one.
+ * Says which small bodies give way to what presses them, and which cannot: one that is pressed against the ground, a
+ * wall or others that hold it is as firm as they are, however little it weighs. Without that, a heavy body would sink
+ * into a small one as long as the small one's contacts take to build up its weight, which is seconds at thousands to
+ * one.
  */
 final class Backing {
     /** How near a surface is to count, in radii. */

@@ -203,8 +203,8 @@ final class BodyStore {
     }
 
     /**
-     * Says that a sphere that sleeps is to be awake from the next search on. Until then it is as firm as it was, but for what
-     * hits it.
+     * Says that a sphere that sleeps is to be awake from the next search on. Until then it is as firm as it was, but
+     * for what hits it.
      */
     void rouse(int body) {
         state[body] = WOKEN;

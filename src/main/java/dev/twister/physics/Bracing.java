@@ -3,14 +3,17 @@ package dev.twister.physics;
 import java.util.function.Consumer;
 
 /**
- * Puts the loads of the contacts of bodies that have just woken in balance. While a body slept, what moves pressed it ever
- * harder and nothing asked what it rests on; the loads among those that slept were not kept at all. To go on with such loads
- * would shoot a small body that lies under a heavy one away, or lift the heavy one: energy out of nothing. So, before
- * anything moves, the contacts of what has woken are solved alone and several times, with what all loads that are known
- * give, until what holds them carries what presses them.
+ * Puts the loads of the contacts of bodies that have just woken in balance. While a body slept, what moves pressed it
+ * ever harder and nothing asked what it rests on; the loads among those that slept were not kept at all. To go on with
+ * such loads would shoot a small body that lies under a heavy one away, or lift the heavy one: energy out of nothing.
+ * So, before anything moves, the contacts of what has woken are solved alone and several times, with what all loads
+ * that are known give, until what holds them carries what presses them.
  */
 final class Bracing {
-    /** Small bodies and heavy ones in one contact are slow to find their loads; 10 sweeps leave some bodies out of balance. */
+    /**
+     * Small bodies and heavy ones in one contact are slow to find their loads; 10 sweeps leave some bodies out of
+     * balance.
+     */
     private static final int SWEEPS = 20;
 
     private final BodyStore bodies;

@@ -3,9 +3,10 @@ package dev.twister.physics;
 import java.util.Arrays;
 
 /**
- * The bodies in square columns of space, in rows of two colors by turns: what is done to the pairs of one row touches no
- * body that the pairs of another one of the same color touch. So rows of one color go to any threads in any order and
- * the result is the same. Along a row each column's bodies are still in the cache when the next one's pairs need them.
+ * The bodies in square columns of space, in rows of two colors by turns: what is done to the pairs of one row touches
+ * no body that the pairs of another one of the same color touch. So rows of one color go to any threads in any order
+ * and the result is the same. Along a row each column's bodies are still in the cache when the next one's pairs need
+ * them.
  */
 final class Columns {
     static final int COLORS = 2;

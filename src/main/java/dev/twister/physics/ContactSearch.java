@@ -8,12 +8,14 @@ final class ContactSearch {
     private static final int BODIES_AT_ONCE = 4096;
 
     /**
-     * The most pairs of a body that are looked for with bodies after it. A dozen touch it; only where hundreds lie in one
-     * another are there more, and their number would grow with the square of theirs.
+     * The most pairs of a body that are looked for with bodies after it. A dozen touch it; only where hundreds lie in
+     * one another are there more, and their number would grow with the square of theirs.
      */
     private static final int MOST_SEEN = 4096;
 
-    /** The most of those pairs that are kept, where there is room for all bodies', and the fewest where there is not. */
+    /**
+     * The most of those pairs that are kept, where there is room for all bodies', and the fewest where there is not.
+     */
     private static final int MOST_KEPT = 64;
 
     private static final int FEWEST_KEPT = 16;

@@ -13,17 +13,20 @@ final class ContactSolver {
     /** Share of an overlap that is pushed apart in a sub-step. */
     private static final double PUSH_SHARE = 0.2;
 
-    /** The most that a pair is pushed apart in a sub-step, in the smaller diameter: what starts overlapping must not jump. */
+    /**
+     * The most that a pair is pushed apart in a sub-step, in the smaller diameter: what starts overlapping must not
+     * jump.
+     */
     private static final double MOST_PUSH = 0.02;
 
     /** The same for ground and walls, in radii: more, because they have to hold against any number of bodies. */
     private static final double MOST_SURFACE_PUSH = 0.05;
 
     /**
-     * How much more load a contact of rest may carry into the next sub-step than it carried into this one, in weights of
-     * its lighter body, so that what lies between a heavy one and the ground gets no more from the one than from the other.
-     * What the next sub-step starts with is solved in one sweep; a shock's impulse, hundreds of weights, is not needed
-     * again there, and what the sweep does not take back of it would be speed out of nothing.
+     * How much more load a contact of rest may carry into the next sub-step than it carried into this one, in weights
+     * of its lighter body, so that what lies between a heavy one and the ground gets no more from the one than from the
+     * other. What the next sub-step starts with is solved in one sweep; a shock's impulse, hundreds of weights, is not
+     * needed again there, and what the sweep does not take back of it would be speed out of nothing.
      */
     private static final double MOST_NEW_LOAD = 8;
 
@@ -36,7 +39,10 @@ final class ContactSolver {
     /** Below it, relative to the pair's radii, centers are taken to be one point. */
     private static final double COINCIDENT = 1e-9;
 
-    /** From this multiple of the radius on, whether the lighter body gives way to the heavier one depends on its backing. */
+    /**
+     * From this multiple of the radius on, whether the lighter body gives way to the heavier one depends on its
+     * backing.
+     */
     private static final double UNEQUAL_RADII = 3;
 
     /**
@@ -112,8 +118,8 @@ final class ContactSolver {
     }
 
     /**
-     * Reads from every cache line of the second bodies, so that they come from memory many at a time. Solving alone asks
-     * for few at once: a contact's roots and divisions keep the processor from looking far ahead.
+     * Reads from every cache line of the second bodies, so that they come from memory many at a time. Solving alone
+     * asks for few at once: a contact's roots and divisions keep the processor from looking far ahead.
      *
      * @return what no one needs, so that the reading is not left out
      */

@@ -9,7 +9,9 @@ final class Contacts {
     /** Impulses for each contact: the whole one in x, y, z, then its share along the normal. */
     static final int IMPULSES = 4;
 
-    /** Where among them that share is: below 0 where the lighter body is as firm as the ground, and bears nothing of it. */
+    /**
+     * Where among them that share is: below 0 where the lighter body is as firm as the ground, and bears nothing of it.
+     */
     static final int BUILT = 3;
 
     private static final int LEAST_ROOM = 64;

@@ -38,7 +38,9 @@ final class MeshCollider {
     /** {@code double[9 * triangles]}: three corners of x, y, z each, in meters. */
     private final double[] corners;
 
-    /** {@code int[3 * triangles]}: the triangle across the border from corner k to the next one, or {@link #NOTHING}. */
+    /**
+     * {@code int[3 * triangles]}: the triangle across the border from corner k to the next one, or {@link #NOTHING}.
+     */
     private final int[] neighbors;
 
     /** {@code int[triangles]}: those of a node side by side. */
@@ -48,7 +50,8 @@ final class MeshCollider {
     private final double[] boxes;
 
     /**
-     * @param corners {@code double[9 * triangles]}: three corners of x, y, z each, in meters; no triangle is without an area
+     * @param corners {@code double[9 * triangles]}: three corners of x, y, z each, in meters; no triangle is without an
+     *     area
      */
     MeshCollider(double[] corners) {
         this.corners = corners;

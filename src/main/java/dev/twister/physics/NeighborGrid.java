@@ -23,7 +23,9 @@ final class NeighborGrid {
     /** More than any bucket holds, but where bodies lie in one another. */
     private static final int SLOTS_AT_ONCE = 1024;
 
-    /** What floats may lose of a reach, of coordinates and of squares of both: more is added, so that no pair is lost. */
+    /**
+     * What floats may lose of a reach, of coordinates and of squares of both: more is added, so that no pair is lost.
+     */
     private static final double ROUNDED_REACH = 1 + 0x1p-20;
 
     private static final double ROUNDED_COORDINATE = 0x1p-23;
@@ -56,8 +58,8 @@ final class NeighborGrid {
     private double largestRounding;
 
     /**
-     * By slot, which is the order of the cells: the body, its cell's key, its center, its reach (below 0 asleep). As few
-     * bits as do, for a search waits for memory.
+     * By slot, which is the order of the cells: the body, its cell's key, its center, its reach (below 0 asleep). As
+     * few bits as do, for a search waits for memory.
      */
     final int[] body;
 
@@ -263,8 +265,8 @@ final class NeighborGrid {
     }
 
     /**
-     * Adds the pairs of a slot's body with bodies that come after it in its own level, and with all in coarser levels up
-     * to the top one.
+     * Adds the pairs of a slot's body with bodies that come after it in its own level, and with all in coarser levels
+     * up to the top one.
      */
     void addPairs(int slot, Contacts contacts) {
         if (reach[slot] > 0 || awakeNear[bucketOfBody[body[slot]]] != 0) {

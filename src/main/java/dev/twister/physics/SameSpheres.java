@@ -8,8 +8,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Which sphere of an edited scene is which one of the scene before the edits: the one with the same center, whatever its number is
- * now. Where there are as many as before, one that is nowhere to be found is the one of its number, put elsewhere.
+ * Which sphere of an edited scene is which one of the scene before the edits: the one with the same center, whatever
+ * its number is now. Where there are as many as before, one that is nowhere to be found is the one of its number, put
+ * elsewhere.
  */
 public final class SameSpheres {
     /** There was none. */

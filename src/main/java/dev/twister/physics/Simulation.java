@@ -18,8 +18,8 @@ import java.util.stream.IntStream;
  *
  * <p>No sphere passes through the ground or a wall at any speed. Spheres do not pass through each other up to
  * {@value #MAX_SPEED} m/s, which is the speed limit; a sphere that is hit and itself flies more than its diameter in a
- * {@value #MAX_PARTS}th of a step may pass through a third one within that step. A sphere that falls off the plane stops
- * {@value #DEPTH} meters away from everything that the scene started with.
+ * {@value #MAX_PARTS}th of a step may pass through a third one within that step. A sphere that falls off the plane
+ * stops {@value #DEPTH} meters away from everything that the scene started with.
  */
 public final class Simulation implements AutoCloseable {
     /** The length of a step. */
@@ -121,10 +121,11 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * The simulation to go on with after an edit of the scene: this one where the edit changes nothing of the motion, and
-     * otherwise another one, and this one is closed. A sphere that is in both scenes ({@link SameSpheres}) and was not put
-     * elsewhere by the edit keeps its place and its speed, and so does what was poured, where the pour is the same one. A
-     * sphere that is new or was put elsewhere starts there at rest. Those that slept wake: what they rest on may be gone.
+     * The simulation to go on with after an edit of the scene: this one where the edit changes nothing of the motion,
+     * and otherwise another one, and this one is closed. A sphere that is in both scenes ({@link SameSpheres}) and was
+     * not put elsewhere by the edit keeps its place and its speed, and so does what was poured, where the pour is the
+     * same one. A sphere that is new or was put elsewhere starts there at rest. Those that slept wake: what they rest
+     * on may be gone.
      *
      * @param meshes that the edited scene names
      */
@@ -228,7 +229,10 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** Moves everything by one step, so that {@link #positions} are a step further too; time that passes goes on from there. */
+    /**
+     * Moves everything by one step, so that {@link #positions} are a step further too; time that passes goes on from
+     * there.
+     */
     public void stepOnce() {
         step();
         if (ahead == 0) {

@@ -17,8 +17,8 @@ final class TriangleBorders {
      * The neighbors of all triangles.
      *
      * @param corners {@code double[9 * triangles]}
-     * @return {@code int[3 * triangles]}: the triangle across the border from corner k to the next one; -1 where there is
-     *     none, or more than one
+     * @return {@code int[3 * triangles]}: the triangle across the border from corner k to the next one; -1 where there
+     *     is none, or more than one
      */
     static int[] neighbors(double[] corners) {
         int count = corners.length / 3;

@@ -66,7 +66,10 @@ final class TriangleContact {
         return corners[at + number] - corners[at + number % 3];
     }
 
-    /** How far a point is from the triangle's plane, in meters; above 0 where the corners turn to the left, seen from there. */
+    /**
+     * How far a point is from the triangle's plane, in meters; above 0 where the corners turn to the left, seen from
+     * there.
+     */
     double height(double px, double py, double pz) {
         return (px - corners[at]) * normalX + (py - corners[at + 1]) * normalY + (pz - corners[at + 2]) * normalZ;
     }
@@ -88,8 +91,8 @@ final class TriangleContact {
 
     /**
      * Finds the nearest point to a body's center (Ericson, "Real-Time Collision Detection", 2005, 5.1.5), and the
-     * direction in which the triangle holds the body. Over the triangle, and on a path that goes through it, that is the
-     * normal on the body's side; the distance is below 0 beyond the plane.
+     * direction in which the triangle holds the body. Over the triangle, and on a path that goes through it, that is
+     * the normal on the body's side; the distance is below 0 beyond the plane.
      *
      * @param side where the body belongs: 0 where the corners turn to the left, seen from there, else 1
      * @param moveX and the other two: what it is about to move

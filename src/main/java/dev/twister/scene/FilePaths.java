@@ -6,13 +6,15 @@ import java.nio.file.Path;
 import java.util.Objects;
 
 /**
- * Paths as POSIX systems follow them: behind a symbolic link, {@code ..} is the folder above what the link leads to. The same
- * on Windows, so that a scene names its sky alike everywhere.
+ * Paths as POSIX systems follow them: behind a symbolic link, {@code ..} is the folder above what the link leads to.
+ * The same on Windows, so that a scene names its sky alike everywhere.
  */
 final class FilePaths {
     private FilePaths() {}
 
-    /** An absolute path without {@code ..} to the same place, through the same links but where {@code ..} is behind one. */
+    /**
+     * An absolute path without {@code ..} to the same place, through the same links but where {@code ..} is behind one.
+     */
     static Path walked(Path path) {
         Path absolute = path.toAbsolutePath();
         Path here = absolute.getRoot();

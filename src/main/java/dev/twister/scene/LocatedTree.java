@@ -20,8 +20,8 @@ import tools.jackson.core.json.JsonFactory;
 import tools.jackson.core.json.JsonReadFeature;
 
 /**
- * Turns JSON text into {@link LocatedValue}s. The limits keep a hostile file from taking all memory; no scene comes near
- * them.
+ * Turns JSON text into {@link LocatedValue}s. The limits keep a hostile file from taking all memory; no scene comes
+ * near them.
  */
 final class LocatedTree {
     /** The deepest value of a scene lies 4 levels down. */

@@ -11,7 +11,9 @@ final class NearestName {
 
     private NearestName() {}
 
-    /** The closest of the allowed names by Levenshtein distance, letter case aside, where it is close enough to help. */
+    /**
+     * The closest of the allowed names by Levenshtein distance, letter case aside, where it is close enough to help.
+     */
     static Optional<String> of(String misspelt, Collection<String> allowed) {
         if (misspelt.length() > MAX_LENGTH) {
             return Optional.empty();

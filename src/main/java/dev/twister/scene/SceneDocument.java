@@ -10,9 +10,7 @@ import java.util.stream.Stream;
 final class SceneDocument {
     private SceneDocument() {}
 
-    /**
-     * @throws SceneException if the text is not a valid scene
-     */
+    /** @throws SceneException if the text is not a valid scene */
     static Scene parse(SourceText source, NamedFiles files) {
         Place root = new Place(source, new JsonPath.Root(), LocatedTree.parse(source));
         Fields fields = root.fields();

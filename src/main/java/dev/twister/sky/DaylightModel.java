@@ -52,7 +52,9 @@ final class DaylightModel {
         return meanSkyLuminance;
     }
 
-    /** The part of the sun's light that gets through a layer of cloud, whose thickness grows without bound as it closes. */
+    /**
+     * The part of the sun's light that gets through a layer of cloud, whose thickness grows without bound as it closes.
+     */
     static double sunThroughCloud(double cloudCover) {
         return cloudCover < 1 ? StrictMath.exp(-THICKNESS_OF_HALF_COVER * cloudCover / (1 - cloudCover)) : 0;
     }

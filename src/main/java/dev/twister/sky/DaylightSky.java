@@ -3,8 +3,8 @@ package dev.twister.sky;
 import java.util.stream.IntStream;
 
 /**
- * Draws daylight panoramas: the clear sky of Preetham et al. 1999, the CIE's overcast sky, the sun's disc at its real size
- * and a hazy ground. Computed with {@link StrictMath}, so that every machine draws the same floats.
+ * Draws daylight panoramas: the clear sky of Preetham et al. 1999, the CIE's overcast sky, the sun's disc at its real
+ * size and a hazy ground. Computed with {@link StrictMath}, so that every machine draws the same floats.
  */
 public final class DaylightSky {
     /** The most texels from straight up to straight down. */

@@ -14,8 +14,8 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * What is in a JPEG file (ITU-T T.81): how many scans, what it says of its colors and orientation. Java's own decoder is
- * not shown what makes it fail: color profiles that it cannot use, and contradictions about the coding of colors.
+ * What is in a JPEG file (ITU-T T.81): how many scans, what it says of its colors and orientation. Java's own decoder
+ * is not shown what makes it fail: color profiles that it cannot use, and contradictions about the coding of colors.
  */
 final class JpegFile implements EncodedImage {
     private static final int MARKER_BYTES = 2;
@@ -36,8 +36,8 @@ final class JpegFile implements EncodedImage {
     private static final int ADOBE_YCBCR = 1;
 
     /**
-     * A block of 8 x 8 texels takes a bit at the very least, in progressive files; that is 512 texels a byte. Twice that is
-     * allowed as a margin.
+     * A block of 8 x 8 texels takes a bit at the very least, in progressive files; that is 512 texels a byte. Twice
+     * that is allowed as a margin.
      */
     private static final long MOST_TEXELS_PER_BYTE = 1024;
 

@@ -45,8 +45,8 @@ final class LinearImage {
     }
 
     /**
-     * Reads samples at their own depth. Not {@code getRGB}: it cuts 16 bits to 8, and takes gray for linear where the file
-     * means sRGB.
+     * Reads samples at their own depth. Not {@code getRGB}: it cuts 16 bits to 8, and takes gray for linear where the
+     * file means sRGB.
      */
     private static void fromSamples(BufferedImage image, ImageMeaning meaning, Texels texels) throws IOException {
         Raster raster = image.getRaster();

@@ -11,8 +11,8 @@ import java.util.zip.InflaterInputStream;
 import java.util.zip.ZipException;
 
 /**
- * What the chunks of a PNG file say of its colors: cICP before iCCP before sRGB before gAMA and cHRM, and sRGB where none
- * of them says anything that can be used.
+ * What the chunks of a PNG file say of its colors: cICP before iCCP before sRGB before gAMA and cHRM, and sRGB where
+ * none of them says anything that can be used.
  */
 final class PngColors {
     /** What gAMA and cHRM give their numbers in. */

@@ -16,9 +16,9 @@ import java.util.function.Consumer;
 import java.util.zip.CRC32;
 
 /**
- * What is in a PNG file (W3C Portable Network Graphics, third edition), checked before it is decoded. Java's own decoder
- * skips the checksums, believes in any length a chunk claims, makes room for any size the header claims, and fails on
- * ancillary chunks that it does not use; it is given no more than it needs.
+ * What is in a PNG file (W3C Portable Network Graphics, third edition), checked before it is decoded. Java's own
+ * decoder skips the checksums, believes in any length a chunk claims, makes room for any size the header claims, and
+ * fails on ancillary chunks that it does not use; it is given no more than it needs.
  */
 final class PngFile implements EncodedImage {
     private static final int SIGNATURE_BYTES = 8;

@@ -1,12 +1,12 @@
 package dev.twister.sky;
 
 /**
- * The clear sky of Preetham, Shirley and Smits, "A Practical Analytic Model for Daylight" (SIGGRAPH 1999), appendix A.2:
- * luminance in kcd/m² and color in any direction above the horizon.
+ * The clear sky of Preetham, Shirley and Smits, "A Practical Analytic Model for Daylight" (SIGGRAPH 1999), appendix
+ * A.2: luminance in kcd/m² and color in any direction above the horizon.
  *
- * <p>Of the chromaticity only x is the paper's; y follows from it by the CIE's daylight locus, {@code y = -3 x^2 + 2.87 x -
- * 0.275} (CIE 15). The paper's own fit of y strays from the colors daylight has: pink at a noon's horizon, green at an
- * evening's.
+ * <p>Of the chromaticity only x is the paper's; y follows from it by the CIE's daylight locus, {@code y = -3 x^2 + 2.87
+ * x - 0.275} (CIE 15). The paper's own fit of y strays from the colors daylight has: pink at a noon's horizon, green at
+ * an evening's.
  */
 final class PreethamSky {
     /** Where the locus is kept from running into colors that no sky has. */

@@ -52,7 +52,9 @@ record Primaries(double[] red, double[] green, double[] blue, double[] white) {
         return near(red, other.red) && near(green, other.green) && near(blue, other.blue) && near(white, other.white);
     }
 
-    /** The matrix that takes linear channels to linear sRGB, with white staying white; for primaries that make sense. */
+    /**
+     * The matrix that takes linear channels to linear sRGB, with white staying white; for primaries that make sense.
+     */
     double[][] toSrgb() {
         return product(inverse(SRGB.toXyz()), product(adaptation(), toXyz()));
     }

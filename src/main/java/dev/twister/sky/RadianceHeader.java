@@ -8,7 +8,8 @@ import java.util.Arrays;
  *
  * @param xyz whether texels hold CIE XYZ and not red, green and blue
  * @param primaries what red, green and blue are, where the texels hold them
- * @param redDivisor the product of all EXPOSURE and COLORCORR factors of the first channel, which is to be divided by it
+ * @param redDivisor the product of all EXPOSURE and COLORCORR factors of the first channel, which is to be divided by
+ *     it
  * @param greenDivisor likewise, second channel
  * @param blueDivisor likewise, third channel
  * @param order size and order of the texels

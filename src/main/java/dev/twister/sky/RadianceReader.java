@@ -3,8 +3,9 @@ package dev.twister.sky;
 import java.io.IOException;
 
 /**
- * Reads Radiance pictures. ImageIO plug-ins for them (TwelveMonkeys' imageio-hdr) tone-map to 8 bits unless told not to,
- * fail on flat scanlines and ignore orientation and exposure, while the format itself is small; hence a reader of our own.
+ * Reads Radiance pictures. ImageIO plug-ins for them (TwelveMonkeys' imageio-hdr) tone-map to 8 bits unless told not
+ * to, fail on flat scanlines and ignore orientation and exposure, while the format itself is small; hence a reader of
+ * our own.
  */
 final class RadianceReader {
     private RadianceReader() {}

@@ -4,8 +4,8 @@ import java.io.IOException;
 
 /**
  * Reads the scanlines of a Radiance picture in any mix of the three codings: flat texels; the old run lengths, texels
- * (1, 1, 1, n) that repeat the one before, each following one directly counting 256 times as much; and the new ones, which
- * start with (2, 2, length / 256, length % 256) and code the four components one after the other.
+ * (1, 1, 1, n) that repeat the one before, each following one directly counting 256 times as much; and the new ones,
+ * which start with (2, 2, length / 256, length % 256) and code the four components one after the other.
  */
 final class RadianceScanlines {
     private static final int SHORTEST_NEW = 8;
@@ -32,7 +32,9 @@ final class RadianceScanlines {
         return mayBeNew(length) ? Math.min(flat, newRuns) : flat;
     }
 
-    /** The fewest bytes a scanline of this length takes in any coding: a texel, then old runs of up to 255, 65535, ... */
+    /**
+     * The fewest bytes a scanline of this length takes in any coding: a texel, then old runs of up to 255, 65535, ...
+     */
     static long fewestBytes(int length) {
         long oldRuns = 4;
         for (long covered = 1; covered < length; covered = covered * 256) {

@@ -1,11 +1,14 @@
 package dev.twister.sky;
 
-/** Turns shared-exponent texels into linear radiance: {@code m * 2^(e - 136)} over the header's exposures, e = 0 is black. */
+/**
+ * Turns shared-exponent texels into linear radiance: {@code m * 2^(e - 136)} over the header's exposures, e = 0 is
+ * black.
+ */
 final class RadianceTexels {
     /**
-     * CIE XYZ to red, green and blue of Radiance's own primaries, (0.640, 0.330), (0.290, 0.600), (0.150, 0.060), and its
-     * white of equal energy (Radiance's color.h). As for RGBE pictures that name no primaries the result is taken as linear
-     * sRGB as it stands, so that a picture is the same in both formats.
+     * CIE XYZ to red, green and blue of Radiance's own primaries, (0.640, 0.330), (0.290, 0.600), (0.150, 0.060), and
+     * its white of equal energy (Radiance's color.h). As for RGBE pictures that name no primaries the result is taken
+     * as linear sRGB as it stands, so that a picture is the same in both formats.
      */
     private static final double[][] RGB_OF_XYZ = {
         {2.565312843, -1.166849616, -0.398463227},

@@ -5,8 +5,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The resolution line of a Radiance picture, {@code -Y 512 +X 1024} for one: how many texels there are and in which order
- * they come. The axis named first is the slow one; +Y runs upwards, +X to the right.
+ * The resolution line of a Radiance picture, {@code -Y 512 +X 1024} for one: how many texels there are and in which
+ * order they come. The axis named first is the slow one; +Y runs upwards, +X to the right.
  */
 final class ResolutionLine {
     private static final Pattern LINE =

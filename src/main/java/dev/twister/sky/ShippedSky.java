@@ -1,11 +1,13 @@
 package dev.twister.sky;
 
 /**
- * The daylight panoramas that come with Twister, in the folder {@code skyboxes}, and how each is drawn. The sun's disc is
- * left out: its glow remains, and reflections have no specks.
+ * The daylight panoramas that come with Twister, in the folder {@code skyboxes}, and how each is drawn. The sun's disc
+ * is left out: its glow remains, and reflections have no specks.
  */
 public enum ShippedSky {
-    /** Before noon, the sun behind the default camera's left shoulder: it lights what one sees and shows in reflections. */
+    /**
+     * Before noon, the sun behind the default camera's left shoulder: it lights what one sees and shows in reflections.
+     */
     DAY("day.hdr", new Daylight(42, -140, 3, 0, 0.35, 0.85, false)),
     /** The sun low and to the right of the default view. */
     SUNSET("sunset.hdr", new Daylight(4, 35, 4, 0, 0.2, 0.35, false)),

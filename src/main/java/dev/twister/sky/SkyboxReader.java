@@ -10,8 +10,8 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * Reads panoramas: Radiance pictures ({@code .hdr}, {@code .pic}), PNG and JPEG, told apart by their first bytes, whatever
- * their names end in.
+ * Reads panoramas: Radiance pictures ({@code .hdr}, {@code .pic}), PNG and JPEG, told apart by their first bytes,
+ * whatever their names end in.
  */
 public final class SkyboxReader {
     /** What a file's bytes are made a picture by. */
@@ -32,9 +32,9 @@ public final class SkyboxReader {
     }
 
     /**
-     * Reads a panorama of at most 16384 x 8192 texels from a file of at most 1 GiB. Radiance pictures keep radiance above
-     * 1. PNG and JPEG are made linear, 0 to 1, by what they say of their colors, as sRGB where they say nothing, over black
-     * where they are transparent, and turned upright by their EXIF orientation.
+     * Reads a panorama of at most 16384 x 8192 texels from a file of at most 1 GiB. Radiance pictures keep radiance
+     * above 1. PNG and JPEG are made linear, 0 to 1, by what they say of their colors, as sRGB where they say nothing,
+     * over black where they are transparent, and turned upright by their EXIF orientation.
      *
      * @param file a file of the default file system
      * @param warnings told of what the file says and is not used; one line each that names the file

@@ -46,8 +46,8 @@ final class Sun {
 
     /**
      * The part of the light of one wavelength that gets through: Rayleigh scattering and Ångström's haze with the
-     * coefficients of Preetham et al. 1999, appendix A.1. Ozone, mixed gases and water vapour, of which the visible loses
-     * a few per cent, are left out.
+     * coefficients of Preetham et al. 1999, appendix A.1. Ozone, mixed gases and water vapour, of which the visible
+     * loses a few per cent, are left out.
      */
     private static double transmittance(double micrometers, double elevation, double turbidity) {
         double zenithDegrees = 90 - StrictMath.toDegrees(elevation);

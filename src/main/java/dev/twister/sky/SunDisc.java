@@ -1,8 +1,9 @@
 package dev.twister.sky;
 
 /**
- * Adds the sun's disc to a panorama so that its light comes out exact at every size: equal shares of the disc are put into
- * the texels they fall on, so a texel gets the disc's brightness times the part of its solid angle that the disc covers.
+ * Adds the sun's disc to a panorama so that its light comes out exact at every size: equal shares of the disc are put
+ * into the texels they fall on, so a texel gets the disc's brightness times the part of its solid angle that the disc
+ * covers.
  */
 final class SunDisc {
     private static final double SHARES_PER_TEXEL = 64;

@@ -4,10 +4,10 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntConsumer;
 
 /**
- * Hands numbers out to threads that work together, neighbors to the same thread: long runs of them at first, then ever shorter
- * ones, so that all threads end at about the same time whatever a number costs (guided self-scheduling, C. D. Polychronopoulos and
- * D. J. Kuck 1987). Each run costs something: the counter, and what neighbors on its borders share, go from one core's cache to
- * another's.
+ * Hands numbers out to threads that work together, neighbors to the same thread: long runs of them at first, then ever
+ * shorter ones, so that all threads end at about the same time whatever a number costs (guided self-scheduling, C. D.
+ * Polychronopoulos and D. J. Kuck 1987). Each run costs something: the counter, and what neighbors on its borders
+ * share, go from one core's cache to another's.
  */
 public final class Turns {
     /** How many runs a thread's share of what is left would make: a number may cost a multiple of another. */

@@ -6,15 +6,15 @@ import dev.twister.scene.Vector3;
 import java.util.Arrays;
 
 /**
- * The bodies as the kernel reads them; {@link Layout} has the places in the arrays, none of which changes. They have room for
- * all bodies that a scene may come to have; {@link FrameInput#bodyCount} tells how many of them are there.
+ * The bodies as the kernel reads them; {@link Layout} has the places in the arrays, none of which changes. They have
+ * room for all bodies that a scene may come to have; {@link FrameInput#bodyCount} tells how many of them are there.
  *
  * @param places four floats a body: each one's center, seen from the origin, and radius; the plane's is its square's
  *     center and side; a mesh's that of a sphere around it
  * @param looks eight floats a body: each body's color (albedo; the light's radiance; the plane's first color),
  *     reflectivity in [0, 128], roughness, transmission, index of refraction and texture
- * @param hierarchy over the spheres that are there: see {@link SphereHierarchy}, and over the meshes; its length depends
- *     on the room and the meshes alone
+ * @param hierarchy over the spheres that are there: see {@link SphereHierarchy}, and over the meshes; its length
+ *     depends on the room and the meshes alone
  * @param meshes the meshes that bodies show, each once
  * @param room how many bodies there may come to be without meshes, which come after them
  * @param firstMesh the room, or {@link Layout#NO_MESHES} where no mesh is seen

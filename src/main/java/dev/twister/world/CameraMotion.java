@@ -24,8 +24,8 @@ public final class CameraMotion {
     private CameraMotion() {}
 
     /**
-     * Moves over the ground the way the camera looks, and straight up or down; slantwise not faster than straight on, and
-     * never below the plane.
+     * Moves over the ground the way the camera looks, and straight up or down; slantwise not faster than straight on,
+     * and never below the plane.
      *
      * @param seconds since the last step, 0 or more
      */

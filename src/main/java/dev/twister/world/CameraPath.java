@@ -16,9 +16,9 @@ public final class CameraPath {
     private CameraPath() {}
 
     /**
-     * The camera on the way through its keyframes: cubic Hermite curves with Catmull-Rom's tangents, which go through every
-     * keyframe without a jump in speed. Before the first keyframe and after the last it stands still; without any it is
-     * as it was.
+     * The camera on the way through its keyframes: cubic Hermite curves with Catmull-Rom's tangents, which go through
+     * every keyframe without a jump in speed. Before the first keyframe and after the last it stands still; without any
+     * it is as it was.
      *
      * @param seconds since the film's beginning
      */
@@ -42,8 +42,8 @@ public final class CameraPath {
     }
 
     /**
-     * The camera on a circle about the spheres' middle, turned as the circle goes on, so that it keeps looking at what it
-     * sees; about the y axis where there are no spheres.
+     * The camera on a circle about the spheres' middle, turned as the circle goes on, so that it keeps looking at what
+     * it sees; about the y axis where there are no spheres.
      *
      * @param turns whole turns, and parts of one; positive goes to the left, and looks further right
      */

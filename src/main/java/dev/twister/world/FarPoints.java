@@ -7,7 +7,10 @@ import dev.twister.scene.Vector3;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Those vertices of a mesh file that lie farthest out, each in one of many directions: few points that tell its outline. */
+/**
+ * Those vertices of a mesh file that lie farthest out, each in one of many directions: few points that tell its
+ * outline.
+ */
 final class FarPoints {
     private static final int AXES = 6;
     private static final int DIRECTIONS = AXES + 240;

@@ -11,8 +11,8 @@ import java.util.Map;
 import java.util.WeakHashMap;
 
 /**
- * Tells pictures apart before they are drawn: two snapshots with the same digest give the same picture. Goes by every array and
- * number that a snapshot has, whatever records it is made of. Used by one thread.
+ * Tells pictures apart before they are drawn: two snapshots with the same digest give the same picture. Goes by every
+ * array and number that a snapshot has, whatever records it is made of. Used by one thread.
  */
 public final class FrameDigest {
     /** A sky is hashed once, not for every frame. */

@@ -97,8 +97,8 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
 
     /**
      * The same picture by other samples: as many of the sequence that a pixel's samples are taken from, beginning with
-     * that one; number 0 is the pixel's center. Runs that follow each other, each weighed by its samples, come to one run of as
-     * many.
+     * that one; number 0 is the pixel's center. Runs that follow each other, each weighed by its samples, come to one
+     * run of as many.
      *
      * @throws IllegalArgumentException where there is no sample, or a place below 0
      */
@@ -130,8 +130,8 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
     }
 
     /**
-     * Whether the hierarchy is a single leaf, as it is for few spheres, and stays one however many come: what is compiled for few
-     * is not compiled anew in the middle of a pour.
+     * Whether the hierarchy is a single leaf, as it is for few spheres, and stays one however many come: what is
+     * compiled for few is not compiled anew in the middle of a pour.
      */
     public boolean hasFewSpheres() {
         return bodies.hierarchy()[Layout.root(bodyCount()) + Layout.NODE_SPHERES] >= 0

@@ -19,8 +19,8 @@ final class InstanceTable {
     }
 
     /**
-     * The table of the bodies that can be seen: a mesh that its placement makes flat has no inside and no inverse. Empty
-     * where there are none.
+     * The table of the bodies that can be seen: a mesh that its placement makes flat has no inside and no inverse.
+     * Empty where there are none.
      *
      * @param firstMesh the first one's body
      */

@@ -192,7 +192,10 @@ public final class SceneMeshes {
         return embedded ? material.withTexture(Optional.empty()) : material;
     }
 
-    /** The textures that the files' own materials have, where a mesh of the scene shows them, and where it names the file. */
+    /**
+     * The textures that the files' own materials have, where a mesh of the scene shows them, and where it names the
+     * file.
+     */
     Map<Path, String> textures(Scene scene) {
         Map<Path, String> placeByTexture = new LinkedHashMap<>();
         for (int i = 0; i < scene.meshes().size(); i++) {

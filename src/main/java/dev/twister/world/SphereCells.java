@@ -4,9 +4,9 @@ import dev.twister.kernel.Layout;
 import java.util.stream.IntStream;
 
 /**
- * Spheres sorted into the cells of a grid over their centers, and the box about each cell's spheres: what is split in the
- * upper levels of a hierarchy in place of single spheres (Ganestam and others 2015 do so with small trees). All cores
- * work on it; the order is the same however many they are.
+ * Spheres sorted into the cells of a grid over their centers, and the box about each cell's spheres: what is split in
+ * the upper levels of a hierarchy in place of single spheres (Ganestam and others 2015 do so with small trees). All
+ * cores work on it; the order is the same however many they are.
  */
 final class SphereCells {
     /** So few that their splitting costs less than a pass over all spheres, enough for more than ten levels. */

@@ -3,13 +3,13 @@ package dev.twister.world;
 import dev.twister.kernel.Layout;
 
 /**
- * Builds bounding volume hierarchies over the spheres: binary trees of boxes, split where the surface area heuristic says
- * (Goldsmith and Salmon 1987), tried at the borders of equal bins (Wald 2007), on all cores.
+ * Builds bounding volume hierarchies over the spheres: binary trees of boxes, split where the surface area heuristic
+ * says (Goldsmith and Salmon 1987), tried at the borders of equal bins (Wald 2007), on all cores.
  *
  * <p>A hierarchy is one array, laid out as {@link Layout} says: the spheres in the order of the leaves, then the nodes,
  * the root first. A node over n spheres has room for the 2 n - 2 nodes below it right behind its children or its elder
- * sibling's room, so that its place does not depend on which thread came first; leaves of more than one sphere leave gaps
- * of zeros. The length depends on the room for bodies alone, not on how many are there yet.
+ * sibling's room, so that its place does not depend on which thread came first; leaves of more than one sphere leave
+ * gaps of zeros. The length depends on the room for bodies alone, not on how many are there yet.
  */
 public final class SphereHierarchy {
     /** With fewer spheres the plain loop is as fast or faster: {@code docs/decisions/010}. */
@@ -29,8 +29,8 @@ public final class SphereHierarchy {
     }
 
     /**
-     * A new hierarchy over the first spheres of these bodies; where they are few it
-     * is a single leaf, and walking it is the plain loop over all spheres.
+     * A new hierarchy over the first spheres of these bodies; where they are few it is a single leaf, and walking it is
+     * the plain loop over all spheres.
      *
      * @param places {@link Bodies#places}
      * @param bodies how many are there now, light and plane included

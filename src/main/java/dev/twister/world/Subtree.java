@@ -49,7 +49,9 @@ final class Subtree extends RecursiveAction {
         grow(node, room, from, to, ancestors);
     }
 
-    /** The nodes over the spheres at {@code [start, end)}, from the topmost on; the parameters are the constructor's. */
+    /**
+     * The nodes over the spheres at {@code [start, end)}, from the topmost on; the parameters are the constructor's.
+     */
     void grow(int at, int free, int start, int end, int above) {
         bounds.hold(hierarchy, start, end);
         int spheres = (end - start) / Layout.SPHERE_STRIDE;

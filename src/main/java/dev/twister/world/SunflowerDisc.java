@@ -1,6 +1,8 @@
 package dev.twister.world;
 
-/** Vogel's sunflower: points spread evenly over the unit disc (Vogel 1979), scaled by the kernel to the light's disc. */
+/**
+ * Vogel's sunflower: points spread evenly over the unit disc (Vogel 1979), scaled by the kernel to the light's disc.
+ */
 final class SunflowerDisc {
     private static final double GOLDEN_ANGLE_RADIANS = Math.PI * (3 - Math.sqrt(5));
 

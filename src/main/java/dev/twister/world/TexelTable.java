@@ -35,9 +35,7 @@ final class TexelTable {
         return 1 + textures.indexOf(texture);
     }
 
-    /**
-     * @throws IllegalArgumentException where all texels together are more than an array holds
-     */
+    /** @throws IllegalArgumentException where all texels together are more than an array holds */
     Panorama panorama() {
         Skybox sky = images.sky();
         int[] dimensions = new int[Layout.SKY_DIMENSIONS_LENGTH + Layout.TEXTURE_STRIDE * textures.size()];

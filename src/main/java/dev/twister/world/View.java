@@ -6,8 +6,8 @@ import dev.twister.kernel.Layout;
 /**
  * How a picture is taken, as the kernel reads it; {@link Layout} has the places in the arrays, none of which changes.
  *
- * @param dimensions {@code int[5]}: width and height of the picture in pixels, first row and number of rows to draw, bodies that
- *     are there
+ * @param dimensions {@code int[5]}: width and height of the picture in pixels, first row and number of rows to draw,
+ *     bodies that are there
  * @param camera {@code float[15]}: position, right, up, forward, eye distance, aperture, focus distance
  * @param properties {@code float[12]}
  * @param shadowDisc {@code float[2 * shadowSamples]}: the unit sunflower's points, {@code sqrt(i / n)} from the center

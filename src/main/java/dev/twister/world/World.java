@@ -14,9 +14,7 @@ import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
 import java.util.List;
 
-/**
- * The living state between frames: what a scene said, as it is now. Used by one thread; engines see snapshots.
- */
+/** The living state between frames: what a scene said, as it is now. Used by one thread; engines see snapshots. */
 public final class World {
     private static final double DEGREES_PER_TURN = 360;
 

@@ -164,7 +164,9 @@ class BadInputTest {
         assertThat(outcome.out()).isEmpty();
     }
 
-    /** On Linux only this character is in no file's name; Windows has more, and so has a JVM that takes names for ASCII. */
+    /**
+     * On Linux only this character is in no file's name; Windows has more, and so has a JVM that takes names for ASCII.
+     */
     @Test
     void whatNamesNoFileIsTold() {
         Outcome outcome = Outcome.of("render", "benchmark", "-o", "a\0.png");

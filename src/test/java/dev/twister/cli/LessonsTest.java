@@ -17,8 +17,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Runs the commands of the lessons: pictures are those beside the page, and the lines of the block of text that follows a
- * command are in what it prints, whatever the spaces between the words.
+ * Runs the commands of the lessons: pictures are those beside the page, and the lines of the block of text that follows
+ * a command are in what it prints, whatever the spaces between the words.
  */
 class LessonsTest {
     private static final Path FOLDER = Path.of("docs/lessons");

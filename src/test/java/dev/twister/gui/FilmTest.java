@@ -114,7 +114,7 @@ class FilmTest {
                 .contains("set keyframe");
         driver.type(Command.UNDO.keys());
         assertThat(times()).containsExactly(1.0);
-        // Whoever takes it back stays where they are.
+        // Undo leaves the camera where it is.
         assertThat(camera().position().x()).isEqualTo(4);
         driver.type(Command.REDO.keys());
         assertThat(times()).containsExactly(1.0, 3.0);

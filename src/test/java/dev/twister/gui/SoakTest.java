@@ -24,7 +24,8 @@ class SoakTest {
 
     /**
      * JavaFX's software pipeline keeps textures of windows long closed for later ones, within a limit of its own: 150
-     * were seen, 34 MB. Were each of 500 windows to leave its pictures behind, it would be several times as much as this.
+     * were seen, 34 MB. Were each of 500 windows to leave its pictures behind, it would be several times as much as
+     * this.
      */
     private static final long SLACK_BYTES = 96L << 20;
 
@@ -99,7 +100,9 @@ class SoakTest {
         return count();
     }
 
-    /** What a window only read, such as the list of devices, nobody waits for, and it holds the window until it is read. */
+    /**
+     * What a window only read, such as the list of devices, nobody waits for, and it holds the window until it is read.
+     */
     private void awaitLittleMemory(long limit) throws InterruptedException {
         long end = System.nanoTime() + PATIENCE.toNanos();
         while ((usedBytes() >= limit || windowsInMemory() > STILL_HELD) && System.nanoTime() < end) {

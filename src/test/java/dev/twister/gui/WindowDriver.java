@@ -219,7 +219,10 @@ final class WindowDriver implements AutoCloseable {
         return call(() -> studio.pictureProperty().get().orElseThrow());
     }
 
-    /** Waits for a picture of what the studio holds now; one of the same scene before edits that were taken back is none. */
+    /**
+     * Waits for a picture of what the studio holds now; one of the same scene before edits that were taken back is
+     * none.
+     */
     DrawnPicture awaitCurrentPicture() {
         long asked = call(studio::lastRequest);
         return awaitPicture(picture -> picture.isWhole() && picture.request().number() >= asked);

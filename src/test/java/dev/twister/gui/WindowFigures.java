@@ -25,10 +25,10 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Collectors;
 
 /**
- * Measures the window against the engine alone, by turns: frames a second, pulses, and where the processor's time goes. A
- * program, run by hand on a screen: its arguments are such as {@code vector:HD}, where all is at rest, and {@code
- * vector:HD:moving}, where each pulse asks for another picture. With {@code -XX:ActiveProcessorCount=1} an engine draws on one
- * thread.
+ * Measures the window against the engine alone, by turns: frames a second, pulses, and where the processor's time goes.
+ * A program, run by hand on a screen: its arguments are such as {@code vector:HD}, where all is at rest, and
+ * {@code vector:HD:moving}, where each pulse asks for another picture. With {@code -XX:ActiveProcessorCount=1} an
+ * engine draws on one thread.
  */
 final class WindowFigures {
     /** Short and many: another's work on the machine comes and goes. The first half is for the compiler. */

@@ -125,7 +125,10 @@ class ShadowTest {
                 .isBetween(0.05f, 0.95f);
     }
 
-    /** Up to two hundred small spheres in the way: far more than a point remembers. A sample at a rim may fall on either side. */
+    /**
+     * Up to two hundred small spheres in the way: far more than a point remembers. A sample at a rim may fall on either
+     * side.
+     */
     @Test
     void manySpheresHideWhatThePlainEquationsHide() {
         Random random = new Random(9);

@@ -93,7 +93,9 @@ class SkyTest {
         }
     }
 
-    /** Straight up the elevation is taken as an arc tangent, as a rounded unit vector's arc sine has lost its digits. */
+    /**
+     * Straight up the elevation is taken as an arc tangent, as a rounded unit vector's arc sine has lost its digits.
+     */
     private static double bilinear(float[] sky, int[] size, float turn, double x, double y, double z, int channel) {
         double column = (0.5 + Math.atan2(x, z) / (2 * Math.PI) - turn) * size[0] - 0.5;
         double row = (0.5 - Math.atan2(y, Math.hypot(x, z)) / Math.PI) * size[1] - 0.5;

@@ -7,7 +7,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import java.util.Locale;
 
-/** Files of the same shape in every format: a box of 12 triangles with corners at 0 and (2, 1, 3), in Twister's axes. */
+/**
+ * Files of the same shape in every format: a box of 12 triangles with corners at 0 and (2, 1, 3), in Twister's axes.
+ */
 final class MeshFiles {
     /** In Twister's axes. */
     static final float[][] CORNERS = {

@@ -11,7 +11,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 
-/** Meshes that need no file, about the origin, all but the soup closed, their corners running so that faces look outward. */
+/**
+ * Meshes that need no file, about the origin, all but the soup closed, their corners running so that faces look
+ * outward.
+ */
 public final class MeshShapes {
     private static final double GOLDEN = (1 + Math.sqrt(5)) / 2;
 

@@ -88,11 +88,11 @@ public final class Oracle {
     }
 
     /**
-     * Between what colors a pixel swings where its samples' places, its view rays or the spheres' radii are changed by a
-     * few roundings of a float: at an edge, or where mirrors amplify, far; elsewhere not at all. The radii count where a
-     * sphere is large as a planet: beside its surface, distances are small differences of large numbers. So do the points
-     * on it, and all of that at once: where a planet comes out of the plane, rounding may hit the planet just below the
-     * plane, and what is reflected there is the plane.
+     * Between what colors a pixel swings where its samples' places, its view rays or the spheres' radii are changed by
+     * a few roundings of a float: at an edge, or where mirrors amplify, far; elsewhere not at all. The radii count
+     * where a sphere is large as a planet: beside its surface, distances are small differences of large numbers. So do
+     * the points on it, and all of that at once: where a planet comes out of the plane, rounding may hit the planet
+     * just below the plane, and what is reflected there is the plane.
      */
     PixelSpan span(int column, int row) {
         Color lowest = Color.BLACK;

@@ -15,8 +15,8 @@ final class OracleCamera {
     private final double focusDistance;
 
     /**
-     * The turned axes and the eye's distance are rounded to floats, as engines are given them: turning each direction in
-     * double precision instead would look elsewhere by up to 6e-8 radians, which at a field of view of 1 degree is
+     * The turned axes and the eye's distance are rounded to floats, as engines are given them: turning each direction
+     * in double precision instead would look elsewhere by up to 6e-8 radians, which at a field of view of 1 degree is
      * seen at edges.
      */
     OracleCamera(Camera camera, int width, int height) {

@@ -6,8 +6,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Holds pictures to the oracle, pixel by pixel, and counts. A pixel that differs is excused only where the oracle itself
- * swings as far as the engine's value once the view ray is moved by a few roundings of a float; any other is a bug.
+ * Holds pictures to the oracle, pixel by pixel, and counts. A pixel that differs is excused only where the oracle
+ * itself swings as far as the engine's value once the view ray is moved by a few roundings of a float; any other is a
+ * bug.
  */
 public final class PixelJudge {
     private long pixels;

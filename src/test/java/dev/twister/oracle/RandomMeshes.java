@@ -18,8 +18,8 @@ import java.util.Optional;
 import java.util.Random;
 
 /**
- * {@link RandomMaterials} with meshes: solids, flat and smooth, and soups of triangles, of all materials, turned, scaled,
- * mirrored, shown several times, around the camera, in the ground and in spheres.
+ * {@link RandomMaterials} with meshes: solids, flat and smooth, and soups of triangles, of all materials, turned,
+ * scaled, mirrored, shown several times, around the camera, in the ground and in spheres.
  */
 public final class RandomMeshes {
     private static final int LEVELS = 2;

@@ -18,8 +18,8 @@ import net.jqwik.api.Arbitrary;
 
 /**
  * Random scenes that look for trouble: cameras inside spheres, below the ground and looking straight up, lights inside
- * spheres and touching the ground, spheres that touch and overlap, every extreme of every setting, pictures of one pixel,
- * one row and odd sizes. All small, so that the oracle draws hundreds of them in seconds.
+ * spheres and touching the ground, spheres that touch and overlap, every extreme of every setting, pictures of one
+ * pixel, one row and odd sizes. All small, so that the oracle draws hundreds of them in seconds.
  */
 public final class RandomScenes {
     /** Tests of a ray against a sphere that the oracle may need for one picture; sizes are cut to it. */

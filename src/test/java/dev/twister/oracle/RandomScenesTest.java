@@ -9,7 +9,9 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.ShrinkingMode;
 import net.jqwik.api.lifecycle.AfterProperty;
 
-/** The kernel, with its shortcuts and without, against the oracle on random scenes; jqwik reports the seed of a failure. */
+/**
+ * The kernel, with its shortcuts and without, against the oracle on random scenes; jqwik reports the seed of a failure.
+ */
 class RandomScenesTest {
     /** Ten times as strict as the design: edges are rare, over all tries together some 1 pixel in 900,000 needs one. */
     private static final int FEW_BOUNCES_PIXELS_AN_EXCUSE = 50_000;
@@ -33,7 +35,10 @@ class RandomScenesTest {
         return RandomScenes.ofManyBounces();
     }
 
-    /** This seed has the edge of a planet-sized sphere, reflected: moving ray and radius one at a time does not reach it. */
+    /**
+     * This seed has the edge of a planet-sized sphere, reflected: moving ray and radius one at a time does not reach
+     * it.
+     */
     @Property(seed = "9054642568918783129", tries = 250, shrinking = ShrinkingMode.OFF)
     void shortcutsDrawWhatTheOracleDraws(@ForAll("fewBounces") LitScene random) {
         judge.judge(Pictures.argb(JvmEngines.SEQUENTIAL, random.scene(), random.sky()), random.scene(), random.sky());

@@ -94,7 +94,10 @@ final class Motion {
         return mass(simulation, body) * (speed * speed / 2 + GRAVITY * place(simulation, body, 1));
     }
 
-    /** As {@link #energy}, over the plane and one by one, by the scene's spheres: a change of the bodies' order changes nothing. */
+    /**
+     * As {@link #energy}, over the plane and one by one, by the scene's spheres: a change of the bodies' order changes
+     * nothing.
+     */
     static double[] energies(Simulation simulation, double height) {
         BodyStore bodies = simulation.store();
         double[] energies = new double[bodies.count - 1];

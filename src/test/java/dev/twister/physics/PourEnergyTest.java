@@ -9,9 +9,9 @@ class PourEnergyTest {
     private static final double MOST_GAIN = 5e-5;
 
     /**
-     * Small spheres come to sleep under the mirror and wake with what has been poured on it since: until that was taken up
-     * before they moved, one in a dozen such pours gained up to 1e-3 in a step, with these seeds in the 1,157th and the
-     * 1,231st.
+     * Small spheres come to sleep under the mirror and wake with what has been poured on it since: until that was taken
+     * up before they moved, one in a dozen such pours gained up to 1e-3 in a step, with these seeds in the 1,157th and
+     * the 1,231st.
      */
     @ParameterizedTest
     @ValueSource(ints = {109, 120})

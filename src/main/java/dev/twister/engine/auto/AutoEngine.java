@@ -8,7 +8,8 @@ import java.util.function.Supplier;
 
 /**
  * Draws at once with an engine that needs no warming, and goes over to the one that is to be used as soon as that one,
- * started beside it, is the faster of the two: a JVM compiles the vector engine in seconds, TornadoVM a kernel likewise.
+ * started beside it, is the faster of the two: a JVM compiles the vector engine in seconds, TornadoVM a kernel
+ * likewise.
  */
 final class AutoEngine implements Engine {
     private final Successor successor;

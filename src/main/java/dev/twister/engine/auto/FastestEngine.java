@@ -16,8 +16,8 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 
 /**
- * Chooses the fastest engine by measuring each once on this machine, and remembers which it was. A picture does not wait
- * for that; a benchmark does.
+ * Chooses the fastest engine by measuring each once on this machine, and remembers which it was. A picture does not
+ * wait for that; a benchmark does.
  */
 public final class FastestEngine {
     /** The name that stands for whichever engine is the fastest here. */
@@ -81,9 +81,9 @@ public final class FastestEngine {
     }
 
     /**
-     * Opens an engine that draws at once, and that goes over to the one that was the fastest when it was measured as soon
-     * as that is warm. Where none was measured yet, the one that mostly is the fastest stands in for it, and those that may be
-     * faster are measured beside its frames.
+     * Opens an engine that draws at once, and that goes over to the one that was the fastest when it was measured as
+     * soon as that is warm. Where none was measured yet, the one that mostly is the fastest stands in for it, and those
+     * that may be faster are measured beside its frames.
      *
      * @throws EngineException where no engine can be opened
      */
@@ -95,8 +95,8 @@ public final class FastestEngine {
     }
 
     /**
-     * The same, but devices are looked for at once only where one of them was the fastest; otherwise that is done when there
-     * is time, and where they are others than those measured, the engines are measured then.
+     * The same, but devices are looked for at once only where one of them was the fastest; otherwise that is done when
+     * there is time, and where they are others than those measured, the engines are measured then.
      *
      * @param atOnce the engines that need no device
      * @param all those, and the devices; may take a while
@@ -148,8 +148,8 @@ public final class FastestEngine {
     }
 
     /**
-     * Trials take from the frames: there are none but of those that can be the fastest. An engine that went over to another
-     * has lost to it.
+     * Trials take from the frames: there are none but of those that can be the fastest. An engine that went over to
+     * another has lost to it.
      */
     private Optional<String> fastestBeside(
             Engine drawing, String standIn, List<EngineOffer> candidates, BooleanSupplier canceled) {

@@ -13,8 +13,8 @@ import java.util.function.Function;
 
 /**
  * An engine that is opened and warmed on a thread of its own, with small pictures of what is drawn meanwhile, until it
- * beats the one that draws. That one must have drawn a few frames by then, or a long one: its first is begun by the JVM's
- * interpreter, which even the vector engine on a CPU without AVX beats.
+ * beats the one that draws. That one must have drawn a few frames by then, or a long one: its first is begun by the
+ * JVM's interpreter, which even the vector engine on a CPU without AVX beats.
  */
 final class Successor implements AutoCloseable {
     /** Some pictures a second are shown meanwhile. */
@@ -31,7 +31,10 @@ final class Successor implements AutoCloseable {
 
     private final Function<BooleanSupplier, Optional<Engine>> opener;
     private final Duration patience;
-    /** What the last frames of the engine that draws took, in nanoseconds for each sample of a pixel: the scene may change. */
+    /**
+     * What the last frames of the engine that draws took, in nanoseconds for each sample of a pixel: the scene may
+     * change.
+     */
     private final double[] nanosToBeat = new double[FRAMES_TO_BEAT];
 
     private long framesToBeat;
@@ -59,8 +62,8 @@ final class Successor implements AutoCloseable {
     /**
      * Starts nothing.
      *
-     * @param patience how long a frame waits for this engine, all frames together: the compiler is done sooner where not
-     *     every core draws
+     * @param patience how long a frame waits for this engine, all frames together: the compiler is done sooner where
+     *     not every core draws
      */
     Successor(Function<BooleanSupplier, Optional<Engine>> opener, Duration patience) {
         this.patience = patience;

@@ -26,8 +26,8 @@ final class Handover {
     }
 
     /**
-     * Ends the live rays whose surfaces may be shaded by what lanes do not know. The points that are left have none of it
-     * among their possible occluders.
+     * Ends the live rays whose surfaces may be shaded by what lanes do not know. The points that are left have none of
+     * it among their possible occluders.
      */
     void endInShadows(Tile tile, Drawing drawing, int bounce) {
         int kept = 0;
@@ -71,8 +71,8 @@ final class Handover {
     }
 
     /**
-     * Takes what meshes hide of the light from what is visible of it past the spheres. Where both hide a part, or a mesh
-     * lets light pass, the kernel finds how much.
+     * Takes what meshes hide of the light from what is visible of it past the spheres. Where both hide a part, or a
+     * mesh lets light pass, the kernel finds how much.
      */
     void mendShadows(Tile tile, Drawing drawing, int bounce) {
         float[] t = tile.values;

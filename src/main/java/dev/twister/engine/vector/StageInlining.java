@@ -14,9 +14,9 @@ import javax.management.JMException;
 import javax.management.ObjectName;
 
 /**
- * What the JVM's compiler must know of this package: which methods it always inlines, and which never. The launcher tells it in
- * {@code scripts/jvm.options}; a JVM that somebody else starts is told while it runs, before any of them is compiled. Untold, it
- * makes objects of vectors, and frames take four times as long.
+ * What the JVM's compiler must know of this package: which methods it always inlines, and which never. The launcher
+ * tells it in {@code scripts/jvm.options}; a JVM that somebody else starts is told while it runs, before any of them is
+ * compiled. Untold, it makes objects of vectors, and frames take four times as long.
  */
 final class StageInlining {
     private static final String PACKAGE = "dev/twister/engine/vector/";
@@ -24,7 +24,9 @@ final class StageInlining {
     /** What takes or returns vectors, and lists: always inlined. */
     static final List<String> ALWAYS = List.of(PACKAGE + "lanes/*.*");
 
-    /** What has a tile's or a shadow's columns as its first parameter, and so works on them; and what runs once a tile. */
+    /**
+     * What has a tile's or a shadow's columns as its first parameter, and so works on them; and what runs once a tile.
+     */
     static final List<String> NEVER = List.of(
             PACKAGE + "*.*(L" + PACKAGE + "lanes/Tile;",
             PACKAGE + "*.*(L" + PACKAGE + "lanes/ShadowColumns;",

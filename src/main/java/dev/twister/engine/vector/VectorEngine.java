@@ -18,7 +18,10 @@ final class VectorEngine implements Engine {
     /** With fewer bodies, a look at all of them a tile is faster: {@code docs/decisions/010}. */
     static final int CROWD = 250;
 
-    /** Neighbors' pixels share cache lines, and taking turns waits until a thread's pixels are in memory, so not for each tile. */
+    /**
+     * Neighbors' pixels share cache lines, and taking turns waits until a thread's pixels are in memory, so not for
+     * each tile.
+     */
     private static final int LEAST_TILES_A_TURN = 4;
 
     private final int threads;

@@ -13,8 +13,8 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 
 /**
- * Draws on a thread of its own, always by the newest request. Threads that ask and show never wait: {@link #request} and
- * {@link #takeNewest} return at once.
+ * Draws on a thread of its own, always by the newest request. Threads that ask and show never wait: {@link #request}
+ * and {@link #takeNewest} return at once.
  */
 public final class DrawingLoop implements AutoCloseable {
     /** Where nothing is asked for in so long, the engine rests. */
@@ -86,8 +86,8 @@ public final class DrawingLoop implements AutoCloseable {
     }
 
     /**
-     * The linear samples that a refined picture has gathered, as {@link dev.twister.image.Frame#radiance} has them: as many
-     * as were seen, or more by now. Empty where it was not refined, or another picture is drawn by now.
+     * The linear samples that a refined picture has gathered, as {@link dev.twister.image.Frame#radiance} has them: as
+     * many as were seen, or more by now. Empty where it was not refined, or another picture is drawn by now.
      */
     public CompletableFuture<Optional<float[]>> radiance(DrawnPicture picture) {
         CompletableFuture<Optional<float[]>> answer = new CompletableFuture<>();

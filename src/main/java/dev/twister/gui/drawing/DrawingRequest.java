@@ -13,8 +13,8 @@ import dev.twister.world.Picture;
  * @param width of the picture in pixels, 1 or more
  * @param height of the picture in pixels, 1 or more
  * @param engine what is to draw it
- * @param refineTo samples a pixel that the picture gathers while no other request comes, and then rests; 0 to draw the same
- *     picture again and again
+ * @param refineTo samples a pixel that the picture gathers while no other request comes, and then rests; 0 to draw the
+ *     same picture again and again
  * @param motion whether and how bodies move
  * @param shown the picture, or a stage or a view of it
  */
@@ -66,8 +66,8 @@ public record DrawingRequest(
     }
 
     /**
-     * Whether a picture of the one is worth something to who waits for the other: the same place is seen, if from elsewhere
-     * or its bodies moved, under the same sky and settings.
+     * Whether a picture of the one is worth something to who waits for the other: the same place is seen, if from
+     * elsewhere or its bodies moved, under the same sky and settings.
      */
     boolean showsThePlaceOf(DrawingRequest other) {
         return document == other.document()

@@ -13,9 +13,9 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 
 /**
- * The engine that draws, and the one that is to take its place. An engine is opened, and draws its first frames, which wait
- * for compilers, on a thread of its own, while the old one goes on drawing; it takes the seat when it is ready. Used by the
- * drawing thread alone.
+ * The engine that draws, and the one that is to take its place. An engine is opened, and draws its first frames, which
+ * wait for compilers, on a thread of its own, while the old one goes on drawing; it takes the seat when it is ready.
+ * Used by the drawing thread alone.
  */
 final class EngineSeat implements AutoCloseable {
     private final EngineOffer substitute;

@@ -12,8 +12,8 @@ import java.util.Optional;
 import java.util.function.Supplier;
 
 /**
- * The world of the scene that is being drawn. What does not change from one snapshot to the next stays the same array, so that
- * an engine need not send it to its device again. Used by the drawing thread alone.
+ * The world of the scene that is being drawn. What does not change from one snapshot to the next stays the same array,
+ * so that an engine need not send it to its device again. Used by the drawing thread alone.
  */
 final class LivingWorld implements AutoCloseable {
     private static final float GRAY = 0.5f;

@@ -17,8 +17,8 @@ import java.util.SequencedMap;
 import java.util.function.Function;
 
 /**
- * The meshes of the scene that is drawn. Files are read on a thread of their own: whoever asks gets what is at hand, and
- * draws the rest once {@link #edition} has changed. Used by any thread; none waits.
+ * The meshes of the scene that is drawn. Files are read on a thread of their own: a request gets what is at hand,
+ * and draws the rest once {@link #edition} has changed. Used by any thread; none waits.
  */
 public final class MeshShelf {
     private final Function<Source, MeshFile> reader;
@@ -47,7 +47,10 @@ public final class MeshShelf {
         this.reader = reader;
     }
 
-    /** Keeps a file that was read already for the scene that is opened next, or edited to have it, where it is not at hand. */
+    /**
+     * Keeps a file that was read already for the scene that is opened next, or edited to have it, where it is not at
+     * hand.
+     */
     public synchronized void keep(Mesh mesh, MeshFile file) {
         kept = Optional.of(new Kept(Source.of(mesh), file)).filter(one -> !meshBySource.containsKey(one.source()));
         // Read anew, it can be had whatever was wrong with it before.
@@ -57,8 +60,8 @@ public final class MeshShelf {
     /**
      * The meshes that are at hand; others of the scene's are being read from then on.
      *
-     * @param newDocument counts up with each scene that is opened, whose files are read anew; of an older one nothing is
-     *     at hand
+     * @param newDocument counts up with each scene that is opened, whose files are read anew; of an older one nothing
+     *     is at hand
      */
     synchronized SceneMeshes of(Scene scene, long newDocument) {
         if (newDocument < document) {
@@ -79,7 +82,9 @@ public final class MeshShelf {
         return edition;
     }
 
-    /** What a scene's meshes are read for, and how far that is, such as {@code knot.obj (1 of 3)}; empty where none is. */
+    /**
+     * What a scene's meshes are read for, and how far that is, such as {@code knot.obj (1 of 3)}; empty where none is.
+     */
     public synchronized Optional<String> progress() {
         return task.map(now -> now.progress);
     }

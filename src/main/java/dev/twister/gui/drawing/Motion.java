@@ -3,8 +3,8 @@ package dev.twister.gui.drawing;
 /**
  * Whether and how bodies move.
  *
- * @param start counts up: a new number lets the bodies start anew from where the scene has them; 0 where they stand as the
- *     scene has them
+ * @param start counts up: a new number lets the bodies start anew from where the scene has them; 0 where they stand as
+ *     the scene has them
  * @param running whether time passes
  * @param steps the single steps that were asked for since the start
  */

@@ -6,8 +6,8 @@ import dev.twister.world.World;
 import java.util.Optional;
 
 /**
- * Lets a scene's bodies move as time passes between pictures. After an edit they go on
- * as {@link Simulation#goOnIn} says. Used by the drawing thread alone.
+ * Lets a scene's bodies move as time passes between pictures. After an edit they go on as {@link Simulation#goOnIn}
+ * says. Used by the drawing thread alone.
  */
 final class MovingBodies implements AutoCloseable {
     private static final double NANOS_PER_SECOND = 1e9;

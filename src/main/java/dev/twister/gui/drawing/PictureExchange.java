@@ -6,9 +6,9 @@ import java.util.Deque;
 import java.util.Optional;
 
 /**
- * Where pictures change hands: one thread draws into frames, another shows the newest finished one, and neither waits for
- * the other. Four frames go round: one is drawn, one is finished, one is shown, and one was shown until the last pulse and may
- * still be on its way to the graphics card.
+ * Where pictures change hands: one thread draws into frames, another shows the newest finished one, and neither waits
+ * for the other. Four frames go round: one is drawn, one is finished, one is shown, and one was shown until the last
+ * pulse and may still be on its way to the graphics card.
  */
 public final class PictureExchange {
     private final Deque<Frame> free = new ArrayDeque<>();
@@ -35,9 +35,9 @@ public final class PictureExchange {
 
     /**
      * Called once in every pulse by the thread that shows: the newest finished picture, where there is one that has not
-     * been taken. It is not drawn over until the pulse after the one that takes its successor. One that repeats the picture
-     * taken before comes in that one's frame, which is on the screen already; no other picture comes in the frame of the one
-     * before.
+     * been taken. It is not drawn over until the pulse after the one that takes its successor. One that repeats the
+     * picture taken before comes in that one's frame, which is on the screen already; no other picture comes in the
+     * frame of the one before.
      */
     public synchronized Optional<DrawnPicture> takeNewest() {
         replaced.ifPresent(picture -> free.push(picture.frame()));

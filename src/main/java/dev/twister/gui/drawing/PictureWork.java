@@ -17,8 +17,8 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
 /**
- * The steps from a request to its pictures: at the very start small ones, because nothing is compiled yet, then the picture
- * itself, then, where nothing else is asked for, finer ones. Used by the drawing thread alone.
+ * The steps from a request to its pictures: at the very start small ones, because nothing is compiled yet, then the
+ * picture itself, then, where nothing else is asked for, finer ones. Used by the drawing thread alone.
  */
 final class PictureWork implements AutoCloseable {
     /** What the sides of the first picture are divided by. */
@@ -79,7 +79,9 @@ final class PictureWork implements AutoCloseable {
         seat = new EngineSeat(substitute, whenReady);
     }
 
-    /** Looks at a request: the world is as it says, and its engine is being opened. Whether there is something to draw. */
+    /**
+     * Looks at a request: the world is as it says, and its engine is being opened. Whether there is something to draw.
+     */
     boolean prepare(DrawingRequest wanted) {
         try {
             input = showing(wanted.shown(), world.snapshot(wanted, clock.getAsLong()));
@@ -284,9 +286,9 @@ final class PictureWork implements AutoCloseable {
     }
 
     /**
-     * Whether the rest of a picture is not worth its time: another engine is to draw, or is ready to, or another size is
-     * asked for, or what looks all different and it takes long. Not so for a camera that moves, or a body that is dragged:
-     * that shall be seen now and then, unless smaller pictures of it are.
+     * Whether the rest of a picture is not worth its time: another engine is to draw, or is ready to, or another size
+     * is asked for, or what looks all different and it takes long. Not so for a camera that moves, or a body that is
+     * dragged: that shall be seen now and then, unless smaller pictures of it are.
      */
     private boolean isInVain(DrawingRequest wanted, long nanosLeft) {
         return seat.isReady()
@@ -341,7 +343,9 @@ final class PictureWork implements AutoCloseable {
         return seat.isReady() || newest.get().filter(this::isAtWork).isEmpty();
     }
 
-    /** Whether to publish the samples gathered so far: a recorder takes all pictures, a person sees a few per second. */
+    /**
+     * Whether to publish the samples gathered so far: a recorder takes all pictures, a person sees a few per second.
+     */
     private boolean isToBeSeen() {
         return watcher.isPresent()
                 || last.filter(old -> isAtWork(old.request())

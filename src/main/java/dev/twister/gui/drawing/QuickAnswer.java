@@ -15,7 +15,8 @@ final class QuickAnswer {
     private QuickAnswer() {}
 
     /**
-     * What the sides of the first picture are divided by: 1 where the full one is quick enough, or nothing is known of it.
+     * What the sides of the first picture are divided by: 1 where the full one is quick enough, or nothing is known of
+     * it.
      *
      * @param nanos that the full picture takes; 0 where it is not known
      */

@@ -26,8 +26,8 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
 /**
- * The panoramas used last, so that going back to one does not read its file again, and the textures of the
- * scene. Used by any thread; none waits while another one reads a file.
+ * The panoramas used last, so that going back to one does not read its file again, and the textures of the scene. Used
+ * by any thread; none waits while another one reads a file.
  */
 public final class SkyShelf {
     private static final int KEPT = 3;
@@ -174,8 +174,8 @@ public final class SkyShelf {
      * The texture of that file: as it was read last with the scene or for it, else read now.
      *
      * @param wanted asked again and again meanwhile, whether it still is
-     * @throws SkyException as {@link TextureReader#read} does, and where it is not wanted any more or was {@link
-     *     #cancel canceled}
+     * @throws SkyException as {@link TextureReader#read} does, and where it is not wanted any more or was
+     *     {@link #cancel canceled}
      */
     Skybox texture(Path file, BooleanSupplier wanted) {
         return keptTexture(file).orElseGet(() -> await(file, textureReader, wanted));

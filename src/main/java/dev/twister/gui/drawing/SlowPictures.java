@@ -10,9 +10,9 @@ import java.util.function.LongPredicate;
 import java.util.function.LongSupplier;
 
 /**
- * Draws pictures that take long in bands of rows, so that one can be left when it is not wanted any more: one thread takes
- * many seconds for a picture of 3840 x 2160. Those that do not take long are drawn in one go, as bands cost
- * time, and so are those of engines that are not made for bands. Used by one thread.
+ * Draws pictures that take long in bands of rows, so that one can be left when it is not wanted any more: one thread
+ * takes many seconds for a picture of 3840 x 2160. Those that do not take long are drawn in one go, as bands cost time,
+ * and so are those of engines that are not made for bands. Used by one thread.
  */
 final class SlowPictures {
     /** How long a band should take. */
@@ -21,7 +21,10 @@ final class SlowPictures {
     /** Pictures of fewer pixels are not worth it: the slowest engine takes half a second for so many. */
     private static final int FEWEST_PIXELS = 1 << 16;
 
-    /** Of a picture of which nothing is known about so many pixels are drawn first, of more than {@link #FEW_BODIES} fewer. */
+    /**
+     * Of a picture of which nothing is known about so many pixels are drawn first, of more than {@link #FEW_BODIES}
+     * fewer.
+     */
     private static final int FIRST_PIXELS = 1 << 14;
 
     /** The pixels of a crowd take longer, most of all before the JVM has compiled what they run. */
@@ -31,8 +34,9 @@ final class SlowPictures {
     private Optional<Pace> pace = Optional.empty();
 
     /**
-     * What the time of a picture hangs on most, beside its samples a pixel, with which it grows. Of a scene only the room for
-     * bodies, and the meshes: more bodies come one by one, and the next picture of the same scene is much like the last.
+     * What the time of a picture hangs on most, beside its samples a pixel, with which it grows. Of a scene only the
+     * room for bodies, and the meshes: more bodies come one by one, and the next picture of the same scene is much like
+     * the last.
      */
     private record Work(Engine engine, int width, int rows, int room, int meshFloats, int shadowSamples, int bounces) {
         static Work of(Engine engine, FrameInput input) {

@@ -13,8 +13,8 @@ import java.util.function.LongSupplier;
  * The first frames of an engine, which wait for compilers and are not shown.
  *
  * @param whole what will be drawn
- * @param small the same with few pixels: the JVM compiles the same code for it, and before it has, an engine may be hundreds of
- *     times slower
+ * @param small the same with few pixels: the JVM compiles the same code for it, and before it has, an engine may be
+ *     hundreds of times slower
  * @param clock tells nanoseconds, as {@link System#nanoTime} does
  */
 record WarmUp(FrameInput whole, FrameInput small, LongSupplier clock) {
@@ -60,7 +60,8 @@ record WarmUp(FrameInput whole, FrameInput small, LongSupplier clock) {
     }
 
     /**
-     * Draws the small picture once, in bands: where there are thousands of bodies, a cold JVM takes many seconds for it.
+     * Draws the small picture once, in bands: where there are thousands of bodies, a cold JVM takes many seconds for
+     * it.
      *
      * @param leave whether to draw no more of it; asked between bands
      * @return whether all of it was drawn

@@ -7,8 +7,8 @@ import dev.twister.world.FrameInput;
 import dev.twister.world.SceneMeshes;
 
 /**
- * How the window numbers a scene's bodies: the light, the plane and the spheres as a picture of it does. A mesh is one body
- * of the scene, and one for each of its parts in a picture.
+ * How the window numbers a scene's bodies: the light, the plane and the spheres as a picture of it does. A mesh is one
+ * body of the scene, and one for each of its parts in a picture.
  */
 public final class BodyNumber {
     /** No body: the sky is seen there, or nothing is selected. */

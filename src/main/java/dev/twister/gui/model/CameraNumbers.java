@@ -34,7 +34,7 @@ public final class CameraNumbers {
 
     public static final NumberSetting YAW = new NumberSetting(
             "Yaw",
-            "The direction of view, to the right; 0 is along z.",
+            "Turn of the camera to the right; 0 looks along z.",
             SceneLimits.YAW,
             new Range(-180, 180),
             Scale.LINEAR,
@@ -45,7 +45,7 @@ public final class CameraNumbers {
 
     public static final NumberSetting PITCH = new NumberSetting(
             "Pitch",
-            "The direction of view, downwards; 0 is level.",
+            "Turn of the camera down; 0 is level.",
             SceneLimits.PITCH,
             new Range(-90, 90),
             Scale.LINEAR,

@@ -11,8 +11,8 @@ final class CarriedSpheres {
     private CarriedSpheres() {}
 
     /**
-     * What the edit from the one list to the other makes of the present one: a sphere that it does not put elsewhere stays where it
-     * is at present.
+     * What the edit from the one list to the other makes of the present one: a sphere that it does not put elsewhere
+     * stays where it is at present.
      *
      * @param present those of {@code from}, one by one, where they are by now
      */

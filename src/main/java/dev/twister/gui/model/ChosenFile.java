@@ -4,8 +4,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * What is written where a person chose a name without the ending that the file's kind has. They were asked whether to replace a
- * file of the name they chose: one of the name with the ending is never replaced, but a number added.
+ * What is written where a person chose a name without the ending that the file's kind has. They were asked whether to
+ * replace a file of the name they chose: one of the name with the ending is never replaced, but a number added.
  */
 public final class ChosenFile {
     public static final String SCENE = ".json";

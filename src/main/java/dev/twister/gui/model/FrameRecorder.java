@@ -15,8 +15,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Writes frames as numbered PNG files, on a thread of its own. No frame is left out: where the disk or the encoder is slower
- * than the frames come, the caller that hands them over waits once a few are ahead.
+ * Writes frames as numbered PNG files, on a thread of its own. No frame is left out: where the disk or the encoder is
+ * slower than the frames come, the caller that hands them over waits once a few are ahead.
  */
 public final class FrameRecorder implements AutoCloseable {
     private static final Pattern NUMBERED = Pattern.compile("frame-([0-9]{6,9})\\.png");

@@ -10,7 +10,8 @@ import java.util.stream.IntStream;
 
 /**
  * A picture at rest that gets better: the samples of each pass are added to those before, so that the picture after
- * passes of n1, n2, ... samples is the one of {@code withSamples(0, n1 + n2 + ...)}, rounding aside. Used by one thread.
+ * passes of n1, n2, ... samples is the one of {@code withSamples(0, n1 + n2 + ...)}, rounding aside. Used by one
+ * thread.
  *
  * <p>A pass is {@code engine.render(picture.next(input, n), linearFrame)}, then {@code picture.add(linearFrame, n)}.
  */

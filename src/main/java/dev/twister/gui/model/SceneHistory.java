@@ -13,9 +13,9 @@ import java.util.Set;
 
 /**
  * A scene with the edits that led to it, which can be taken back and made again. Successive edits of one gesture (a
- * drag, a slider's movement) count as one. Where the camera stands and looks is no edit: taking one back
- * leaves the viewer where they are; nor is where time has moved spheres. The field of view can be taken
- * back, but is nothing to save; the lens and the keyframes are both. Used by one thread.
+ * drag, a slider's movement) count as one. Where the camera stands and looks is no edit: taking one back leaves the
+ * viewer where they are; nor is where time has moved spheres. The field of view can be taken back, but is nothing to
+ * save; the lens and the keyframes are both. Used by one thread.
  */
 public final class SceneHistory {
     static final int MAX_STEPS = 1000;
@@ -124,8 +124,9 @@ public final class SceneHistory {
     }
 
     /**
-     * Time has moved spheres, so that they start elsewhere; each stays the one that it was. That is nothing to take back, but
-     * something to save. No edit that is taken back or made again puts them back, but one that moved the same sphere.
+     * Time has moved spheres, so that they start elsewhere; each stays the one that it was. That is nothing to take
+     * back, but something to save. No edit that is taken back or made again puts them back, but one that moved the same
+     * sphere.
      */
     public void carryOnMoved(Scene now) {
         if (!now.spheres().equals(present.spheres())) {

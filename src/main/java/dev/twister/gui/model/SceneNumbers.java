@@ -19,7 +19,7 @@ public final class SceneNumbers {
 
     public static final NumberSetting SHADOW_SAMPLES = new NumberSetting(
             "Shadow samples",
-            "Points on the light that every shadow is made of. 1 is a hard shadow; more are softer and slower.",
+            "Light samples per shadow. 1 is a hard shadow; more are softer and slower.",
             SceneLimits.SHADOW_SAMPLES,
             new Range(1, 400),
             Scale.LOGARITHMIC,
@@ -52,7 +52,7 @@ public final class SceneNumbers {
 
     public static final NumberSetting EXPOSURE = new NumberSetting(
             "Exposure",
-            "One stop more makes the picture twice as bright.",
+            "Each stop doubles the brightness.",
             SceneLimits.EXPOSURE,
             new Range(-6, 6),
             Scale.LINEAR,
@@ -65,7 +65,7 @@ public final class SceneNumbers {
 
     public static final NumberSetting FIELD_OF_VIEW = new NumberSetting(
             "Field of view",
-            "The angle over the picture's shorter side. Small is a telephoto lens, large a wide angle.",
+            "Field of view over the shorter side of the picture. Small is a telephoto lens, large a wide angle.",
             SceneLimits.FIELD_OF_VIEW,
             new Range(10, 120),
             Scale.LINEAR,

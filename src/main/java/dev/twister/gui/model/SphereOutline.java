@@ -11,8 +11,9 @@ public final class SphereOutline {
      * Corners of a polygon around a sphere or the light: x and y of each in turn, in pixels of the picture. Empty where
      * some of the outline lies behind the camera, or the camera in the sphere.
      *
-     * <p>The rays that touch the sphere, with center C at distance d from the camera and radius r, do so on a circle about
-     * {@code C - C / |C| * r^2 / d} of radius {@code r * sqrt(1 - r^2 / d^2)}, in a plane across the line to the center.
+     * <p>The rays that touch the sphere, with center C at distance d from the camera and radius r, do so on a circle
+     * about {@code C - C / |C| * r^2 / d} of radius {@code r * sqrt(1 - r^2 / d^2)}, in a plane across the line to the
+     * center.
      */
     public static double[] corners(FrameInput input, int body, int count) {
         float[] camera = input.view().camera();

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Spheres of which the larger ones come first, in grids, each for spheres of about one size: in that of a large one there would
- * be room for thousands of small ones in a cell.
+ * Spheres of which the larger ones come first, in grids, each for spheres of about one size: in that of a large one
+ * there would be room for thousands of small ones in a cell.
  */
 final class SpherePacking {
     private final List<Grid> grids = new ArrayList<>();

@@ -10,7 +10,7 @@ public final class SurroundingsNumbers {
 
     public static final NumberSetting AMBIENT = new NumberSetting(
             "Ambient light",
-            "How bright a surface in shadow is: a share of its color.",
+            "Brightness of surfaces in shadow, as a share of their color.",
             SceneLimits.AMBIENT,
             new Range(0, 1),
             Scale.LINEAR,
@@ -38,7 +38,7 @@ public final class SurroundingsNumbers {
 
     public static final NumberSetting ELASTICITY = new NumberSetting(
             "Elasticity",
-            "The share of their speed with which two bodies part.",
+            "Share of the speed that bodies keep when they bounce.",
             SceneLimits.ELASTICITY,
             new Range(0, 1),
             Scale.LINEAR,

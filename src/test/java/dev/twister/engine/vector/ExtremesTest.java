@@ -89,7 +89,9 @@ final class ExtremesTest {
                         .withSettings(settings(320, 200).withBounces(1)));
     }
 
-    /** Lanes that have ended beside those of mirrors go on from numbers that are squared at each bounce, up to infinity. */
+    /**
+     * Lanes that have ended beside those of mirrors go on from numbers that are squared at each bounce, up to infinity.
+     */
     @ParameterizedTest
     @ValueSource(ints = {128, 256, 512})
     void glassBehindFarMirrors(int bits) {

@@ -25,8 +25,8 @@ import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.TestInstance.Lifecycle;
 
 /**
- * Views in which whole rows of pixels, or columns, meet the ground at round coordinates: rounding alone must not decide there
- * what they show.
+ * Views in which whole rows of pixels, or columns, meet the ground at round coordinates: rounding alone must not decide
+ * there what they show.
  */
 @TestInstance(Lifecycle.PER_CLASS)
 final class RoundNumbersTest {

@@ -9,7 +9,10 @@ import java.util.List;
 import javax.management.ObjectName;
 import org.junit.jupiter.api.Test;
 
-/** What the compiler is told of stages is the same by the launcher and by the engine, which tells a JVM like that of tests. */
+/**
+ * What the compiler is told of stages is the same by the launcher and by the engine, which tells a JVM like that of
+ * tests.
+ */
 final class StageInliningTest {
     private static final String COMMAND = "-XX:CompileCommand=";
 

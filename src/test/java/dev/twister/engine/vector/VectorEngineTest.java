@@ -74,8 +74,8 @@ final class VectorEngineTest {
     }
 
     /**
-     * Of tiny spheres, each of which mirrors the others: a ray whose last bit is not the kernel's may end at another sphere, and one
-     * pixel in some 700 was another one. So rays are to be the kernel's to the bit.
+     * Of tiny spheres, each of which mirrors the others: a ray whose last bit is not the kernel's may end at another
+     * sphere, and one pixel in some 700 was another one. So rays are to be the kernel's to the bit.
      */
     @Test
     void drawsWhatTinySpheresMirror() {
@@ -102,7 +102,9 @@ final class VectorEngineTest {
         }
     }
 
-    /** By the hierarchy, however few spheres there are, in leaves of one to three; the plain loop's pixels to the bit. */
+    /**
+     * By the hierarchy, however few spheres there are, in leaves of one to three; the plain loop's pixels to the bit.
+     */
     @ParameterizedTest
     @ValueSource(ints = {128, 256, 512})
     void hierarchyDrawsRandomScenesAsThePlainLoopDoes(int bits) {
@@ -210,8 +212,8 @@ final class VectorEngineTest {
     }
 
     /**
-     * The shipped skies are Radiance pictures, whose numbers fit into halves of floats and share exponents: seven tenths of them do
-     * not fit, and blue ones far below the others share none.
+     * The shipped skies are Radiance pictures, whose numbers fit into halves of floats and share exponents: seven
+     * tenths of them do not fit, and blue ones far below the others share none.
      */
     @ParameterizedTest
     @CsvSource({
@@ -235,8 +237,8 @@ final class VectorEngineTest {
     }
 
     /**
-     * Pixels as small as a large picture's: tiles of nothing but sky or ground, and a sky by polynomials. All together, for the
-     * reason of random scenes.
+     * Pixels as small as a large picture's: tiles of nothing but sky or ground, and a sky by polynomials. All together,
+     * for the reason of random scenes.
      */
     @ParameterizedTest
     @ValueSource(ints = {128, 256, 512})

@@ -19,7 +19,9 @@ import dev.twister.engine.vector.lanes.Lanes;
 import jdk.incubator.vector.ShortVector;
 import org.junit.jupiter.api.Test;
 
-/** A helper that the JVM does not inline makes objects of its vectors, and it is inlined in most JVMs: a rare slow one. */
+/**
+ * A helper that the JVM does not inline makes objects of its vectors, and it is inlined in most JVMs: a rare slow one.
+ */
 final class VectorHelpersTest {
     private static final String VECTORS = "jdk.incubator.vector";
 
@@ -45,8 +47,8 @@ final class VectorHelpersTest {
     }
 
     /**
-     * The JVM asks each method of the Vector API which classes of vectors it has met: where there is a choice, it may make
-     * objects. Shorts are unpacked in one place and have a width of their own.
+     * The JVM asks each method of the Vector API which classes of vectors it has met: where there is a choice, it may
+     * make objects. Shorts are unpacked in one place and have a width of their own.
      */
     @Test
     void vectorsHaveThePacketsWidth() {

@@ -507,8 +507,8 @@ class DrawingLoopTest {
     }
 
     /**
-     * Has a part of a slow picture drawn, from another place than one before; the rest waits. Returns the numbers of the
-     * requests that are answered from then on.
+     * Has a part of a slow picture drawn, from another place than one before; the rest waits. Returns the numbers of
+     * the requests that are answered from then on.
      */
     private List<Long> beginASlowPicture() {
         beSlow(green);

@@ -23,9 +23,9 @@ import uk.ac.manchester.tornado.api.enums.TornadoDeviceType;
 import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
 
 /**
- * The kernel compiled for one device and one size of picture, with its buffers there. The skybox and the triangles go to
- * the device once, and so do the looks of a crowd of bodies; camera, properties, places, the looks of a few bodies and the small sample
- * tables go each frame; only pixels come back.
+ * The kernel compiled for one device and one size of picture, with its buffers there. The skybox and the triangles go
+ * to the device once, and so do the looks of a crowd of bodies; camera, properties, places, the looks of a few bodies
+ * and the small sample tables go each frame; only pixels come back.
  */
 final class DevicePlan implements AutoCloseable {
     private static final System.Logger LOGGER = System.getLogger(DevicePlan.class.getName());

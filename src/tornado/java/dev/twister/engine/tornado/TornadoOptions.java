@@ -2,7 +2,10 @@ package dev.twister.engine.tornado;
 
 import java.util.Map;
 
-/** What TornadoVM must be told before its classes are loaded, however the JVM is started: {@code scripts/tornado.options}. */
+/**
+ * What TornadoVM must be told before its classes are loaded, however the JVM is started:
+ * {@code scripts/tornado.options}.
+ */
 final class TornadoOptions {
     private static final String GRAAL = "jdk.graal.compiler";
 
@@ -16,8 +19,8 @@ final class TornadoOptions {
     /**
      * The options by name.
      *
-     * @param isJdkGraal whether TornadoVM's compiler is {@code jdk.graal.compiler}, which takes its options by that prefix
-     *     and warns of the other; the Graal of TornadoVM 6 knows the other alone
+     * @param isJdkGraal whether TornadoVM's compiler is {@code jdk.graal.compiler}, which takes its options by that
+     *     prefix and warns of the other; the Graal of TornadoVM 6 knows the other alone
      */
     static Map<String, String> options(boolean isJdkGraal) {
         return Map.of(

@@ -19,8 +19,8 @@ import java.util.function.Supplier;
 import uk.ac.manchester.tornado.api.annotations.Parallel;
 
 /**
- * A small kernel around each helper, to run on a device and, called as it is, on the JVM. None is named like a
- * function of OpenCL (floor, say): its driver would refuse it, and TornadoVM would run what is not there.
+ * A small kernel around each helper, to run on a device and, called as it is, on the JVM. None is named like a function
+ * of OpenCL (floor, say): its driver would refuse it, and TornadoVM would run what is not there.
  */
 public final class HelperKernels implements Supplier<HelperTasks> {
     @Override
@@ -218,7 +218,10 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
-    /** Item: point, own body, A, D, the disc's radius, samples, the first mesh's body. Tables: unit disc, hierarchy, meshes. */
+    /**
+     * Item: point, own body, A, D, the disc's radius, samples, the first mesh's body. Tables: unit disc, hierarchy,
+     * meshes.
+     */
     static void meshShadowItems(float[] in, float[] disc, float[] hierarchy, float[] meshes, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             float[] path = new float[Layout.PATH_LENGTH];

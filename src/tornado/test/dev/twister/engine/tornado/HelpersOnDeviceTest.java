@@ -26,8 +26,8 @@ import uk.ac.manchester.tornado.api.common.TornadoDevice;
 import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
 
 /**
- * Every helper of the kernel on every device against plain Java, on random input. Devices may round square roots
- * and quotients differently, hence the tolerances; where rounding decides between hit and miss, a few items may differ
+ * Every helper of the kernel on every device against plain Java, on random input. Devices may round square roots and
+ * quotients differently, hence the tolerances; where rounding decides between hit and miss, a few items may differ
  * altogether.
  */
 class HelpersOnDeviceTest {

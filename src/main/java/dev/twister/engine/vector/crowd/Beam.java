@@ -12,8 +12,8 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * A region that holds some rays, or lines from points to the light's disc: every line starts in one box at t = 0, and along
- * each axis lies between the two bounds of a {@link Slab}.
+ * A region that holds some rays, or lines from points to the light's disc: every line starts in one box at t = 0, and
+ * along each axis lies between the two bounds of a {@link Slab}.
  *
  * <p>The tests call the Vector API itself and no helper of {@link Lanes}: a helper is no longer inlined once the method
  * around it has become large, and its vectors would become objects.
@@ -21,7 +21,8 @@ import jdk.incubator.vector.VectorOperators;
 public final class Beam {
     /**
      * How far a ray's slopes are spread, so that rounding drops no sphere that a look at all of them would find: the
-     * distance of a sphere across a ray is rounded by some ten units of 2^-24 of its distance, and t by three of its own.
+     * distance of a sphere across a ray is rounded by some ten units of 2^-24 of its distance, and t by three of its
+     * own.
      */
     static final float SPREAD = 4e-6f;
 
@@ -124,8 +125,8 @@ public final class Beam {
     }
 
     /**
-     * Finds the least and the greatest of some packets' values, by ints in the same order, as a float's minimum minds NaN and -0
-     * at every step.
+     * Finds the least and the greatest of some packets' values, by ints in the same order, as a float's minimum minds
+     * NaN and -0 at every step.
      *
      * @param packets the places of the packets
      * @param first which is the first

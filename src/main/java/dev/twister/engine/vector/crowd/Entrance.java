@@ -4,8 +4,9 @@ import dev.twister.engine.vector.frame.WideHierarchy;
 import dev.twister.engine.vector.lanes.Lanes;
 
 /**
- * Where a tile's packets begin their walks instead of at the root of a {@link WideHierarchy}: the nodes or leaves of one of its
- * levels, the lowest with at most as many as there are lanes, that a beam about all packets may meet, as children of one node.
+ * Where a tile's packets begin their walks instead of at the root of a {@link WideHierarchy}: the nodes or leaves of
+ * one of its levels, the lowest with at most as many as there are lanes, that a beam about all packets may meet, as
+ * children of one node.
  */
 public final class Entrance {
     /** Of one node, as {@link WideHierarchy#boxes} has them. */

@@ -4,13 +4,15 @@ import dev.twister.engine.vector.frame.WideHierarchy;
 import dev.twister.engine.vector.lanes.Lanes;
 
 /**
- * All leaves that a beam may meet, found level by level: what is tested next does not depend on what was found last, so that
- * the CPU tests several nodes at a time.
+ * All leaves that a beam may meet, found level by level: what is tested next does not depend on what was found last, so
+ * that the CPU tests several nodes at a time.
  */
 public final class Leaves {
     private static final int ROOM = 1024;
 
-    /** So many leaves a beam is thought to meet at least below a node that it meets, before any of them is looked at. */
+    /**
+     * So many leaves a beam is thought to meet at least below a node that it meets, before any of them is looked at.
+     */
     private static final int LEAVES_A_NODE = 3;
 
     /** Links to nodes and leaves met, in the order in which they are looked at. */

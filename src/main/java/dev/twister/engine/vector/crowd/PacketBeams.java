@@ -9,11 +9,13 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * A {@link Beam} for each of as many pixels as there are lanes: its ray, or its point's lines to the light's disc. All are made
- * at once; {@link PacketLeaves} then tests each against as many boxes as there are lanes.
+ * A {@link Beam} for each of as many pixels as there are lanes: its ray, or its point's lines to the light's disc. All
+ * are made at once; {@link PacketLeaves} then tests each against as many boxes as there are lanes.
  */
 public final class PacketBeams {
-    /** What a plane's t is made less or greater by, as a part of the origin's: it is rounded by three units of 2^-24. */
+    /**
+     * What a plane's t is made less or greater by, as a part of the origin's: it is rounded by three units of 2^-24.
+     */
     private static final float ROUNDING = 2e-7f;
 
     // Three columns each, one an axis: what makes the t of the near side, of the far one, and of a second near one.
@@ -53,15 +55,16 @@ public final class PacketBeams {
     public final float[] facts = new float[OWN + Lanes.COUNT];
 
     /**
-     * Of each lane, how far behind the low sides of {@code WideHierarchy.boxes} the near ones are, as far as the high ones or
-     * 0: along x in the lowest bits, y and z above. Less than 0 where slopes differ in sign along any axis.
+     * Of each lane, how far behind the low sides of {@code WideHierarchy.boxes} the near ones are, as far as the high
+     * ones or 0: along x in the lowest bits, y and z above. Less than 0 where slopes differ in sign along any axis.
      */
     final int[] nearSides = new int[Lanes.COUNT];
 
     /**
      * The rays of some pixels, as far as the closest hits so far.
      *
-     * @param pixels as many as there are lanes from the first on; where there are fewer rays, what the other lanes hold means nothing
+     * @param pixels as many as there are lanes from the first on; where there are fewer rays, what the other lanes hold
+     *     means nothing
      * @param first the place of the first pixel's number
      */
     void holdRays(float[] t, int[] pixels, int first) {

@@ -182,8 +182,8 @@ public final class PacketHits {
     }
 
     /**
-     * The bits, as a float, of the farthest of the closest hits of those that keep together; none is below 0, so that they
-     * are in the floats' order.
+     * The bits, as a float, of the farthest of the closest hits of those that keep together; none is below 0, so that
+     * they are in the floats' order.
      */
     static long farthestBits(Tile tile, int at) {
         float[] t = tile.values;
@@ -194,8 +194,8 @@ public final class PacketHits {
     }
 
     /**
-     * Chooses the rays that keep {@link Tile#TOGETHER}: of those that leave the ground, or if none does of all, those with
-     * nearly the direction of the first, where they are many enough.
+     * Chooses the rays that keep {@link Tile#TOGETHER}: of those that leave the ground, or if none does of all, those
+     * with nearly the direction of the first, where they are many enough.
      *
      * @param goesOn one bit a ray that goes on
      * @return one bit a ray that keeps together

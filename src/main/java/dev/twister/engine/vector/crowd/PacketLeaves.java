@@ -9,8 +9,8 @@ import jdk.incubator.vector.VectorOperators;
 
 /**
  * The leaves that each of some beams may meet, found level by level for all beams together: what is tested next does
- * not depend on what was found last, so that the CPU tests several nodes at a time. Without helpers, for the reason that
- * {@code ShadowConics} has.
+ * not depend on what was found last, so that the CPU tests several nodes at a time. Without helpers, for the reason
+ * that {@code ShadowConics} has.
  */
 public final class PacketLeaves {
     public static final int ROOM = 4096;
@@ -43,9 +43,9 @@ public final class PacketLeaves {
     }
 
     /**
-     * Puts the children that the beams meet behind their nodes, until only leaves are left. The order of floats above 0 is
-     * that of their bits, and it does not matter which of several entries is less than 0: their maximum is found as ints,
-     * as a float's minds NaN and -0.
+     * Puts the children that the beams meet behind their nodes, until only leaves are left. The order of floats above 0
+     * is that of their bits, and it does not matter which of several entries is less than 0: their maximum is found as
+     * ints, as a float's minds NaN and -0.
      */
     private void open(WideHierarchy hierarchy, PacketBeams beams) {
         float[] boxes = hierarchy.boxes;

@@ -9,8 +9,8 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * The spheres that rays meet in the leaves that {@link PacketLeaves} has found for them: first which they are, with no branch on
- * what is found where lanes can be packed, then the nearest of each ray.
+ * The spheres that rays meet in the leaves that {@link PacketLeaves} has found for them: first which they are, with no
+ * branch on what is found where lanes can be packed, then the nearest of each ray.
  */
 public final class RaySpheres {
     private static final int ROOM = 1024;
@@ -18,10 +18,16 @@ public final class RaySpheres {
     /** What one leaf may add behind. */
     private static final int MOST_A_LEAF = (WideHierarchy.MORE_BLOCKS + 2) * Lanes.COUNT;
 
-    /** Numbers of spheres met, counted along the blocks, with the numbers of their beams above {@link WideHierarchy#BEAM_SHIFT}. */
+    /**
+     * Numbers of spheres met, counted along the blocks, with the numbers of their beams above
+     * {@link WideHierarchy#BEAM_SHIFT}.
+     */
     private final int[] met = new int[ROOM + MOST_A_LEAF];
 
-    /** How far along the ray their centers are, and by how much the squared radius is more than the squared distance from it. */
+    /**
+     * How far along the ray their centers are, and by how much the squared radius is more than the squared distance
+     * from it.
+     */
     private final float[] along = new float[ROOM + MOST_A_LEAF];
 
     private final float[] within = new float[ROOM + MOST_A_LEAF];
@@ -46,8 +52,8 @@ public final class RaySpheres {
     }
 
     /**
-     * Reads a number of each cache line of the leaves' first blocks: memory is waited for once, not leaf by leaf. Of lines with
-     * fewer lanes some are read twice.
+     * Reads a number of each cache line of the leaves' first blocks: memory is waited for once, not leaf by leaf. Of
+     * lines with fewer lanes some are read twice.
      */
     private static float read(float[] spheres, int[] links, int from, int end) {
         float even = 0f;

@@ -8,8 +8,8 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Which of the root's children each of some beams may meet, a beam in each lane: the root often has fewer children than there are
- * beams. Without helpers, for the reason that {@code ShadowConics} has.
+ * Which of the root's children each of some beams may meet, a beam in each lane: the root often has fewer children than
+ * there are beams. Without helpers, for the reason that {@code ShadowConics} has.
  */
 public final class RootChildren {
     private RootChildren() {}

@@ -3,9 +3,9 @@ package dev.twister.engine.vector.crowd;
 import dev.twister.kernel.NodeBox;
 
 /**
- * What a {@link Beam} is along one axis: at t it reaches from {@code originLow + t slopeLow} to
- * {@code originHigh + t slopeHigh}. A box is there from the t at which one of its sides is met, its near one, until that of
- * the far one; where the slopes differ in sign, the beam never leaves the box again, and both sides say when it comes.
+ * What a {@link Beam} is along one axis: at t it reaches from {@code originLow + t slopeLow} to {@code originHigh + t
+ * slopeHigh}. A box is there from the t at which one of its sides is met, its near one, until that of the far one;
+ * where the slopes differ in sign, the beam never leaves the box again, and both sides say when it comes.
  */
 public final class Slab {
     /** The far side of a box that is never left. */

@@ -5,8 +5,8 @@ import dev.twister.kernel.Layout;
 import dev.twister.world.FrameInput;
 
 /**
- * The bodies: as columns, so that lanes can hold bodies, and in rows, so that what shading asks of one lies in one cache line.
- * Kept while the input's arrays are the same.
+ * The bodies: as columns, so that lanes can hold bodies, and in rows, so that what shading asks of one lies in one
+ * cache line. Kept while the input's arrays are the same.
  */
 public final class BodyColumns {
     /** No distance undercuts it: what has this radius is never met. */
@@ -37,8 +37,9 @@ public final class BodyColumns {
     public final MeshColumns meshes = new MeshColumns();
 
     /**
-     * All that shading asks, {@value #SURFACE_NUMBERS} numbers a body, at its {@link #surfacePlaces}: the spheres in the order of
-     * the hierarchy's leaves, as those that are near each other are met together. A mesh has the sphere around it.
+     * All that shading asks, {@value #SURFACE_NUMBERS} numbers a body, at its {@link #surfacePlaces}: the spheres in
+     * the order of the hierarchy's leaves, as those that are near each other are met together. A mesh has the sphere
+     * around it.
      */
     public float[] surfaces = {};
 

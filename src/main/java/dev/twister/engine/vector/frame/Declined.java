@@ -38,8 +38,8 @@ public final class Declined {
     /**
      * Declines nothing until a frame is taken.
      *
-     * @param bodies tells which bodies are declined beside those that transmit in a crowd, and meshes
-     *     that transmit or have a texture
+     * @param bodies tells which bodies are declined beside those that transmit in a crowd, and meshes that transmit or
+     *     have a texture
      */
     public Declined(IntPredicate bodies) {
         this.bodies = bodies;

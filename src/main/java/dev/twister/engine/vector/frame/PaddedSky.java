@@ -4,13 +4,13 @@ import dev.twister.kernel.Layout;
 import dev.twister.world.FrameInput;
 
 /**
- * The panorama with a border of one texel, which wraps in the columns and repeats in the rows: the four texels about any
- * direction then lie at fixed distances. Kept while the input's sky is the same.
+ * The panorama with a border of one texel, which wraps in the columns and repeats in the rows: the four texels about
+ * any direction then lie at fixed distances. Kept while the input's sky is the same.
  *
  * <p>A texel is three numbers, red, green and blue: the upper halves of floats where that loses nothing (bfloat16; the
- * mantissas of a Radiance picture have eight bits, and so has a half), whole floats otherwise. Where the three of every texel
- * can share an exponent, as a Radiance picture has it, there is each texel in one int besides. The less memory, the more of the
- * sky stays near the processor.
+ * mantissas of a Radiance picture have eight bits, and so has a half), whole floats otherwise. Where the three of every
+ * texel can share an exponent, as a Radiance picture has it, there is each texel in one int besides. The less memory,
+ * the more of the sky stays near the processor.
  */
 public final class PaddedSky {
     public static final int NUMBERS_A_TEXEL = 3;
@@ -33,9 +33,9 @@ public final class PaddedSky {
     public static final int EXPONENT = 0x7F800000;
 
     /**
-     * The texels row by row, if all fit, or none: red, green and blue as whole numbers from the lowest bits on, {@link
-     * #MANTISSA_BITS} each, above them the exponent of what they are to be multiplied by, as a float has it. A Radiance picture
-     * is stored in this way.
+     * The texels row by row, if all fit, or none: red, green and blue as whole numbers from the lowest bits on,
+     * {@link #MANTISSA_BITS} each, above them the exponent of what they are to be multiplied by, as a float has it. A
+     * Radiance picture is stored in this way.
      */
     public int[] shared = {};
 

@@ -2,7 +2,10 @@ package dev.twister.engine.vector.frame;
 
 /** What makes frames faster and leaves them as they are, rounding aside. */
 public enum Shortcut {
-    /** Bodies that no ray of a tile can meet, or that cannot shade it, are left out: {@code Hull}; sky and ground tiles need it. */
+    /**
+     * Bodies that no ray of a tile can meet, or that cannot shade it, are left out: {@code Hull}; sky and ground tiles
+     * need it.
+     */
     CULLING,
 
     /** Tiles whose view rays all meet the sky: {@code WholeTiles}. */
@@ -14,7 +17,10 @@ public enum Shortcut {
     /** Such tiles with nothing between them and the light: {@code OpenGround}. */
     OPEN_GROUND,
 
-    /** Directions of a tile's view rays as columns and rows of the sky by polynomials: {@code SkyChart}; sky tiles need it. */
+    /**
+     * Directions of a tile's view rays as columns and rows of the sky by polynomials: {@code SkyChart}; sky tiles need
+     * it.
+     */
     SKY_CHART,
 
     /** All texels that a tile looks at as two vectors: {@code SkyWindow}. */

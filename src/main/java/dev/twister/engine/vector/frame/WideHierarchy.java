@@ -7,9 +7,9 @@ import dev.twister.world.FrameInput;
 import java.util.Arrays;
 
 /**
- * The input's hierarchy with as many children a node as there are lanes, so that one test serves them all; kept while the
- * input's is the same. A child is a node, or a leaf of spheres, which begin a block of their own. All leaves are equally far
- * below the root: a walk that goes down level by level has only leaves left once it comes to one.
+ * The input's hierarchy with as many children a node as there are lanes, so that one test serves them all; kept while
+ * the input's is the same. A child is a node, or a leaf of spheres, which begin a block of their own. All leaves are
+ * equally far below the root: a walk that goes down level by level has only leaves left once it comes to one.
  */
 public final class WideHierarchy {
     /** Columns of a node: its children's low sides x, y, z and high sides x, y, z. */
@@ -44,8 +44,8 @@ public final class WideHierarchy {
     public float[] boxes = {};
 
     /**
-     * Of each child, {@link Lanes#COUNT} a node, from {@link #FIRST} on: the node's number, or what says where the leaf's
-     * blocks are.
+     * Of each child, {@link Lanes#COUNT} a node, from {@link #FIRST} on: the node's number, or what says where the
+     * leaf's blocks are.
      */
     public int[] links = {};
 
@@ -92,8 +92,8 @@ public final class WideHierarchy {
     }
 
     /**
-     * Says which subtrees of the source become leaves or nodes: bottom up, so that those at the bottom, of which there are
-     * most, are the fullest.
+     * Says which subtrees of the source become leaves or nodes: bottom up, so that those at the bottom, of which there
+     * are most, are the fullest.
      *
      * @return how high the subtree is, times {@link #LEVEL}, plus how many spheres (height 0) or children its topmost
      *     part has so far
@@ -139,8 +139,8 @@ public final class WideHierarchy {
     }
 
     /**
-     * Makes a node of the leaves and nodes next below one of the source's nodes, or, where that is not as high, a node of it
-     * alone; returns its number.
+     * Makes a node of the leaves and nodes next below one of the source's nodes, or, where that is not as high, a node
+     * of it alone; returns its number.
      */
     private int widen(int top, int height) {
         int node = nodes;

@@ -27,10 +27,10 @@ public final class Lanes {
     public static final boolean PACK = FLOATS.vectorBitSize() == 512;
 
     /**
-     * Where vectors begin in the arrays that most of them are read from and written to: behind the 16 bytes of an array's
-     * header, so many floats or ints later a cache line begins, in a JVM that lays every object on the border of one (see
-     * {@code scripts/jvm.options}). A vector that lies across two lines takes a quarter to a half longer to write and to read.
-     * In other JVMs it is a place like any other.
+     * Where vectors begin in the arrays that most of them are read from and written to: behind the 16 bytes of an
+     * array's header, so many floats or ints later a cache line begins, in a JVM that lays every object on the border
+     * of one (see {@code scripts/jvm.options}). A vector that lies across two lines takes a quarter to a half longer to
+     * write and to read. In other JVMs it is a place like any other.
      */
     public static final int BORDER = 12;
 
@@ -75,8 +75,8 @@ public final class Lanes {
     }
 
     /**
-     * {@code a * b + c}, in one step where the CPU has one: where it has none, the Vector API's own calls a library for each
-     * lane, which takes a thousand times as long.
+     * {@code a * b + c}, in one step where the CPU has one: where it has none, the Vector API's own calls a library for
+     * each lane, which takes a thousand times as long.
      */
     public static FloatVector fma(FloatVector a, FloatVector b, FloatVector c) {
         return FUSED ? a.fma(b, c) : a.mul(b).add(c);

@@ -25,7 +25,9 @@ public final class ShadowColumns {
     public static final int ACROSS_W = ALONG + 2 * Lanes.COUNT;
     public static final int RADIUS_SQUARED = ALONG + 3 * Lanes.COUNT;
 
-    /** The conic {@code xx X^2 + xy X Y + yy Y^2 + x X + y Y + c} over the unit disc, below 0 where a sample is blocked. */
+    /**
+     * The conic {@code xx X^2 + xy X Y + yy Y^2 + x X + y Y + c} over the unit disc, below 0 where a sample is blocked.
+     */
     public static final int XX = ALONG + 4 * Lanes.COUNT;
 
     public static final int XY = ALONG + 5 * Lanes.COUNT;
@@ -35,8 +37,8 @@ public final class ShadowColumns {
     public static final int CONSTANT = ALONG + 9 * Lanes.COUNT;
 
     /**
-     * Along {@link #direction}, in radii of the disc: where the candidate's shadow begins and ends, from where on it hides all,
-     * and up to where.
+     * Along {@link #direction}, in radii of the disc: where the candidate's shadow begins and ends, from where on it
+     * hides all, and up to where.
      */
     public static final int BEGIN = ALONG + 10 * Lanes.COUNT;
 
@@ -71,7 +73,10 @@ public final class ShadowColumns {
     /** The lowest conic at each sample, {@link Lanes#COUNT} floats a sample, from {@link Lanes#BORDER} on. */
     public float[] conics = {};
 
-    /** The samples, x and y of each, in order along the direction of that number of {@code DiscOrders} where they are sorted. */
+    /**
+     * The samples, x and y of each, in order along the direction of that number of {@code DiscOrders} where they are
+     * sorted.
+     */
     public float[] disc = {};
 
     public boolean sorted;

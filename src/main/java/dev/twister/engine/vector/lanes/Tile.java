@@ -4,11 +4,11 @@ import dev.twister.engine.vector.frame.PaddedSky;
 import dev.twister.kernel.Layout;
 
 /**
- * 16 x 16 pixels on their way, as one thread draws them: columns of {@value #SIZE} floats, one value a pixel, in one array so that
- * one bounds check covers neighboring columns.
+ * 16 x 16 pixels on their way, as one thread draws them: columns of {@value #SIZE} floats, one value a pixel, in one
+ * array so that one bounds check covers neighboring columns.
  *
- * <p>Pixels lie in blocks of 4 x 4, row by row within a block and block by block within the tile, so that a packet of 16
- * lanes is 4 x 4 pixels, one of 8 is 4 x 2, and one of 4 is 4 x 1: rays close together take the same way.
+ * <p>Pixels lie in blocks of 4 x 4, row by row within a block and block by block within the tile, so that a packet of
+ * 16 lanes is 4 x 4 pixels, one of 8 is 4 x 2, and one of 4 is 4 x 1: rays close together take the same way.
  */
 public final class Tile {
     /** Pixels along each side. */
@@ -51,7 +51,10 @@ public final class Tile {
     public static final int POINT_Y = DIRECTION_X + 13 * SIZE;
     public static final int POINT_Z = DIRECTION_X + 14 * SIZE;
 
-    /** The surface met, from the normal to the reflectivity; at first a body's {@code BodyColumns.surfaces}, in their order. */
+    /**
+     * The surface met, from the normal to the reflectivity; at first a body's {@code BodyColumns.surfaces}, in their
+     * order.
+     */
     public static final int SURFACE = DIRECTION_X + 15 * SIZE;
 
     public static final int NORMAL_X = SURFACE;

@@ -12,8 +12,8 @@ import jdk.incubator.vector.VectorOperators;
 /** Which boxes a packet's rays may meet: {@link NodeBox#entry}. */
 final class BoxLanes {
     /**
-     * What boxes are grown by, as a part of their distance: {@link NodeBox}'s, and what it takes that distances are products
-     * less products here, each rounded.
+     * What boxes are grown by, as a part of their distance: {@link NodeBox}'s, and what it takes that distances are
+     * products less products here, each rounded.
      */
     private static final float GROWTH = 1.5f * NodeBox.GROWTH;
 
@@ -23,8 +23,8 @@ final class BoxLanes {
     private BoxLanes() {}
 
     /**
-     * Writes the directions' inverses and what those make of the origins, which boxes' growth does for all rays, as none in
-     * the hierarchy is farther away, and which sides of a box are near.
+     * Writes the directions' inverses and what those make of the origins, which boxes' growth does for all rays, as
+     * none in the hierarchy is farther away, and which sides of a box are near.
      */
     static void aim(Tile tile, PacketWalk walk) {
         float[] r = walk.rays;
@@ -61,9 +61,9 @@ final class BoxLanes {
     }
 
     /**
-     * Goes down to the next leaf whose box any ray may meet before its end, testing both children of a node at a time. What
-     * is above 0 is in the order of its bits, and it does not matter which of several is below: the largest and least are
-     * found as ints.
+     * Goes down to the next leaf whose box any ray may meet before its end, testing both children of a node at a time.
+     * What is above 0 is in the order of its bits, and it does not matter which of several is below: the largest and
+     * least are found as ints.
      *
      * @return where the leaf is, or {@link Layout#NO_NODE} where there is none
      */

@@ -39,8 +39,8 @@ final class InstanceLanes {
     }
 
     /**
-     * Writes the axes along which the directions are longest, and the shear that turns the rays there; returns one bit for
-     * each axis that is the longest of any ray that takes part, and goes the way of the first of them.
+     * Writes the axes along which the directions are longest, and the shear that turns the rays there; returns one bit
+     * for each axis that is the longest of any ray that takes part, and goes the way of the first of them.
      */
     static long shear(Tile tile, PacketWalk walk) {
         float[] r = walk.rays;

@@ -13,7 +13,9 @@ import jdk.incubator.vector.VectorOperators;
 public final class MeshHits {
     private MeshHits() {}
 
-    /** Mends the hits and distances of the live rays, and writes the instances and triangles, where a mesh is closer. */
+    /**
+     * Mends the hits and distances of the live rays, and writes the instances and triangles, where a mesh is closer.
+     */
     public static void find(Drawing drawing, Tile tile, MeshBench bench) {
         for (int k = 0; k < tile.live.count; k++) {
             find(drawing, tile, bench, tile.live.places[k]);
@@ -81,7 +83,9 @@ public final class MeshHits {
         System.arraycopy(mesh.rays, PacketWalk.END, bench.world.rays, PacketWalk.END, Lanes.COUNT);
     }
 
-    /** Starts the walk through an instance's triangles; returns one bit for each axis that is the longest of any ray. */
+    /**
+     * Starts the walk through an instance's triangles; returns one bit for each axis that is the longest of any ray.
+     */
     static int enter(Bodies bodies, Tile tile, MeshBench bench, int instance) {
         float[] hierarchy = bodies.hierarchy();
         PacketWalk mesh = bench.mesh;

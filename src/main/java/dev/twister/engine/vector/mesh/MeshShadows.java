@@ -10,7 +10,10 @@ import dev.twister.kernel.Layout;
 import dev.twister.world.Bodies;
 import java.util.Arrays;
 
-/** Which samples of the light meshes hide from the points of a tile: {@code MeshShadow} of the kernel, a packet at a time. */
+/**
+ * Which samples of the light meshes hide from the points of a tile: {@code MeshShadow} of the kernel, a packet at a
+ * time.
+ */
 public final class MeshShadows {
     /** Stands for a point whose light a mesh lets pass in part: the kernel finds how much. */
     public static final float UNKNOWN = -1f;
@@ -21,8 +24,8 @@ public final class MeshShadows {
     private MeshShadows() {}
 
     /**
-     * Makes the light invisible where meshes hide all of it; where they hide a part, writes how many samples those are, and
-     * lists the packets. Leaves the packets out that have no open lanes any more.
+     * Makes the light invisible where meshes hide all of it; where they hide a part, writes how many samples those are,
+     * and lists the packets. Leaves the packets out that have no open lanes any more.
      */
     public static void find(Drawing drawing, Tile tile, MeshBench bench) {
         tile.meshShadows.clear();

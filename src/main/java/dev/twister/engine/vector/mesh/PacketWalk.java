@@ -28,8 +28,8 @@ final class PacketWalk {
     static final int IGNORED = ORIGIN + 17 * Lanes.COUNT;
 
     /**
-     * Of the triangle looked at last: the areas opposite its corners, and how deep those are; or, of each ray's triangle, the
-     * two sheared coordinates of its corners.
+     * Of the triangle looked at last: the areas opposite its corners, and how deep those are; or, of each ray's
+     * triangle, the two sheared coordinates of its corners.
      */
     static final int AREA_A = ORIGIN + 18 * Lanes.COUNT;
 

@@ -9,8 +9,8 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Where a packet's rays meet triangles: {@link Triangle#distance}, rounded as there. Without helpers, for the reason that
- * {@code ShadowConics} has.
+ * Where a packet's rays meet triangles: {@link Triangle#distance}, rounded as there. Without helpers, for the reason
+ * that {@code ShadowConics} has.
  */
 final class TriangleLanes {
     private TriangleLanes() {}
@@ -89,8 +89,8 @@ final class TriangleLanes {
     }
 
     /**
-     * Ends the rays of that axis that meet the triangle found last before their ends there, and writes it as their hit: of
-     * triangles as near, the one of the lower body, and of one body the lower one.
+     * Ends the rays of that axis that meet the triangle found last before their ends there, and writes it as their hit:
+     * of triangles as near, the one of the lower body, and of one body the lower one.
      */
     static void keepNearest(Tile tile, PacketWalk walk, int at, int axis, int triangle, int instance, int body) {
         float[] t = tile.values;

@@ -10,8 +10,8 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * In which of the leaves that {@link PacketLeaves} has found for some points there are spheres that may come between the point and
- * the light: most have none, and then nothing more is asked of them.
+ * In which of the leaves that {@link PacketLeaves} has found for some points there are spheres that may come between
+ * the point and the light: most have none, and then nothing more is asked of them.
  */
 public final class LeafCandidates {
     /** Links to the leaves that hold any, with the numbers of their beams above. */

@@ -12,7 +12,10 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** The spheres that may come between one point and the light's disc, in the frame of {@link Shadow}; grows, never shrinks. */
+/**
+ * The spheres that may come between one point and the light's disc, in the frame of {@link Shadow}; grows, never
+ * shrinks.
+ */
 public final class LoneCandidates {
     /** Columns of facts: a, u, w and the squared radius. */
     private static final int A = 0;
@@ -30,7 +33,9 @@ public final class LoneCandidates {
     private static final int Y = 8;
     private static final int CONSTANT = 9;
 
-    /** 1 where the sphere lies wholly between the point and the disc and is not too small: the conic decides; else 0. */
+    /**
+     * 1 where the sphere lies wholly between the point and the disc and is not too small: the conic decides; else 0.
+     */
     private static final int CONICAL = 10;
 
     private static final int COLUMNS = 11;

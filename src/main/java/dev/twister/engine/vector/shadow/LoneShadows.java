@@ -11,8 +11,8 @@ import dev.twister.engine.vector.lanes.SphereColumns;
 import dev.twister.engine.vector.lanes.Tile;
 
 /**
- * The visible part of the light where the points of a packet have little in common, point by point: lanes hold boxes and
- * spheres on the way to the candidates, and samples at its end.
+ * The visible part of the light where the points of a packet have little in common, point by point: lanes hold boxes
+ * and spheres on the way to the candidates, and samples at its end.
  */
 public final class LoneShadows {
     private LoneShadows() {}

@@ -32,8 +32,8 @@ public final class ShadowCandidates {
     }
 
     /**
-     * Lists one packet's candidates, out of its tile's. Makes the lanes wholly in the dark invisible, and leaves open only
-     * those whose samples must be counted.
+     * Lists one packet's candidates, out of its tile's. Makes the lanes wholly in the dark invisible, and leaves open
+     * only those whose samples must be counted.
      *
      * @param at the packet's place
      * @return whether any lane is still open
@@ -233,8 +233,8 @@ public final class ShadowCandidates {
     }
 
     /**
-     * One bit a lane where the sphere surely hides the whole disc: it lies wholly between, and its cone, as seen from the
-     * point, holds the disc's.
+     * One bit a lane where the sphere surely hides the whole disc: it lies wholly between, and its cone, as seen from
+     * the point, holds the disc's.
      */
     static long hidesDisc(Tile tile, int at, BodyColumns bodies, int body) {
         float[] t = tile.values;

@@ -107,10 +107,10 @@ public final class ShadowFrame {
     }
 
     /**
-     * One bit a lane that the sphere may shade, but not wholly from between the point and the disc, or that is too small
-     * for its conic. Between, every line to the disc that meets the sphere does so in front of the point, which is
-     * outside, and before the disc: the center is in front of every plane through the point across such a line, and the
-     * sphere ends before the disc.
+     * One bit a lane that the sphere may shade, but not wholly from between the point and the disc, or that is too
+     * small for its conic. Between, every line to the disc that meets the sphere does so in front of the point, which
+     * is outside, and before the disc: the center is in front of every plane through the point across such a line, and
+     * the sphere ends before the disc.
      */
     private static long needsRays(float[] t, int at, float radius, ShadowColumns scratch, int to) {
         FloatVector along = Lanes.load(scratch.facts, to + ShadowColumns.ALONG);

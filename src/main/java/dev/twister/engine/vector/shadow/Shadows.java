@@ -51,7 +51,9 @@ public final class Shadows {
         }
     }
 
-    /** Points on the ground and on spheres are looked at apart: between them there are many spheres that shade neither. */
+    /**
+     * Points on the ground and on spheres are looked at apart: between them there are many spheres that shade neither.
+     */
     private static void sampleInCrowd(Drawing drawing, Tile tile, ShadowBench bench) {
         float radius = drawing.discRadius * drawing.rim;
         tile.lonely.clear();

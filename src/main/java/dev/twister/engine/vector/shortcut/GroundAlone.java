@@ -12,8 +12,8 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Tiles all of whose view rays meet the plane, and nothing before it: what other stages ask of every lane is known there. The
- * normal points up, all lanes have met the same, and mirrored rays only turn upwards or downwards.
+ * Tiles all of whose view rays meet the plane, and nothing before it: what other stages ask of every lane is known
+ * there. The normal points up, all lanes have met the same, and mirrored rays only turn upwards or downwards.
  */
 public final class GroundAlone {
     /** Of tiles that see neither a sphere nor the light. */
@@ -32,8 +32,8 @@ public final class GroundAlone {
     private GroundAlone() {}
 
     /**
-     * What a tile sees whose view rays meet no sphere and not the light: the part of the level in view is a quadrilateral, which
-     * lies in the plane's square if its corners do. If so, {@code ground} starts around it.
+     * What a tile sees whose view rays meet no sphere and not the light: the part of the level in view is a
+     * quadrilateral, which lies in the plane's square if its corners do. If so, {@code ground} starts around it.
      */
     static View view(Tile tile, Drawing drawing, Hull ground) {
         float[] camera = drawing.input.view().camera();

@@ -199,7 +199,10 @@ public final class Hull {
         return !everything && baseY - radius > height && axisY * cosine > level * sine;
     }
 
-    /** Starts in a ball about the origins of the live rays, or the points of the lanes whose {@code lanes} column is above 0. */
+    /**
+     * Starts in a ball about the origins of the live rays, or the points of the lanes whose {@code lanes} column is
+     * above 0.
+     */
     public void startAround(Tile tile, PacketList packets, int column, int lanes) {
         float halfX = spread(tile, packets, column, lanes);
         baseX = middle;
@@ -244,7 +247,9 @@ public final class Hull {
         end = length + endRadius;
     }
 
-    /** Ends at the light, as far as its outermost sample, and lists the spheres in between as the shadows' candidates. */
+    /**
+     * Ends at the light, as far as its outermost sample, and lists the spheres in between as the shadows' candidates.
+     */
     public void listTowardsLight(ShadowColumns columns, Drawing drawing) {
         BodyColumns bodies = drawing.bodies;
         endIn(bodies.x[Layout.LIGHT], bodies.y[Layout.LIGHT], bodies.z[Layout.LIGHT], drawing.discRadius * drawing.rim);

@@ -14,9 +14,10 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Tiles of {@link GroundAlone} with nothing between them and the light. No direction is made a unit vector there: with v to the eye
- * and l to the light, of which the normal sees the heights alone, the highlight's cosine is that of {@code l |v| + v |l|}, and one
- * division serves it and the light's cosine. All lanes are drawn, those beyond the frame's edge as well.
+ * Tiles of {@link GroundAlone} with nothing between them and the light. No direction is made a unit vector there: with
+ * v to the eye and l to the light, of which the normal sees the heights alone, the highlight's cosine is that of
+ * {@code l |v| + v |l|}, and one division serves it and the light's cosine. All lanes are drawn, those beyond the
+ * frame's edge as well.
  */
 public final class OpenGround {
     /**

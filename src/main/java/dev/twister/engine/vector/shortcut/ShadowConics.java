@@ -8,30 +8,31 @@ import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Blocked samples where every candidate lies wholly between the points and the disc, and is not small for its distance. A
- * line through (1, x, y) then decides: it meets the sphere at (a, u, w) where
- * {@code (u y - w x)^2 + (u - a x)^2 + (w - a y)^2 <= r^2 (1 + x^2 + y^2)}, a conic in (x, y), so that a sample costs five
- * multiplications a candidate.
+ * Blocked samples where every candidate lies wholly between the points and the disc, and is not small for its distance.
+ * A line through (1, x, y) then decides: it meets the sphere at (a, u, w) where {@code (u y - w x)^2 + (u - a x)^2 + (w
+ * - a y)^2 <= r^2 (1 + x^2 + y^2)}, a conic in (x, y), so that a sample costs five multiplications a candidate.
  *
  * <p>The loops call the Vector API itself, and of helpers {@link Lanes#fma} alone: one of several operations that the
- * compiler has met first on its own may be too large to be inlined, and its vectors become objects, in some JVMs and not in
- * others.
+ * compiler has met first on its own may be too large to be inlined, and its vectors become objects, in some JVMs and
+ * not in others.
  */
 public final class ShadowConics {
     /** Of a sphere that counts as wholly between: so much farther within than it need be, as rounding may be wrong. */
     public static final float WITHIN = 0.9995f;
 
     /**
-     * How many of its own radii the light's cone may reach off its axis where a sphere is. A conic's numbers are squares of the
-     * sphere's place, and small differences of large ones: of a smaller sphere farther off too little would be left of the
-     * squared radius.
+     * How many of its own radii the light's cone may reach off its axis where a sphere is. A conic's numbers are
+     * squares of the sphere's place, and small differences of large ones: of a smaller sphere farther off too little
+     * would be left of the squared radius.
      */
     public static final float MOST_RADII_WIDE = 16f;
 
     /** Where the second candidate's facts begin. */
     private static final int SECOND = ShadowColumns.STRIDE;
 
-    /** From the bit of a number below 0, where a sample is blocked, to a 1: fewer steps than to compare and to choose. */
+    /**
+     * From the bit of a number below 0, where a sample is blocked, to a 1: fewer steps than to compare and to choose.
+     */
     private static final int SIGN = 31;
 
     /** A conic where nothing blocks: any number above 0. */
@@ -105,8 +106,8 @@ public final class ShadowConics {
     }
 
     /**
-     * Those of one candidate where they are few. The count stays in memory: as a vector that a loop of one round hands on, it
-     * would become an object in some JVMs.
+     * Those of one candidate where they are few. The count stays in memory: as a vector that a loop of one round hands
+     * on, it would become an object in some JVMs.
      */
     static void countFew(ShadowColumns scratch, int candidate) {
         float[] facts = scratch.facts;
@@ -130,7 +131,10 @@ public final class ShadowConics {
         }
     }
 
-    /** Adds the samples that any of two candidates blocks, of those from where the first range begins to where the last ends. */
+    /**
+     * Adds the samples that any of two candidates blocks, of those from where the first range begins to where the last
+     * ends.
+     */
     private static void countTwo(ShadowColumns scratch) {
         float[] facts = scratch.facts;
         float[] disc = scratch.disc;
@@ -180,7 +184,9 @@ public final class ShadowConics {
         countLowest(scratch, samples);
     }
 
-    /** Lowers what is there at each sample of a candidate's range to its conic, the first sample there being that one. */
+    /**
+     * Lowers what is there at each sample of a candidate's range to its conic, the first sample there being that one.
+     */
     static void lower(ShadowColumns scratch, int from, int candidate) {
         int of = candidate * ShadowColumns.STRIDE;
         float[] facts = scratch.facts;

@@ -12,17 +12,21 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Which samples are to be looked at, in the order along one of {@link DiscOrders}' directions. A candidate's shadow begins
- * and ends somewhere along it, and what lies before and behind is free of it; and from some place on it may hide all.
+ * Which samples are to be looked at, in the order along one of {@link DiscOrders}' directions. A candidate's shadow
+ * begins and ends somewhere along it, and what lies before and behind is free of it; and from some place on it may hide
+ * all.
  *
- * <p>The planes through the point that touch the sphere at (a, u, w) and are across the direction meet the disc's plane at
- * {@code (a c -+ r sqrt(a^2 + c^2 - r^2)) / (a^2 - r^2) / s} radii from its center, c being the sphere's center along the
- * direction and s the scale: the shadow lies between them. And the conic of {@link ShadowConics} is nowhere in the unit disc
- * above {@code s^2 (a^2 + u^2 + w^2 - r^2) + u^2 + w^2 - r^2 + 2 a s (|l| - c X)} at X along the direction, l being the
- * centre's place beside it: that is below 0 on one side of some X.
+ * <p>The planes through the point that touch the sphere at (a, u, w) and are across the direction meet the disc's plane
+ * at {@code (a c -+ r sqrt(a^2 + c^2 - r^2)) / (a^2 - r^2) / s} radii from its center, c being the sphere's center
+ * along the direction and s the scale: the shadow lies between them. And the conic of {@link ShadowConics} is nowhere
+ * in the unit disc above {@code s^2 (a^2 + u^2 + w^2 - r^2) + u^2 + w^2 - r^2 + 2 a s (|l| - c X)} at X along the
+ * direction, l being the centre's place beside it: that is below 0 on one side of some X.
  */
 public final class ShadowRange {
-    /** By how much more of the disc's radius a shadow begins sooner, ends later and hides all later, as rounding may be wrong. */
+    /**
+     * By how much more of the disc's radius a shadow begins sooner, ends later and hides all later, as rounding may be
+     * wrong.
+     */
     private static final float MARGIN = 2e-3f;
 
     /** Where the point is so near to the sphere, as a part of its squared radius, that the shadow may have no end. */
@@ -103,8 +107,8 @@ public final class ShadowRange {
     }
 
     /**
-     * Finds the range of each candidate's samples that are to be looked at, and counts those that are hidden from all lanes
-     * without a look.
+     * Finds the range of each candidate's samples that are to be looked at, and counts those that are hidden from all
+     * lanes without a look.
      */
     public static void find(ShadowColumns scratch, Drawing drawing) {
         if (scratch.sorted) {

@@ -9,14 +9,14 @@ import dev.twister.kernel.Layout;
 import jdk.incubator.vector.FloatVector;
 
 /**
- * Where the view rays of a block of tiles look in the panorama: cubic polynomials of the pixel's place, across and down, for
- * what {@code SkyDirection} finds with two arc tangents a pixel. They meet it in 4 x 4 nodes, from the block's first pixel to
- * its last, and are used only where they are as exact between as a column is as a float.
+ * Where the view rays of a block of tiles look in the panorama: cubic polynomials of the pixel's place, across and
+ * down, for what {@code SkyDirection} finds with two arc tangents a pixel. They meet it in 4 x 4 nodes, from the
+ * block's first pixel to its last, and are used only where they are as exact between as a column is as a float.
  *
- * <p>With e the sine of the angle from one node to the next, at most, over the cosine of the elevation, the nth derivative of
- * an angle about the vertical along a line of pixels is at most {@code (n - 1)! e^n} a step of the nodes, as it is the
- * imaginary part of a logarithm; twice that holds an elevation. A cubic polynomial through four nodes a step apart is so at
- * most {@code 2 * 3! / 4! * e^4} away.
+ * <p>With e the sine of the angle from one node to the next, at most, over the cosine of the elevation, the nth
+ * derivative of an angle about the vertical along a line of pixels is at most {@code (n - 1)! e^n} a step of the nodes,
+ * as it is the imaginary part of a logarithm; twice that holds an elevation. A cubic polynomial through four nodes a
+ * step apart is so at most {@code 2 * 3! / 4! * e^4} away.
  */
 public final class SkyChart {
     /** Of the nodes along each side; as many as a polynomial's coefficients. */
@@ -172,7 +172,9 @@ public final class SkyChart {
         return across / stepAcross() + down / stepDown();
     }
 
-    /** Has the window take what a covered tile's view rays look at, or their mirror images; tells whether there is room. */
+    /**
+     * Has the window take what a covered tile's view rays look at, or their mirror images; tells whether there is room.
+     */
     boolean open(SkyWindow window, Tile tile, Drawing drawing, boolean mirrored) {
         float[] offsets = drawing.input.view().pixelSamples();
         float across = (tile.left - nodes.left + MIDDLE + offsets[Layout.SAMPLE_STRIDE * tile.sample] - offsets[0])

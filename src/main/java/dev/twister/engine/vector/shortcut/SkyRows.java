@@ -13,9 +13,9 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * What {@link SkyPatches} does, for 16 lanes and a sky in halves: a row of a patch is one vector, and each lane picks its
- * four texels out of three rows. Without helpers, for the reason that {@link ShadowConics} has; not even {@link Lanes#fma}, as
- * every CPU with so many lanes has what it asks for.
+ * What {@link SkyPatches} does, for 16 lanes and a sky in halves: a row of a patch is one vector, and each lane picks
+ * its four texels out of three rows. Without helpers, for the reason that {@link ShadowConics} has; not even
+ * {@link Lanes#fma}, as every CPU with so many lanes has what it asks for.
  */
 public final class SkyRows {
     /** Whether a row of a patch fits a vector. */
@@ -38,8 +38,8 @@ public final class SkyRows {
     private SkyRows() {}
 
     /**
-     * Splits the packets that met the sky by whether they look at a patch. It starts one column before that of a lane, which
-     * holds as well as the leftmost one and is found sooner, and in the upper of two rows.
+     * Splits the packets that met the sky by whether they look at a patch. It starts one column before that of a lane,
+     * which holds as well as the leftmost one and is found sooner, and in the upper of two rows.
      */
     static void sort(Tile tile) {
         float[] t = tile.values;

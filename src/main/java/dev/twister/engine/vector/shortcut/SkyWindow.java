@@ -10,9 +10,9 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * The texels of the sky that a tile's rays look at, where so few are enough that a color of all of them is two vectors of 16
- * lanes, out of which each lane picks its four. Without helpers, for the reason that {@link ShadowConics} has; not even
- * {@link Lanes#fma}, as in {@link SkyRows}.
+ * The texels of the sky that a tile's rays look at, where so few are enough that a color of all of them is two vectors
+ * of 16 lanes, out of which each lane picks its four. Without helpers, for the reason that {@link ShadowConics} has;
+ * not even {@link Lanes#fma}, as in {@link SkyRows}.
  */
 public final class SkyWindow {
     /** Whether there are as many lanes. */
@@ -23,7 +23,10 @@ public final class SkyWindow {
 
     private static final int MOST = 2 * HALF;
 
-    /** The bits of the texels' colors, row by row: red ones from {@link Lanes#BORDER} on, then green ones, then blue ones. */
+    /**
+     * The bits of the texels' colors, row by row: red ones from {@link Lanes#BORDER} on, then green ones, then blue
+     * ones.
+     */
     private final int[] texels = new int[Lanes.BORDER + PaddedSky.NUMBERS_A_TEXEL * MOST];
 
     private int left;

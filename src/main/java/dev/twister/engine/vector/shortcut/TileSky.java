@@ -8,12 +8,15 @@ import dev.twister.engine.vector.step.SkyRadiance;
 
 /** The sky that a tile's rays look at, by the fastest way that applies. */
 public final class TileSky {
-    /** Fewer packets go by arc tangents, as a chart has its nodes to find first; from how many on it pays was not measured. */
+    /**
+     * Fewer packets go by arc tangents, as a chart has its nodes to find first; from how many on it pays was not
+     * measured.
+     */
     private static final int LEAST_CHARTED = Tile.SIZE / Lanes.COUNT / 4;
 
     /**
-     * Beside so many tiles of pictures of few pixels, what only larger ones come to is done for nothing: an engine is warmed up by
-     * small pictures, and what the JVM has not compiled by then makes the first large ones slow.
+     * Beside so many tiles of pictures of few pixels, what only larger ones come to is done for nothing: an engine is
+     * warmed up by small pictures, and what the JVM has not compiled by then makes the first large ones slow.
      */
     private static final int REHEARSALS = 20_000;
 
@@ -26,7 +29,9 @@ public final class TileSky {
         chart.start(drawing);
     }
 
-    /** Whether the chart has the directions of all of a tile's view rays, and of their mirror images in a level plane. */
+    /**
+     * Whether the chart has the directions of all of a tile's view rays, and of their mirror images in a level plane.
+     */
     boolean isCharted(Drawing drawing, Tile tile) {
         return drawing.shortcuts.take(Shortcut.SKY_CHART) && chart.covers(tile, drawing);
     }

@@ -22,7 +22,9 @@ public final class Highlight {
         raise(tile);
     }
 
-    /** Writes {@code max(0, N.H)}, at most 1, to the specular column; 0 for NaN, which lanes without a surface may hold. */
+    /**
+     * Writes {@code max(0, N.H)}, at most 1, to the specular column; 0 for NaN, which lanes without a surface may hold.
+     */
     static void findCosines(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.surfaces.count; k++) {
@@ -40,8 +42,8 @@ public final class Highlight {
     }
 
     /**
-     * Writes what the cosines' powers are to be multiplied by, 0 where nothing shines, and lists the packets where anything
-     * does by what powers those are; the others' specular column is 0 from here on.
+     * Writes what the cosines' powers are to be multiplied by, 0 where nothing shines, and lists the packets where
+     * anything does by what powers those are; the others' specular column is 0 from here on.
      */
     static void sort(Tile tile) {
         tile.onePower.clear();

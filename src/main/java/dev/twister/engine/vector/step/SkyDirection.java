@@ -9,7 +9,9 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Where in the panorama each ray looks: {@link dev.twister.kernel.SkyLookup}'s column and row, with its arc tangent. */
+/**
+ * Where in the panorama each ray looks: {@link dev.twister.kernel.SkyLookup}'s column and row, with its arc tangent.
+ */
 public final class SkyDirection {
     private static final float TURNS_PER_RADIAN = 0.15915494f;
     private static final float HALF_TURNS_PER_RADIAN = 0.31830987f;
@@ -29,9 +31,10 @@ public final class SkyDirection {
     }
 
     /**
-     * Starts on the angles: writes the smaller of |x| and |z| over the larger to the column of {@link Tile#SKY_TO_RIGHT}, for
-     * those about the vertical, and the smaller of |y| and the length of (x, z) over the larger to that of
-     * {@link Tile#SKY_TO_BOTTOM}, for those above the horizon. One division serves both, as dividing takes longest.
+     * Starts on the angles: writes the smaller of |x| and |z| over the larger to the column of
+     * {@link Tile#SKY_TO_RIGHT}, for those about the vertical, and the smaller of |y| and the length of (x, z) over the
+     * larger to that of {@link Tile#SKY_TO_BOTTOM}, for those above the horizon. One division serves both, as dividing
+     * takes longest.
      */
     static void findRatios(Tile tile) {
         float[] t = tile.values;
@@ -87,7 +90,9 @@ public final class SkyDirection {
         }
     }
 
-    /** Turns the arc tangents into angles above the horizon, in [-pi / 2, pi / 2], and those into rows in the same way. */
+    /**
+     * Turns the arc tangents into angles above the horizon, in [-pi / 2, pi / 2], and those into rows in the same way.
+     */
     static void findRows(Tile tile, PaddedSky sky) {
         float[] t = tile.values;
         for (int k = 0; k < tile.skies.count; k++) {

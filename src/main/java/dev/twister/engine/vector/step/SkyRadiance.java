@@ -13,8 +13,9 @@ import jdk.incubator.vector.VectorOperators;
  * The panorama's radiance, bilinear between four texels, where the lanes of a packet look here and there: texels are
  * fetched pixel by pixel, and weighed in lanes.
  *
- * <p>Vectors have the packets' width, as everywhere but where {@code SkyRows} unpacks shorts: the compiler asks the Vector API's
- * own methods which widths they have met, and makes objects of vectors where it does not know which is next.
+ * <p>Vectors have the packets' width, as everywhere but where {@code SkyRows} unpacks shorts: the compiler asks the
+ * Vector API's own methods which widths they have met, and makes objects of vectors where it does not know which is
+ * next.
  */
 public final class SkyRadiance {
     private SkyRadiance() {}

@@ -70,8 +70,8 @@ public final class SphereSurface {
     }
 
     /**
-     * The same where the caches do not hold all spheres: of each a number is read before any is copied, so that memory is waited
-     * for once, not sphere by sphere.
+     * The same where the caches do not hold all spheres: of each a number is read before any is copied, so that memory
+     * is waited for once, not sphere by sphere.
      */
     static void copyOfMany(Tile tile, BodyColumns bodies) {
         float[] t = tile.values;

@@ -11,8 +11,10 @@ import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Pictures on bodies: {@link dev.twister.kernel.Texture}. Places in them are found in lanes, texels are fetched
- * pixel by pixel, and weighed in lanes. */
+/**
+ * Pictures on bodies: {@link dev.twister.kernel.Texture}. Places in them are found in lanes, texels are fetched pixel
+ * by pixel, and weighed in lanes.
+ */
 public final class TextureLanes {
     private static final int CHANNELS = 3;
     private static final float TURNS_PER_RADIAN = 0.15915494f;

@@ -38,9 +38,9 @@ public final class TileOutput {
     }
 
     /**
-     * Reads the last pixel of each row of the tile to the right, so that its cache lines are near when it is written: a frame of
-     * many pixels is farther away than a tile takes to draw. What is read is put before the tile's pixels, where nobody looks: the
-     * compiler leaves out reading for nothing.
+     * Reads the last pixel of each row of the tile to the right, so that its cache lines are near when it is written: a
+     * frame of many pixels is farther away than a tile takes to draw. What is read is put before the tile's pixels,
+     * where nobody looks: the compiler leaves out reading for nothing.
      */
     public static void approachNext(Tile tile, Frame frame) {
         int width = frame.width();
@@ -69,8 +69,8 @@ public final class TileOutput {
     }
 
     /**
-     * Row by row of the frame, so that what goes to one cache line goes there at once. A packet is a block of four rows, or half
-     * of one, or a row.
+     * Row by row of the frame, so that what goes to one cache line goes there at once. A packet is a block of four
+     * rows, or half of one, or a row.
      */
     private static void writeWhole(int[] tile, int[] frame, int first, int width) {
         int blocks = Lanes.BORDER;

@@ -10,7 +10,10 @@ import jdk.incubator.vector.VectorOperators;
 
 /** From a tile's linear colors to 8-bit ARGB: {@link Tone}. */
 public final class ToneLanes {
-    /** Added to a number up to 255, it leaves the nearest whole one in the last byte, and no other bits but in the first. */
+    /**
+     * Added to a number up to 255, it leaves the nearest whole one in the last byte, and no other bits but in the
+     * first.
+     */
     private static final float ROUNDER = 0x1p23f;
 
     private ToneLanes() {}
@@ -88,8 +91,8 @@ public final class ToneLanes {
     }
 
     /**
-     * Packs the channels, mapped or still to be exposed. Where rounding puts a channel on the other side of the middle between two
-     * numbers, it is one off {@link Tone#quantized}'s.
+     * Packs the channels, mapped or still to be exposed. Where rounding puts a channel on the other side of the middle
+     * between two numbers, it is one off {@link Tone#quantized}'s.
      */
     static void pack(Tile tile, float[] properties, int samples) {
         float scale = isPlain(properties) ? properties[Layout.EXPOSURE_SCALE] / samples : 1f;

@@ -11,8 +11,8 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Whether a sphere that transmits is met before others, which is seen from inside too: {@link
- * Intersection#sphereFromInside}.
+ * Whether a sphere that transmits is met before others, which is seen from inside too:
+ * {@link Intersection#sphereFromInside}.
  */
 public final class TransmittingSphere {
     private TransmittingSphere() {}

@@ -15,7 +15,9 @@ import java.util.TreeSet;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** Walks that begin elsewhere than at the root, for all at once, come to the leaves that those from the root come to. */
+/**
+ * Walks that begin elsewhere than at the root, for all at once, come to the leaves that those from the root come to.
+ */
 final class WalkStartsTest {
     private static final int SPHERES = 3000;
 

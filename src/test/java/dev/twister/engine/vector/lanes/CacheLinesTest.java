@@ -27,7 +27,10 @@ final class CacheLinesTest {
         assertThat(output.lines()).hasSize(2 * 2 * Borders.ARRAYS).containsOnly("0");
     }
 
-    /** Tells how far the borders of some arrays lie behind those of cache lines, before and after the collector moved them. */
+    /**
+     * Tells how far the borders of some arrays lie behind those of cache lines, before and after the collector moved
+     * them.
+     */
     static final class Borders {
         static final int ARRAYS = 20;
 

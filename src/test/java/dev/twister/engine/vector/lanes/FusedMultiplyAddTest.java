@@ -13,7 +13,9 @@ import dev.twister.engine.vector.shortcut.SkyWindow;
 import org.junit.jupiter.api.Test;
 
 final class FusedMultiplyAddTest {
-    /** On a CPU that has none, one forgotten call would take a thousand times as long, and no other test would see it. */
+    /**
+     * On a CPU that has none, one forgotten call would take a thousand times as long, and no other test would see it.
+     */
     @Test
     void isAskedForInOnePlaceOnly() {
         noClasses()

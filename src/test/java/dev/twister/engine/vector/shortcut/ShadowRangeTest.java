@@ -32,7 +32,10 @@ final class ShadowRangeTest {
     private final ShadowColumns scratch = bench.columns;
     private final Random random = new Random(20261123);
 
-    /** Near spheres and far, whose shadows lie within the disc, over its rim and past it, over all of it, over each other. */
+    /**
+     * Near spheres and far, whose shadows lie within the disc, over its rim and past it, over all of it, over each
+     * other.
+     */
     @ParameterizedTest
     @CsvSource({"1,200", "2,200", "3,200", "5,100", "1,48", "2,400"})
     void countsWhatALookAtAllSamplesCounts(int candidates, int samples) {
