@@ -3,7 +3,19 @@ package dev.twister.engine.tornado;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.kernel.Layout;
+import dev.twister.mesh.MeshFile;
+import dev.twister.oracle.MeshShapes;
+import dev.twister.scene.Mesh;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
+import dev.twister.sky.Skybox;
+import dev.twister.world.Bodies;
+import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
 import dev.twister.world.SphereHierarchy;
+import dev.twister.world.World;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
@@ -24,6 +36,7 @@ class HelpersOnDeviceTest {
     private static final int LOOKS = Layout.LOOK_STRIDE * BODIES;
     private static final int MANY_BODIES = 1000;
     private static final int MOST_SAMPLES = 500;
+    private static final int MESHES = 3;
 
     /** Small enough for a hierarchy of some depth. */
     private static final int MOST_IN_LEAF = 2;
@@ -64,6 +77,7 @@ class HelpersOnDeviceTest {
             new Helper("refraction", 4, 2, 1e-4, 4),
             new Helper("texture", 4, 1, 1e-5, 0, 3 + 3 * 32 * 16, 1, 1),
             new Helper("light", 6, 3, 1e-4, 0),
+            new Helper("triangle", 15, 2, 1e-3, 4),
             // One step of 255 more or less where the rounding falls between two.
             new Helper("tone", 4, 2, 1e-2, 0));
 
@@ -129,6 +143,92 @@ class HelpersOnDeviceTest {
                 }
             }
         }
+    }
+
+    @ParameterizedTest(name = "meshes on {0}")
+    @MethodSource("devices")
+    void meshesAreTheSameOnTheDevice(TornadoDevice device) throws TornadoExecutionPlanException {
+        requireMeshesNear("mesh", device, ITEMS, HelperKernels.MESH_OUTPUTS, 1, 1e-3);
+    }
+
+    /** One of the meshes is glass. */
+    @ParameterizedTest(name = "shadows of meshes on {0}")
+    @MethodSource("devices")
+    void meshesShadowsAreTheSameOnTheDevice(TornadoDevice device) throws TornadoExecutionPlanException {
+        int looks = Layout.LOOK_STRIDE * (Layout.FIRST_SPHERE + MESHES);
+        requireMeshesNear(
+                "meshShadow",
+                device,
+                ITEMS / 4,
+                HelperKernels.MESH_SHADOW_OUTPUTS,
+                2 * HelperKernels.MESH_SAMPLES + looks,
+                1e-6);
+    }
+
+    /** Three meshes of one shape, turned and scaled; where a ray passes a triangle's edge, rounding decides. */
+    private static void requireMeshesNear(
+            String helper, TornadoDevice device, int items, int outputs, int thirdTable, double tolerance)
+            throws TornadoExecutionPlanException {
+        Random random = new Random(12);
+        Bodies bodies = meshes(random);
+        try (HelperRun run = new HelperRun(
+                helper,
+                device,
+                items,
+                8,
+                outputs,
+                bodies.hierarchy().length,
+                bodies.meshes().length,
+                thirdTable)) {
+            put(run.first, 0, bodies.hierarchy());
+            put(run.second, 0, bodies.meshes());
+            if (thirdTable > 1) {
+                fillSunflower(run.third, HelperKernels.MESH_SAMPLES);
+                int glass = Layout.FIRST_SPHERE + 1;
+                run.third[2 * HelperKernels.MESH_SAMPLES + Layout.LOOK_STRIDE * glass + Layout.LOOK_TRANSMISSION] =
+                        0.5f;
+            }
+            for (int item = 0; item < items; item++) {
+                put(
+                        run.input,
+                        item,
+                        concat(
+                                concat(floats(spread(random, 2), spread(random, 1), spread(random, 1)), direction(random)),
+                                floats(bodies.firstMesh(), random.nextInt(1280))));
+            }
+            requireNear(run, tolerance, items / 500);
+        }
+    }
+
+    private static Bodies meshes(Random random) {
+        List<Mesh> placed = new ArrayList<>();
+        for (int i = 0; i < MESHES; i++) {
+            placed.add(Mesh.of(Path.of("blob"))
+                    .withPosition(new Vector3(2 * i - 2, random.nextDouble(), random.nextDouble()))
+                    .withRotation(new Vector3(40 * i, 70, 10))
+                    .withScale(0.5 + random.nextDouble()));
+        }
+        Scene scene = Scene.under(Path.of("none")).withMeshes(placed);
+        MeshFile file = MeshShapes.file(MeshShapes.blob(random, 3));
+        return World.of(scene, SceneImages.of(new Skybox(1, 1, new float[3])), SceneMeshes.of(scene, source -> file))
+                .snapshot()
+                .bodies();
+    }
+
+    private static float[] towardTriangle(int item, Random random) {
+        float[] origin = floats(spread(random, 5), spread(random, 5), spread(random, 5));
+        float[] corners = new float[9];
+        for (int i = 0; i < corners.length; i++) {
+            corners[i] = (float) spread(random, 4);
+        }
+        float[] direction = new float[3];
+        double b = random.nextDouble();
+        double c = random.nextDouble();
+        for (int axis = 0; axis < 3; axis++) {
+            double place = corners[axis] + b * (corners[3 + axis] - corners[axis]) + c * (corners[6 + axis] - corners[axis]);
+            direction[axis] = item % 10 == 0 ? (item / 10 % 3 == axis ? 1 : 0) : (float) (place - origin[axis]);
+        }
+        return concat(concat(origin, direction), corners);
     }
 
     private static void requireNear(HelperRun run, double tolerance, int outliers) {
@@ -207,6 +307,8 @@ class HelpersOnDeviceTest {
                         item % 5 == 0 ? 128 * (item / 5 % 2) : 128 * random.nextDouble(),
                         spread(random, 1.9),
                         3 + random.nextDouble());
+            // Toward some point near the triangle, now and then along an axis.
+            case "triangle" -> towardTriangle(item, random);
             case "tone" ->
                 floats(
                         item % 4 == 0 ? 1000 * random.nextDouble() : random.nextDouble(),
