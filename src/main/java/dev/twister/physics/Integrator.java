@@ -3,8 +3,8 @@ package dev.twister.physics;
 import dev.twister.scene.Vector3;
 
 /**
- * Störmer's and Verlet's method, with the drag in the middle of the step: {@code x[n+1] = x[n] + (1 - c h / 2) / (1 + c h / 2)
- * (x[n] - x[n-1]) + a h^2 / (1 + c h / 2)}, of second order, exact without drag (Hairer, Lubich and Wanner,
+ * Störmer's and Verlet's method, with the drag in the middle of the step: {@code x[n+1] = x[n] + (1 - c h / 2) / (1 + c
+ * h / 2) (x[n] - x[n-1]) + a h^2 / (1 + c h / 2)}, of second order, exact without drag (Hairer, Lubich and Wanner,
  * "Geometric numerical integration illustrated by the Störmer-Verlet method", 2003).
  */
 final class Integrator {

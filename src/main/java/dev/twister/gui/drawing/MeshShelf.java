@@ -17,8 +17,8 @@ import java.util.SequencedMap;
 import java.util.function.Function;
 
 /**
- * The meshes of the scene that is drawn. Files are read on a thread of their own: a request gets what is at hand,
- * and draws the rest once {@link #edition} has changed. Used by any thread; none waits.
+ * The meshes of the scene that is drawn. Files are read on a thread of their own: a request gets what is at hand, and
+ * draws the rest once {@link #edition} has changed. Used by any thread; none waits.
  */
 public final class MeshShelf {
     private final Function<Source, MeshFile> reader;

@@ -11,10 +11,12 @@ import dev.twister.kernel.Light;
 import dev.twister.kernel.Material;
 import dev.twister.kernel.Refraction;
 import dev.twister.kernel.Shadow;
+import dev.twister.kernel.ShadowRay;
 import dev.twister.kernel.Sky;
 import dev.twister.kernel.Surface;
 import dev.twister.kernel.Texture;
 import dev.twister.kernel.Tone;
+import dev.twister.kernel.Triangle;
 import java.util.function.Supplier;
 import uk.ac.manchester.tornado.api.annotations.Parallel;
 
@@ -23,6 +25,14 @@ import uk.ac.manchester.tornado.api.annotations.Parallel;
  * of OpenCL (floor, say): its driver would refuse it, and TornadoVM would run what is not there.
  */
 public final class HelperKernels implements Supplier<HelperTasks> {
+    /** How many points of the light's disc a mesh's shadow is made of. */
+    static final int MESH_SAMPLES = 16;
+
+    /** What {@link #meshItems} and {@link #meshShadowItems} tell of an item. */
+    static final int MESH_OUTPUTS = 13;
+
+    static final int MESH_SHADOW_OUTPUTS = 2;
+
     @Override
     public HelperTasks get() {
         return HelperKernels::named;
@@ -46,6 +56,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             case "refraction" -> HelperKernels::refractionItems;
             case "texture" -> HelperKernels::textureItems;
             case "shadow" -> HelperKernels::shadowItems;
+            case "triangle" -> HelperKernels::triangleItems;
             case "mesh" -> HelperKernels::meshItems;
             case "meshShadow" -> HelperKernels::meshShadowItems;
             default -> throw new IllegalArgumentException(helper);
@@ -178,85 +189,6 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
-    /**
-     * Item: origin, direction, the triangle of the first mesh that the ray leaves, the first mesh's body. Tables:
-     * hierarchy, meshes.
-     */
-    static void meshItems(float[] in, float[] hierarchy, float[] meshes, float[] c, float[] out, int count) {
-        for (@Parallel int i = 0; i < count; i++) {
-            float[] path = new float[Layout.PATH_LENGTH];
-            float[] scratch = new float[Layout.SCRATCH_LENGTH];
-            int firstMesh = (int) in[8 * i + 7];
-            path[Layout.ORIGIN] = in[8 * i];
-            path[Layout.ORIGIN + 1] = in[8 * i + 1];
-            path[Layout.ORIGIN + 2] = in[8 * i + 2];
-            path[Layout.DIRECTION] = in[8 * i + 3];
-            path[Layout.DIRECTION + 1] = in[8 * i + 4];
-            path[Layout.DIRECTION + 2] = in[8 * i + 5];
-            path[Layout.LEAVING] = firstMesh;
-            path[Layout.LEAVING_TRIANGLE] = in[8 * i + 6];
-            int body = Hit.find(
-                    path,
-                    hierarchy,
-                    hierarchy,
-                    hierarchy,
-                    meshes,
-                    0,
-                    scratch,
-                    Hit.ALL,
-                    firstMesh,
-                    Material.ANY,
-                    Aspect.FULL);
-            if (body != Layout.NOTHING) {
-                Surface.find(path, body, hierarchy, hierarchy, meshes, firstMesh);
-            }
-            out[5 * i] = body;
-            out[5 * i + 1] = path[Layout.DISTANCE];
-            out[5 * i + 2] = path[Layout.NORMAL];
-            out[5 * i + 3] = path[Layout.NORMAL + 1];
-            out[5 * i + 4] = path[Layout.POINT];
-        }
-    }
-
-    /**
-     * Item: point, own body, A, D, the disc's radius, samples, the first mesh's body. Tables: unit disc, hierarchy,
-     * meshes.
-     */
-    static void meshShadowItems(float[] in, float[] disc, float[] hierarchy, float[] meshes, float[] out, int count) {
-        for (@Parallel int i = 0; i < count; i++) {
-            float[] path = new float[Layout.PATH_LENGTH];
-            float[] scratch = new float[Layout.SCRATCH_RAYS];
-            float[] places = new float[2 * Layout.PLACE_STRIDE];
-            float[] properties = new float[Layout.PROPERTIES_LENGTH];
-            int firstMesh = (int) in[11 * i + 10];
-            path[Layout.POINT] = in[11 * i];
-            path[Layout.POINT + 1] = in[11 * i + 1];
-            path[Layout.POINT + 2] = in[11 * i + 2];
-            path[Layout.TO_LIGHT] = in[11 * i + 4];
-            path[Layout.TO_LIGHT + 1] = in[11 * i + 5];
-            path[Layout.TO_LIGHT + 2] = in[11 * i + 6];
-            path[Layout.LIGHT_DISTANCE] = in[11 * i + 7];
-            path[Layout.NORMAL_DOT_LIGHT] = 1f;
-            places[Layout.PLACE_SIZE] = 0.5f * in[11 * i + 8];
-            properties[Layout.SHADOW_SAMPLES] = in[11 * i + 9];
-            properties[Layout.AMBIENT] = 0f;
-            out[i] = Shadow.visible(
-                    path,
-                    (int) in[11 * i + 3],
-                    properties,
-                    places,
-                    hierarchy,
-                    disc,
-                    hierarchy,
-                    Layout.root(firstMesh),
-                    meshes,
-                    scratch,
-                    firstMesh,
-                    Material.PLAIN,
-                    Aspect.FULL);
-        }
-    }
-
     /** Item: direction, width, height. Table: the panorama. */
     static void skyItems(float[] in, float[] skybox, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
@@ -357,5 +289,146 @@ public final class HelperKernels implements Supplier<HelperTasks> {
                     Material.ANY,
                     Aspect.FULL);
         }
+    }
+
+    /** Item: origin, direction, three corners. */
+    static void triangleItems(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
+        for (@Parallel int i = 0; i < count; i++) {
+            float x = in[15 * i + 3];
+            float y = in[15 * i + 4];
+            float z = in[15 * i + 5];
+            int axis = Triangle.longestAxis(x, y, z);
+            int first = Triangle.after(axis);
+            int second = Triangle.after(first);
+            float inverse = 1f / Triangle.along(axis, x, y, z);
+            out[2 * i] = axis;
+            out[2 * i + 1] = Triangle.distance(
+                    in,
+                    15 * i + 6,
+                    axis,
+                    in[15 * i + first],
+                    in[15 * i + second],
+                    in[15 * i + axis],
+                    Triangle.along(first, x, y, z) * inverse,
+                    Triangle.along(second, x, y, z) * inverse,
+                    inverse);
+        }
+    }
+
+    /** Item: origin, direction, the first mesh's body, its triangle that the ray leaves. Tables: hierarchy, meshes. */
+    static void meshItems(float[] in, float[] hierarchy, float[] meshes, float[] c, float[] out, int count) {
+        for (@Parallel int i = 0; i < count; i++) {
+            float[] path = new float[Layout.PATH_LENGTH];
+            float[] scratch = new float[Layout.SCRATCH_RAYS];
+            int firstMesh = (int) in[8 * i + 6];
+            int body = meetMesh(in, i, firstMesh, hierarchy, meshes, path, scratch);
+            out[MESH_OUTPUTS * i] = body;
+            out[MESH_OUTPUTS * i + 1] = path[Layout.DISTANCE];
+            for (int axis = 0; axis < 3; axis++) {
+                out[MESH_OUTPUTS * i + 2 + axis] = path[Layout.POINT + axis];
+                out[MESH_OUTPUTS * i + 5 + axis] = path[Layout.NORMAL + axis];
+                out[MESH_OUTPUTS * i + 8 + axis] = path[Layout.FACE + axis];
+            }
+            out[MESH_OUTPUTS * i + 11] = path[Layout.TEXTURE_PLACE];
+            out[MESH_OUTPUTS * i + 12] = path[Layout.TEXTURE_PLACE + 1];
+        }
+    }
+
+    /**
+     * Item: as in {@link #meshItems}. Tables: hierarchy, meshes, then looks of three meshes after points of the disc.
+     */
+    static void meshShadowItems(
+            float[] in, float[] hierarchy, float[] meshes, float[] discAndLooks, float[] out, int count) {
+        for (@Parallel int i = 0; i < count; i++) {
+            float[] path = new float[Layout.PATH_LENGTH];
+            float[] scratch = new float[Layout.SCRATCH_RAYS];
+            float[] places = new float[2 * Layout.PLACE_STRIDE];
+            float[] properties = new float[Layout.PROPERTIES_LENGTH];
+            float[] looks = new float[5 * Layout.LOOK_STRIDE];
+            places[0] = 2f;
+            places[1] = 5f;
+            places[2] = -3f;
+            places[Layout.PLACE_SIZE] = 0.5f;
+            // A plane out of the way.
+            places[Layout.PLACE_STRIDE] = 0f;
+            places[Layout.PLACE_STRIDE + 1] = -90f;
+            places[Layout.PLACE_STRIDE + 2] = 0f;
+            places[Layout.PLACE_STRIDE + Layout.PLACE_SIZE] = 1f;
+            properties[Layout.SHADOW_SAMPLES] = MESH_SAMPLES;
+            properties[Layout.AMBIENT] = 0f;
+            for (int k = 0; k < 5 * Layout.LOOK_STRIDE; k++) {
+                looks[k] = discAndLooks[2 * MESH_SAMPLES + k];
+            }
+            int firstMesh = (int) in[8 * i + 6];
+            int body = meetMesh(in, i, firstMesh, hierarchy, meshes, path, scratch);
+            float visible = -1f;
+            float light = -1f;
+            if (body != Layout.NOTHING) {
+                Light.aim(path, places);
+                int root = Layout.root(Layout.FIRST_SPHERE);
+                visible = Shadow.visible(
+                        path,
+                        body,
+                        properties,
+                        places,
+                        looks,
+                        discAndLooks,
+                        hierarchy,
+                        root,
+                        meshes,
+                        scratch,
+                        firstMesh,
+                        Material.ANY,
+                        Aspect.SHADOW);
+                light = ShadowRay.light(
+                        path,
+                        body,
+                        i % MESH_SAMPLES,
+                        properties,
+                        places,
+                        looks,
+                        discAndLooks,
+                        hierarchy,
+                        root,
+                        meshes,
+                        scratch,
+                        firstMesh,
+                        Material.ANY);
+            }
+            out[MESH_SHADOW_OUTPUTS * i] = visible;
+            out[MESH_SHADOW_OUTPUTS * i + 1] = light;
+        }
+    }
+
+    /** The body that the item's ray meets; a device's arrays begin with any numbers. */
+    private static int meetMesh(
+            float[] in, int i, int firstMesh, float[] hierarchy, float[] meshes, float[] path, float[] scratch) {
+        for (int k = 0; k < Layout.PATH_LENGTH; k++) {
+            path[k] = 0f;
+        }
+        path[Layout.ORIGIN] = in[8 * i];
+        path[Layout.ORIGIN + 1] = in[8 * i + 1];
+        path[Layout.ORIGIN + 2] = in[8 * i + 2];
+        path[Layout.DIRECTION] = in[8 * i + 3];
+        path[Layout.DIRECTION + 1] = in[8 * i + 4];
+        path[Layout.DIRECTION + 2] = in[8 * i + 5];
+        path[Layout.LEAVING] = firstMesh;
+        path[Layout.LEAVING_TRIANGLE] = in[8 * i + 7];
+        int body = Hit.find(
+                path,
+                hierarchy,
+                hierarchy,
+                hierarchy,
+                meshes,
+                0,
+                scratch,
+                Hit.ALL,
+                firstMesh,
+                Material.ANY,
+                Aspect.FULL);
+        if (body != Layout.NOTHING) {
+            Surface.find(path, body, hierarchy, hierarchy, meshes, firstMesh);
+        }
+        return body;
     }
 }
