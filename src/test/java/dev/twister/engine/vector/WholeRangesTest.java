@@ -63,7 +63,6 @@ final class WholeRangesTest {
         boolean wider = bits > FloatVector.SPECIES_PREFERRED.vectorBitSize();
         assertSame(
                 () -> WidthLoader.open(bits, 2),
-                true,
                 wider ? SCENES / FEWER : SCENES,
                 wider ? DEVICE_PIXELS_AN_ODD_ONE : PictureDifference.PIXELS_AN_ODD_ONE);
     }
@@ -73,18 +72,17 @@ final class WholeRangesTest {
         Engines.offers().stream()
                 .filter(offer -> offer.id().startsWith("tornado:"))
                 .filter(EngineOffer::works)
-                .forEach(offer -> assertSame(offer.opener(), false, SCENES / FEWER, DEVICE_PIXELS_AN_ODD_ONE));
+                .forEach(offer -> assertSame(offer.opener(), SCENES / FEWER, DEVICE_PIXELS_AN_ODD_ONE));
     }
 
-    private static void assertSame(
-            Supplier<? extends Engine> opener, boolean withMeshes, int scenes, int pixelsAnOddOne) {
+    private static void assertSame(Supplier<? extends Engine> opener, int scenes, int pixelsAnOddOne) {
         long pixels = 0;
         long differing = 0;
         try (Engine engine = opener.get();
                 Engine sequential = Engines.open(JvmEngines.SEQUENTIAL)) {
             System.out.println(scenes + " scenes of seed " + SEED + " on " + engine.device());
             for (int number = 0; number < scenes; number++) {
-                FrameInput input = input(number, withMeshes);
+                FrameInput input = input(number);
                 String which = "scene " + number + " of seed " + SEED;
                 requireFinite(which, sequential, input);
                 requireFinite(which, engine, input);
@@ -101,13 +99,12 @@ final class WholeRangesTest {
                 .isLessThanOrEqualTo(pixels);
     }
 
-    private static FrameInput input(int number, boolean withMeshes) {
+    private static FrameInput input(int number) {
         Random random = new Random(SEED + ((long) number << 32));
         Scene scene = WholeRangeScenes.next(random);
         Skybox sky = RandomScenes.scene(random, 0).sky();
         Skybox texture = texture(random);
-        // Lanes leave frames with meshes to the kernel, and devices refuse them.
-        Scene shown = withMeshes && number % SCENES_A_MESH == 0 ? scene : scene.withMeshes(List.of());
+        Scene shown = number % SCENES_A_MESH == 0 ? scene : scene.withMeshes(List.of());
         SceneMeshes meshes = SceneMeshes.of(shown, _ -> MeshShapes.file(MeshShapes.cube()));
         return World.of(shown, new SceneImages(sky, Map.of(WholeRangeScenes.PICTURE, texture)), meshes)
                 .snapshot();
