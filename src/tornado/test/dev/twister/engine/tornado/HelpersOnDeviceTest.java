@@ -172,14 +172,7 @@ class HelpersOnDeviceTest {
         Random random = new Random(12);
         Bodies bodies = meshes(random);
         try (HelperRun run = new HelperRun(
-                helper,
-                device,
-                items,
-                8,
-                outputs,
-                bodies.hierarchy().length,
-                bodies.meshes().length,
-                thirdTable)) {
+                helper, device, items, 8, outputs, bodies.hierarchy().length, bodies.meshes().length, thirdTable)) {
             put(run.first, 0, bodies.hierarchy());
             put(run.second, 0, bodies.meshes());
             if (thirdTable > 1) {
@@ -193,7 +186,9 @@ class HelpersOnDeviceTest {
                         run.input,
                         item,
                         concat(
-                                concat(floats(spread(random, 2), spread(random, 1), spread(random, 1)), direction(random)),
+                                concat(
+                                        floats(spread(random, 2), spread(random, 1), spread(random, 1)),
+                                        direction(random)),
                                 floats(bodies.firstMesh(), random.nextInt(1280))));
             }
             requireNear(run, tolerance, items / 500);
@@ -225,7 +220,8 @@ class HelpersOnDeviceTest {
         double b = random.nextDouble();
         double c = random.nextDouble();
         for (int axis = 0; axis < 3; axis++) {
-            double place = corners[axis] + b * (corners[3 + axis] - corners[axis]) + c * (corners[6 + axis] - corners[axis]);
+            double place =
+                    corners[axis] + b * (corners[3 + axis] - corners[axis]) + c * (corners[6 + axis] - corners[axis]);
             direction[axis] = item % 10 == 0 ? (item / 10 % 3 == axis ? 1 : 0) : (float) (place - origin[axis]);
         }
         return concat(concat(origin, direction), corners);

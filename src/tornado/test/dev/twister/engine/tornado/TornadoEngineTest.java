@@ -191,8 +191,7 @@ class TornadoEngineTest {
             Pictures.requireSequentials(engine, input(scene.withMeshes(List.of()), SceneMeshes.NONE));
             Mesh mesh = scene.meshes().getFirst();
             Pictures.requireSequentials(
-                    engine,
-                    input(scene.withMeshes(List.of(mesh, mesh.withPosition(new Vector3(2, 0, 1)))), cube));
+                    engine, input(scene.withMeshes(List.of(mesh, mesh.withPosition(new Vector3(2, 0, 1)))), cube));
         }
     }
 
@@ -209,8 +208,7 @@ class TornadoEngineTest {
     /** All under one sky. */
     private FrameInput input(Scene scene, SceneMeshes meshes) {
         World shown = World.of(scene, world.images(), meshes);
-        shown.setSettings(
-                RenderSettings.DEFAULT.withSize(40, 30).withShadows(4).withBounces(2));
+        shown.setSettings(RenderSettings.DEFAULT.withSize(40, 30).withShadows(4).withBounces(2));
         FrameInput input = shown.snapshot();
         return new FrameInput(input.view(), input.bodies(), world.snapshot().panorama());
     }
