@@ -47,7 +47,7 @@ final class DevicesCommand implements Callable<Integer> {
             names = "--check",
             description =
                     "Compare each engine's pictures of all shipped scenes with sequential's, measure it, and"
-                            + " print a table in Markdown to paste into a report. Takes about a minute per engine on a small machine.")
+                            + " print a table in Markdown to paste into a report. Takes a minute or two per engine on a small machine.")
     private boolean check;
 
     @Option(

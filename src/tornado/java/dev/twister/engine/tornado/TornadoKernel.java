@@ -29,8 +29,9 @@ public final class TornadoKernel implements Supplier<DrawTask> {
      *
      * @param pixels {@code int[width * rows]} where the output is ARGB, else one int
      * @param radiance {@code float[3 * width * rows]} where the output is LINEAR, else one float
+     * @param dimensions {@value #DIMENSIONS_LENGTH} numbers, the first mesh's body at {@link #FIRST_MESH}
      * @param search one of {@link dev.twister.kernel.Hit}'s
-     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
+     * @param firstMesh {@link Layout#NO_MESHES} where there are none, else any other
      * @param materials one of {@link Material}'s
      * @param aspect one of {@link Aspect}'s
      * @param output one of {@link PixelKernel}'s
@@ -63,8 +64,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
                 float[] path = new float[isPlain != 0 ? plainPath : Layout.PATH_LENGTH];
                 int plainScratch = search == Hit.ALL ? FEW_SCRATCH : Layout.PLAIN_SCRATCH_LENGTH;
                 float[] scratch = new float[isPlain != 0 ? plainScratch : Layout.SCRATCH_LENGTH];
-                // Compiled in, its number would make conditions constant that TornadoVM's OpenCL backend does not
-                // compile.
+                // Compiled in, the number would make conditions constant, which the OpenCL backend does not compile.
                 int mesh = firstMesh == Layout.NO_MESHES ? Layout.NO_MESHES : dimensions[FIRST_MESH];
                 PixelKernel.draw(
                         column,

@@ -47,7 +47,8 @@ class ScenesOnDeviceTest {
         Scene scene = SceneReader.read(file);
         SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
         World world = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
-        world.setSettings(scene.settings().withSize(320, 180));
+        int height = scene.meshes().isEmpty() ? 180 : 90;
+        world.setSettings(scene.settings().withSize(height * 16 / 9, height));
         try (Engine engine = offer.opener().get()) {
             Pictures.requireSequentials(engine, world.snapshot());
         }
@@ -116,21 +117,21 @@ class ScenesOnDeviceTest {
         }
     }
 
-    /** Meshes of all materials. */
+    /** Of all materials, turned, scaled, mirrored, without spheres, with a few and with many, in small pictures. */
     @ParameterizedTest(name = "on {0}")
     @MethodSource("offers")
     void randomMeshesLookTheSame(EngineOffer offer) {
-        Random random = new Random(300);
         try (Engine engine = offer.opener().get()) {
             int differences = 0;
             int pixels = 0;
-            for (int scene = 0; scene < 4; scene++) {
+            for (int seed : new int[] {0, 1, 5, 13}) {
+                Random random = new Random(seed);
                 FrameInput input =
                         RandomMeshes.scene(random, random.nextInt(5)).world().snapshot();
                 differences += Pictures.differences(engine, input);
                 pixels += input.width() * input.rows();
             }
-            assertThat(differences).as("of %d pixels in four pictures", pixels).isLessThanOrEqualTo(2 + pixels / 2000);
+            assertThat(differences).as("of %d pixels in four pictures", pixels).isLessThanOrEqualTo(2 + pixels / 5000);
         }
     }
 

@@ -6,15 +6,22 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.image.Frame;
 import dev.twister.kernel.Layout;
+import dev.twister.mesh.TriangleMesh;
+import dev.twister.oracle.MeshShapes;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Mesh;
 import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
 import dev.twister.world.Positions;
+import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Random;
 import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -152,6 +159,58 @@ class TornadoEngineTest {
             Pictures.requireSequentials(engine, other.snapshot());
             assertThat(engine.plan().orElseThrow()).isNotSameAs(turned);
         }
+    }
+
+    @Test
+    void movedMeshesNeedNoCompilation() {
+        Scene scene = meshScene();
+        SceneMeshes cube = meshes(scene, MeshShapes.cube());
+        try (TornadoEngine engine = Devices.openFirst()) {
+            Pictures.requireSequentials(engine, input(scene, cube));
+            DevicePlan plan = engine.plan().orElseThrow();
+            Mesh moved = scene.meshes()
+                    .getFirst()
+                    .withPosition(new Vector3(-1, 1, 1))
+                    .withRotation(new Vector3(10, 20, 30))
+                    .withScale(0.5);
+            Pictures.requireSequentials(engine, input(scene.withMeshes(List.of(moved)), cube));
+            assertThat(engine.plan()).containsSame(plan);
+        }
+    }
+
+    /** Others of the same size, too: nothing but the array tells. */
+    @Test
+    void otherMeshesAreCopiedAnew() {
+        Scene scene = meshScene();
+        try (TornadoEngine engine = Devices.openFirst()) {
+            for (TriangleMesh shape : List.of(
+                    MeshShapes.blob(new Random(1), 0), MeshShapes.blob(new Random(2), 0), MeshShapes.icosphere(2))) {
+                Pictures.requireSequentials(engine, input(scene, meshes(scene, shape)));
+            }
+            SceneMeshes cube = meshes(scene, MeshShapes.cube());
+            Pictures.requireSequentials(engine, input(scene.withMeshes(List.of()), SceneMeshes.NONE));
+            Mesh mesh = scene.meshes().getFirst();
+            Pictures.requireSequentials(
+                    engine, input(scene.withMeshes(List.of(mesh, mesh.withPosition(new Vector3(2, 0, 1)))), cube));
+        }
+    }
+
+    private Scene meshScene() {
+        return Scene.under(Path.of("none"))
+                .withCamera(Camera.of(new Vector3(0, 1, -6), 0, 8, 50))
+                .withMeshes(List.of(Mesh.of(Path.of("shape")).withPosition(new Vector3(0.3, 0.5, 0))));
+    }
+
+    private static SceneMeshes meshes(Scene scene, TriangleMesh shape) {
+        return SceneMeshes.of(scene, source -> MeshShapes.file(shape));
+    }
+
+    /** All under one sky. */
+    private FrameInput input(Scene scene, SceneMeshes meshes) {
+        World shown = World.of(scene, world.images(), meshes);
+        shown.setSettings(RenderSettings.DEFAULT.withSize(40, 30).withShadows(4).withBounces(2));
+        FrameInput input = shown.snapshot();
+        return new FrameInput(input.view(), input.bodies(), world.snapshot().panorama());
     }
 
     @Test

@@ -3,13 +3,21 @@ package dev.twister.engine.tornado;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneReader;
 import dev.twister.world.Picture;
+import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
+import java.nio.file.Path;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Every stage and view on every device against {@code sequential}'s, of a few spheres and by way of the hierarchy. */
+/**
+ * Every stage and view on every device against {@code sequential}'s, of a few spheres, by way of the hierarchy, and
+ * some of meshes.
+ */
 class ViewsOnDeviceTest {
     private static final int FEW = 5;
     private static final int MANY = 60;
@@ -32,6 +40,25 @@ class ViewsOnDeviceTest {
             try (Engine engine = offer.opener().get()) {
                 Pictures.requireSequentialsRadiance(engine, world.snapshot().showing(picture));
             }
+        }
+    }
+
+    static Stream<Object[]> picturesOfMeshesOnDevices() {
+        return Devices.namedOffers().stream()
+                .flatMap(offer -> Stream.of(Picture.NORMAL, Picture.SHADOW, Picture.TESTS)
+                        .map(picture -> new Object[] {picture, offer}));
+    }
+
+    @ParameterizedTest(name = "{0} of meshes on {1}")
+    @MethodSource("picturesOfMeshesOnDevices")
+    void ofMeshesIsSequentials(Picture picture, EngineOffer offer) {
+        Scene scene = SceneReader.read(Path.of("scenes/gallery.json"));
+        SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
+        World world = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
+        world.setSettings(
+                scene.settings().withSize(80, 45).withShadows(9).withBounces(2).withSamplesPerPixel(2));
+        try (Engine engine = offer.opener().get()) {
+            Pictures.requireSequentialsRadiance(engine, world.snapshot().showing(picture));
         }
     }
 }
