@@ -6,7 +6,6 @@ import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 
@@ -29,7 +28,7 @@ final class PictureSection {
                 "Tone map",
                 "Maps bright colors to the range that a screen can show.",
                 "Alt+T",
-                map -> new Look(map.name().toLowerCase(Locale.ROOT)),
+                map -> new Look(label(map)),
                 this::setToneMap,
                 studio::notice);
         srgb = new SwitchRow(
@@ -58,6 +57,14 @@ final class PictureSection {
                 scene.settings().toneMap(),
                 usual.settings().toneMap());
         srgb.show(scene.settings().srgb(), usual.settings().srgb());
+    }
+
+    private static String label(ToneMap map) {
+        return switch (map) {
+            case CLAMP -> "Clamp";
+            case REINHARD -> "Reinhard";
+            case ACES -> "ACES";
+        };
     }
 
     private void setToneMap(ToneMap map) {
