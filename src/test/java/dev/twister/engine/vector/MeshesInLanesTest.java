@@ -5,18 +5,31 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.engine.Engine;
 import dev.twister.engine.JvmEngines;
 import dev.twister.image.Frame;
+import dev.twister.mesh.MeshFile;
 import dev.twister.oracle.LitScene;
+import dev.twister.oracle.MeshShapes;
 import dev.twister.oracle.PictureDifference;
 import dev.twister.oracle.Pictures;
 import dev.twister.oracle.RandomMeshes;
+import dev.twister.scene.Camera;
+import dev.twister.scene.Light;
+import dev.twister.scene.Material;
+import dev.twister.scene.Mesh;
+import dev.twister.scene.Plane;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
+import dev.twister.scene.Vector3;
+import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -26,6 +39,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** Scenes with meshes in lanes are those of the scalar kernel. */
 class MeshesInLanesTest {
     private static final int SCENES = 40;
+    private static final Rgb WHITE = new Rgb(1, 1, 1);
     private static final int ALWAYS_WALK = 0;
     private static final int NEVER_WALK = Integer.MAX_VALUE;
 
@@ -77,6 +91,49 @@ class MeshesInLanesTest {
                 }
             }
         }
+    }
+
+    /** Nothing is handed over: no sphere, no glass, no texture, and the plane shades nothing. */
+    @ParameterizedTest(name = "{0} bits, crowds from {1} on")
+    @MethodSource("widthsAndWays")
+    void opaqueMeshesAloneAreTheKernels(int bits, int crowd) {
+        int pixels = 0;
+        int differing = 0;
+        try (Engine engine = WidthLoader.openForCrowds(bits, 2, crowd)) {
+            for (int seed = 0; seed < SCENES / 2; seed++) {
+                PictureDifference difference =
+                        difference(engine, opaque(new Random(seed)).world().snapshot());
+                pixels += difference.pixels();
+                differing += difference.differing().length;
+            }
+        }
+        assertThat(differing).isLessThanOrEqualTo(pixels / PictureDifference.PIXELS_AN_ODD_ONE);
+    }
+
+    private static LitScene opaque(Random random) {
+        List<Mesh> placed = new ArrayList<>();
+        for (int i = 0; i <= random.nextInt(4); i++) {
+            placed.add(Mesh.of(Path.of("shape.obj"))
+                    .withPosition(
+                            new Vector3(4 * random.nextDouble() - 2, 1 + random.nextDouble(), random.nextDouble()))
+                    .withScale(0.3 + random.nextDouble())
+                    .withMaterial(Optional.of(Material.DEFAULT
+                            .withColor(new Rgb(random.nextDouble(), 0.6, 0.4))
+                            .withReflectivity(128 * random.nextDouble()))));
+        }
+        Scene scene = Scene.under(Path.of("none.hdr"))
+                .withCamera(Camera.of(new Vector3(0.3, 2.2, -6), 3, 10, 45))
+                .withLight(Light.of(new Vector3(-3, 7, -4 * random.nextDouble()), random.nextDouble(), WHITE))
+                .withPlane(Plane.of(30, 0, WHITE, new Rgb(0.3, 0.3, 0.3), 30 * random.nextDouble()))
+                .withMeshes(placed)
+                .withSettings(RenderSettings.DEFAULT
+                        .withSize(87, 53)
+                        .withShadows(1 + 8 * random.nextInt(3))
+                        .withBounces(random.nextInt(4)));
+        MeshFile file = MeshShapes.file(MeshShapes.blob(random, 1 + random.nextInt(3)));
+        Skybox sky =
+                new Skybox(2, 2, new float[] {0.2f, 0.4f, 0.9f, 0.9f, 0.5f, 0.2f, 0.3f, 0.3f, 0.3f, 0.1f, 0.2f, 0.1f});
+        return new LitScene(scene, SceneImages.of(sky), SceneMeshes.of(scene, _ -> file));
     }
 
     private static PictureDifference difference(Engine engine, FrameInput input) {

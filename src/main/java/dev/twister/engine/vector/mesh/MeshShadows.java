@@ -29,6 +29,7 @@ public final class MeshShadows {
      */
     public static void find(Drawing drawing, Tile tile, MeshBench bench) {
         tile.meshShadows.clear();
+        ShadowCandidates.findDiscs(tile, drawing);
         int kept = 0;
         for (int k = 0; k < tile.shadows.count; k++) {
             int at = tile.shadows.places[k];
