@@ -45,9 +45,9 @@ final class DevicesCommand implements Callable<Integer> {
 
     @Option(
             names = "--check",
-            description =
-                    "Compare each engine's pictures of all shipped scenes with sequential's, measure it, and"
-                            + " print a table in Markdown to paste into a report. Takes a minute or two per engine on a small machine.")
+            description = "Compare each engine's pictures of all shipped scenes with sequential's, measure it, and"
+                    + " print a table in Markdown to paste into a report. Takes a minute or two per engine"
+                    + " on a small machine.")
     private boolean check;
 
     @Option(

@@ -32,7 +32,8 @@ final class GuiCommand implements Callable<Integer> {
             paramLabel = "ENGINE",
             completionCandidates = Completions.OfEngine.class,
             description =
-                    "The engine to start with (see 'twister devices'). Default: the last one chosen in the window, or auto.")
+                    "The engine to start with (see 'twister devices'). Default: the last one chosen in the window,"
+                            + " or auto.")
     private Optional<String> engineId = Optional.empty();
 
     @Override

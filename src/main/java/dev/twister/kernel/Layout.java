@@ -323,7 +323,7 @@ public final class Layout {
         return spheresLength(firstMesh);
     }
 
-    /** Where the root is in the hierarchy of a scene of so many bodies: after the spheres. */
+    /** Where the root is in the hierarchy of a scene of that number of bodies: after the spheres. */
     public static int root(int bodies) {
         return SPHERE_STRIDE * (bodies - FIRST_SPHERE);
     }

@@ -85,7 +85,7 @@ final class TileRenderer {
         }
     }
 
-    /** Follows the live rays, which have met and left so many surfaces, to their ends. */
+    /** Follows the live rays, which have met and left as many surfaces as the bounce says, to their ends. */
     private void follow(Drawing drawing, int firstBounce) {
         for (int bounce = firstBounce; bounce <= drawing.bounceLimit && tile.live.count > 0; bounce++) {
             boolean offPlane = bounce == 1 && tile.spheres.count == 0 && drawing.looks.plainPlane;

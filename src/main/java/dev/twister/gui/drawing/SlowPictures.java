@@ -18,12 +18,12 @@ final class SlowPictures {
     /** How long a band should take. */
     private static final long BAND_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
 
-    /** Pictures of fewer pixels are not worth it: the slowest engine takes half a second for so many. */
+    /** Pictures of fewer pixels are not worth it: the slowest engine takes half a second for this number. */
     private static final int FEWEST_PIXELS = 1 << 16;
 
     /**
-     * Of a picture of which nothing is known about so many pixels are drawn first, of more than {@link #FEW_BODIES}
-     * fewer.
+     * Of a picture of which nothing is known about this number of pixels is rendered first, of more than
+     * {@link #FEW_BODIES} fewer.
      */
     private static final int FIRST_PIXELS = 1 << 14;
 
@@ -88,7 +88,8 @@ final class SlowPictures {
     /**
      * Draws a picture.
      *
-     * @param leave whether to leave the picture, so many nanoseconds before it would be done; asked between bands
+     * @param leave whether to leave the picture, that number of nanoseconds before it would be done; asked between
+     *     bands
      * @return whether the picture was drawn, and not left
      */
     boolean draw(Engine engine, FrameInput input, Frame frame, LongPredicate leave) {

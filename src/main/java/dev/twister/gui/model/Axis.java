@@ -21,7 +21,7 @@ public enum Axis {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** The point so many meters along from another one. */
+    /** The point that number of meters along from another one. */
     public Vector3 from(Vector3 place, double meters) {
         return new Vector3(
                 place.x() + meters * direction.x(),

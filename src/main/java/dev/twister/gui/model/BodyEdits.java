@@ -58,8 +58,8 @@ public final class BodyEdits {
     }
 
     /**
-     * The body so many steps on in the round of nothing, the light, the plane, all spheres and all meshes in their
-     * order.
+     * The body that number of steps on in the round of nothing, the light, the plane, all spheres and all meshes in
+     * their order.
      *
      * @param body where the round begins: {@link BodyNumber#NONE} or an editable body
      * @param steps back where they are negative

@@ -87,7 +87,7 @@ public final class KeyframeEdits {
         return with(scene, keyframes);
     }
 
-    /** The same direction, so many whole turns away that the camera goes the short way from the keyframe before. */
+    /** The same direction, turned by whole turns so that the camera goes the short way from the keyframe before. */
     private static double nearYaw(List<CameraKeyframe> others, double seconds, double yaw) {
         return others.stream()
                 .filter(other -> other.seconds() < seconds)

@@ -85,7 +85,7 @@ public record NumberSetting(
         return moved ? next : slid.clamp(rounded(number + Math.signum(steps) * finest));
     }
 
-    /** The number so many widths of the slider further, not rounded; beyond the slider's ends, too. */
+    /** The number that many widths of the slider further, not rounded; beyond the slider's ends, too. */
     public double movedBy(double number, double widths) {
         double moved = switch (scale) {
             case LINEAR, AROUND -> number + widths * (slid.max() - slid.min());

@@ -52,7 +52,7 @@ record PointerRay(float[] path, int body, Bodies bodies) {
         return path[Layout.DIRECTION + axis];
     }
 
-    /** The point so many meters along, in the scene. */
+    /** The point that number of meters along, in the scene. */
     Vector3 along(double meters) {
         Vector3 origin = bodies.origin();
         return new Vector3(

@@ -59,7 +59,7 @@ public final class RefinedPicture {
         return width == pictureWidth && height == pictureHeight;
     }
 
-    /** How many samples a pass of at most so many has: fewer at the limit. */
+    /** How many samples a pass of at most that many has: fewer at the limit. */
     public int samplesOfNextPass(int most) {
         return Math.min(most, limit - samples);
     }

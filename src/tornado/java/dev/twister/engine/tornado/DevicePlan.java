@@ -33,7 +33,10 @@ final class DevicePlan implements AutoCloseable {
     private static final String TASK = "draw";
     private static final int NOT_DRAWN = 0;
 
-    /** Up to so many bodies, sending their looks each frame costs less than it saves: no new plan for another color. */
+    /**
+     * Up to this number of bodies, sending their looks each frame costs less than it saves: no new plan for another
+     * color.
+     */
     private static final int FEW_BODIES = 4096;
 
     private static final int[] NO_PIXELS = new int[1];

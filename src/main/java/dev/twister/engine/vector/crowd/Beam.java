@@ -59,7 +59,7 @@ public final class Beam {
         slab.set(origin, origin, direction - SPREAD, direction + SPREAD);
     }
 
-    /** Ends the rays after so many meters. */
+    /** Ends the rays after that number of meters. */
     public void endAt(float meters) {
         end = Math.min(meters * (1f + SPREAD), EVERYWHERE);
     }

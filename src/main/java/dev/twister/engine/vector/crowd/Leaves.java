@@ -29,7 +29,7 @@ public final class Leaves {
      * Finds them; where a beam meets too many, a {@link Descent} that goes to the nearest first is better.
      *
      * @param most at most {@value #ROOM}
-     * @return whether there are at most so many
+     * @return whether there are at most that many
      */
     public boolean find(WideHierarchy hierarchy, Beam beam, int most) {
         links[0] = WideHierarchy.ROOT;

@@ -43,7 +43,7 @@ public final class BodyColumns {
      */
     public float[] surfaces = {};
 
-    /** The same in columns of {@link Lanes#COUNT}, from {@link Lanes#BORDER} on, where so many hold all bodies. */
+    /** The same in columns of {@link Lanes#COUNT}, from {@link Lanes#BORDER} on, where one column holds all bodies. */
     public final float[] surfaceColumns = new float[Lanes.BORDER + SURFACE_NUMBERS * Lanes.COUNT];
 
     /** Of each body, where its numbers begin in {@link #surfaces}. */

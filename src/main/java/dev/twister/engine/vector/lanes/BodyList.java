@@ -9,7 +9,7 @@ public final class BodyList {
         count = 0;
     }
 
-    /** Makes room for so many, so that adding them allocates nothing. */
+    /** Makes room for that number, so that adding them allocates nothing. */
     public void reserve(int most) {
         if (bodies.length < most) {
             bodies = new int[most];

@@ -61,7 +61,7 @@ public final class Lanes {
         return IntVector.fromArray(INTS, NUMBERS, 0);
     }
 
-    /** One bit each of the first lanes: so many, or all where there are fewer. */
+    /** One bit each of the first lanes: that number, or all where there are fewer. */
     public static long first(int number) {
         return (1L << Math.min(COUNT, number)) - 1;
     }

@@ -7,7 +7,7 @@ public final class PacketList {
 
     public int count;
 
-    /** With room for so many. */
+    /** With room for that number. */
     PacketList(int most) {
         places = new int[most];
     }

@@ -17,7 +17,7 @@ public final class PatchList {
 
     public int count;
 
-    /** With room for so many. */
+    /** With room for that number. */
     PatchList(int most) {
         places = new int[most];
         left = new int[most];

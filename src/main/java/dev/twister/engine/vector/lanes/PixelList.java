@@ -7,7 +7,7 @@ public final class PixelList {
 
     public int count;
 
-    /** With room for so many. */
+    /** With room for that number. */
     PixelList(int most) {
         pixels = new int[most + Lanes.COUNT];
     }

@@ -110,7 +110,7 @@ public final class ShadowColumns {
         candidates.reserve(most);
     }
 
-    /** Makes room for the conics at so many samples. */
+    /** Makes room for the conics at that number of samples. */
     public void reserveConics(int samples) {
         int length = Lanes.BORDER + samples * Lanes.COUNT;
         if (conics.length < length) {
@@ -118,7 +118,7 @@ public final class ShadowColumns {
         }
     }
 
-    /** Makes room for the facts of so many candidates. */
+    /** Makes room for the facts of that number of candidates. */
     public void reserveFacts(int count) {
         if (facts.length < ALONG + count * STRIDE) {
             int room = 2 * Integer.highestOneBit(count);

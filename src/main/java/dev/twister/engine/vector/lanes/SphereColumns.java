@@ -34,7 +34,9 @@ public final class SphereColumns {
         return FIRST + (sphere / Lanes.COUNT * COLUMNS + BODY) * Lanes.COUNT + sphere % Lanes.COUNT;
     }
 
-    /** Makes room for so many spheres, one column whole behind the other; what was there is lost where they grow. */
+    /**
+     * Makes room for that number of spheres, one column whole behind the other; what was there is lost where they grow.
+     */
     public void reserveList(int most) {
         if (stride < most + Lanes.COUNT) {
             stride = most + Lanes.COUNT;
@@ -43,7 +45,7 @@ public final class SphereColumns {
         }
     }
 
-    /** Makes room for so many blocks of {@link Lanes#COUNT} spheres; what is there stays. */
+    /** Makes room for that number of blocks of {@link Lanes#COUNT} spheres; what is there stays. */
     public void reserveBlocks(int most) {
         stride = Lanes.COUNT;
         step = COLUMNS * Lanes.COUNT;

@@ -34,7 +34,7 @@ public final class WaitingRays {
     private float[][] rays = {};
     private int[] counts = {};
 
-    /** Makes room for rays that have left so many surfaces. */
+    /** Makes room for rays that have left that number of surfaces. */
     public void reserve(int bounces) {
         if (counts.length <= bounces) {
             int before = counts.length;

@@ -20,7 +20,7 @@ import jdk.incubator.vector.VectorOperators;
  * A region that holds all rays of a tile: every point within {@code radius} of a cone, cut off where the rays end. The
  * cone's half angle is negative where the region narrows along its axis, as it does from surfaces to a small light.
  *
- * <p>With a and c a centre's distances along the axis and across it, {@code c * cos - a * sin - radius} is at most its
+ * <p>With a and c a center's distances along the axis and across it, {@code c * cos - a * sin - radius} is at most its
  * distance from the region.
  */
 public final class Hull {
@@ -167,7 +167,7 @@ public final class Hull {
         radius = (float) Math.sqrt(halfX * halfX + halfZ * halfZ);
     }
 
-    /** Whether the ball that the region starts in is within so many meters of the origin in x and in z. */
+    /** Whether the ball that the region starts in is within that number of meters of the origin in x and in z. */
     boolean isWithin(float meters) {
         return Math.max(Math.abs(baseX), Math.abs(baseZ)) + radius <= meters;
     }

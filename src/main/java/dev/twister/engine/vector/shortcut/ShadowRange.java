@@ -20,7 +20,7 @@ import jdk.incubator.vector.VectorOperators;
  * at {@code (a c -+ r sqrt(a^2 + c^2 - r^2)) / (a^2 - r^2) / s} radii from its center, c being the sphere's center
  * along the direction and s the scale: the shadow lies between them. And the conic of {@link ShadowConics} is nowhere
  * in the unit disc above {@code s^2 (a^2 + u^2 + w^2 - r^2) + u^2 + w^2 - r^2 + 2 a s (|l| - c X)} at X along the
- * direction, l being the centre's place beside it: that is below 0 on one side of some X.
+ * direction, l being the center's place beside it: that is below 0 on one side of some X.
  */
 public final class ShadowRange {
     /**

@@ -15,16 +15,16 @@ import jdk.incubator.vector.VectorSpecies;
 /**
  * What {@link SkyPatches} does, for 16 lanes and a sky in halves: a row of a patch is one vector, and each lane picks
  * its four texels out of three rows. Without helpers, for the reason that {@link ShadowConics} has; not even
- * {@link Lanes#fma}, as every CPU with so many lanes has what it asks for.
+ * {@link Lanes#fma}, as every CPU with that number of lanes has what it asks for.
  */
 public final class SkyRows {
     /** Whether a row of a patch fits a vector. */
     static final boolean FIT = Lanes.COUNT == 16;
 
-    /** A lane's left texel may be so many columns from the leftmost one; five texels are fifteen numbers. */
+    /** A lane's left texel may be this number of columns from the leftmost one; five texels are fifteen numbers. */
     private static final int MOST_TO_RIGHT = 3;
 
-    /** A lane's upper texel may be so many rows from the uppermost one. */
+    /** A lane's upper texel may be this number of rows from the uppermost one. */
     private static final int MOST_TO_BOTTOM = 1;
 
     /** Of two vectors, the second one's lanes are counted on from the first one's 16. */

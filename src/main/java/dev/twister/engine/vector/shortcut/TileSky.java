@@ -15,8 +15,8 @@ public final class TileSky {
     private static final int LEAST_CHARTED = Tile.SIZE / Lanes.COUNT / 4;
 
     /**
-     * Beside so many tiles of pictures of few pixels, what only larger ones come to is done for nothing: an engine is
-     * warmed up by small pictures, and what the JVM has not compiled by then makes the first large ones slow.
+     * During the first tiles, this many, of small pictures, the code of large ones also runs on dummy data, so that C2
+     * compiles it early: engines are warmed up by small pictures.
      */
     private static final int REHEARSALS = 20_000;
 
@@ -36,7 +36,7 @@ public final class TileSky {
         return drawing.shortcuts.take(Shortcut.SKY_CHART) && chart.covers(tile, drawing);
     }
 
-    /** The same where so many of the packets meet the sky that it pays. */
+    /** The same, if enough of the packets meet the sky for it to pay. */
     public boolean pays(Tile tile, Drawing drawing) {
         return tile.skies.count >= LEAST_CHARTED && isCharted(drawing, tile);
     }

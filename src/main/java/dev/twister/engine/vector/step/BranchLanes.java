@@ -97,7 +97,7 @@ public final class BranchLanes {
                 .toLong();
     }
 
-    /** Takes rays that have left so many surfaces up again, with black colors and a whole throughput. */
+    /** Takes rays that have left that number of surfaces up again, with black colors and a whole throughput. */
     public static void resume(Tile tile, WaitingRays rays, int bounce) {
         int count = rays.take(tile, bounce);
         float[] t = tile.values;

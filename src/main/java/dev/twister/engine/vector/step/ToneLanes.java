@@ -18,7 +18,7 @@ public final class ToneLanes {
 
     private ToneLanes() {}
 
-    /** Maps the sums of so many samples to [0, 1] and above, unless all that is asked for is an exposure. */
+    /** Maps the sums of that number of samples to [0, 1] and above, unless all that is asked for is an exposure. */
     static void map(Tile tile, float[] properties, int samples) {
         if (!isPlain(properties)) {
             mapAll(tile, properties, properties[Layout.EXPOSURE_SCALE] / samples);
