@@ -118,7 +118,7 @@ final class FileActions {
     private void insert(Mesh mesh, MeshFile held) {
         studio.pictureProperty().get().ifPresent(shown -> {
             Bounds bounds = held.bounds();
-            studio.keepMesh(mesh, held);
+            studio.assets().keepMesh(mesh, held);
             studio.insert(
                     "insert mesh",
                     new Solid.OfMesh(
@@ -133,7 +133,7 @@ final class FileActions {
         readMesh(mesh, held -> {
             Scene stage = MeshStage.of(mesh.file(), held, sky);
             afterSaving(() -> {
-                studio.keepMesh(mesh, held);
+                studio.assets().keepMesh(mesh, held);
                 studio.show(new OpenedScene(MeshStage.sceneFile(mesh.file()), stage));
                 remember(file);
             });
@@ -143,7 +143,7 @@ final class FileActions {
     private void readMesh(Mesh mesh, Consumer<MeshFile> then) {
         reading.begin(
                 name(mesh.file()),
-                () -> studio.readMesh(mesh),
+                () -> studio.assets().readMesh(mesh),
                 then,
                 problem -> {
                     forgetWhereGone(mesh.file());
@@ -176,7 +176,7 @@ final class FileActions {
         reading.begin(
                 name(file),
                 () -> {
-                    studio.readSky(file);
+                    studio.assets().readSky(file);
                     return file;
                 },
                 studio::useSky,
@@ -211,7 +211,7 @@ final class FileActions {
         reading.begin(
                 name(file),
                 () -> {
-                    studio.readTexture(scene, file);
+                    studio.assets().readTexture(scene, file);
                     return file;
                 },
                 _ -> {
@@ -266,7 +266,7 @@ final class FileActions {
     private void openScene(Path file) {
         reading.begin(
                 name(file),
-                () -> studio.read(file),
+                () -> studio.assets().readScene(file),
                 // What cannot be opened is no reason to ask what is to become of the old scene.
                 opened -> afterSaving(() -> {
                     studio.show(opened);
@@ -286,7 +286,7 @@ final class FileActions {
                 name(file),
                 () -> {
                     OpenedScene read = OpenedScene.readUnder(present, file);
-                    studio.readTextures(read.scene());
+                    studio.assets().readTextures(read.scene());
                     return read;
                 },
                 _ -> dialogs.askForSky(
@@ -303,9 +303,9 @@ final class FileActions {
         reading.begin(
                 name(file),
                 () -> {
-                    studio.readSky(sky);
+                    studio.assets().readSky(sky);
                     OpenedScene read = OpenedScene.readUnder(sky, file);
-                    studio.readTextures(read.scene());
+                    studio.assets().readTextures(read.scene());
                     return read;
                 },
                 opened -> afterSaving(() -> {
@@ -344,7 +344,7 @@ final class FileActions {
     /** The edits; under the present sky where their own cannot be read any more. */
     private Scene edited(Path autosaved, Path present) {
         try {
-            return studio.read(autosaved).scene();
+            return studio.assets().readScene(autosaved).scene();
         } catch (SceneException | SkyException _) {
             Scene edits = SceneReader.readWithoutPictures(autosaved);
             return isReadable(edits.skybox()) ? edits : edits.withSkybox(present);
@@ -353,7 +353,7 @@ final class FileActions {
 
     private boolean isReadable(Path panorama) {
         try {
-            studio.readSky(panorama);
+            studio.assets().readSky(panorama);
             return true;
         } catch (SkyException _) {
             return false;
@@ -365,7 +365,7 @@ final class FileActions {
     /** The scene as its file has it; as it was edited where that cannot be read any more. */
     private OpenedScene before(EditedFile file, Scene edited) {
         try {
-            return new OpenedScene(file, studio.read(file.path()).scene());
+            return new OpenedScene(file, studio.assets().readScene(file.path()).scene());
         } catch (SceneException | SkyException _) {
             return new OpenedScene(file, edited);
         }

@@ -68,8 +68,8 @@ final class MenuView extends MenuBar {
             }
             getMenus().add(menu);
         }
-        check(Command.MOVE, studio.motionProperty().map(Motion::isOn));
-        check(Command.PAUSE, studio.motionProperty().map(motion -> motion.isOn() && !motion.running()));
+        check(Command.MOVE, studio.motion().motionProperty().map(Motion::isOn));
+        check(Command.PAUSE, studio.motion().motionProperty().map(motion -> motion.isOn() && !motion.running()));
         recent.setId("recent");
         getMenus().getFirst().getItems().add(1, recent);
         settings.settingsProperty().subscribe(kept -> showRecent(kept.recentScenes(), files));

@@ -198,7 +198,7 @@ final class Panel extends ScrollPane {
     /** Engine, resolution, scene and refinement as they were at first. */
     static void resetAll(Studio studio, EngineList engines, String usualEngine) {
         // First, as an edit of moving bodies keeps where it found them.
-        studio.setMoving(false);
+        studio.motion().setOn(false);
         studio.edit(
                 "everything",
                 scene -> studio.original()

@@ -22,7 +22,7 @@ final class PhysicsSection {
                 "Physics",
                 "Simulate physics. Off: bodies return to their places in the scene.",
                 "Alt+M",
-                studio::setMoving);
+                studio.motion()::setOn);
         numbers = List.of(
                 new NumberRow(SceneNumbers.GRAVITY, "Alt+Y", studio),
                 new NumberRow(SurroundingsNumbers.ELASTICITY, "Alt+Shift+E", studio),
@@ -36,7 +36,7 @@ final class PhysicsSection {
         pause = button(Command.PAUSE, actions);
         buttons = new HBox(pause, button(Command.STEP, actions), button(Command.RANDOMIZE, actions));
         buttons.getStyleClass().add("buttons");
-        studio.motionProperty().subscribe(motion -> show(motion));
+        studio.motion().motionProperty().subscribe(motion -> show(motion));
         studio.sceneProperty().subscribe(scene -> show(scene, studio.original()));
         studio.originalProperty().subscribe(original -> show(studio.scene(), original));
     }

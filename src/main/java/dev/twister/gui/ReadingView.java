@@ -43,7 +43,7 @@ final class ReadingView extends HBox {
     static void cancel(Studio studio, Reading reading) {
         name(studio, reading).ifPresent(file -> studio.notice("Canceled reading " + file));
         reading.cancel();
-        studio.cancelReading();
+        studio.assets().cancelReading();
     }
 
     /** Called in every pulse. */
@@ -61,7 +61,7 @@ final class ReadingView extends HBox {
     }
 
     private static Optional<String> name(Studio studio, Reading reading) {
-        return reading.presentProperty().get().map(Reading.Task::name).or(studio::beingRead);
+        return reading.presentProperty().get().map(Reading.Task::name).or(studio.assets()::beingRead);
     }
 
     private void show(boolean shown) {

@@ -58,14 +58,13 @@ final class SelectionSection extends VBox {
         });
         // A row's own edit is shown too, while the slider is held.
         studio.sceneProperty()
-                .subscribe(_ -> refresh(
-                        row -> !row.isRead() || !studio.motionProperty().get().isOn()));
-        studio.motionProperty().subscribe(_ -> follow());
+                .subscribe(_ -> refresh(row -> !row.isRead() || !studio.motion().isOn()));
+        studio.motion().motionProperty().subscribe(_ -> follow());
     }
 
     /** Called in every pulse: follows a sphere that moves, as fast as one reads, and where the panel is seen at all. */
     void pulse(long nanos) {
-        if (studio.motionProperty().get().isOn() && nanos - followedNanos >= FOLLOW_NANOS) {
+        if (studio.motion().isOn() && nanos - followedNanos >= FOLLOW_NANOS) {
             followedNanos = nanos;
             follow();
         }
@@ -161,9 +160,7 @@ final class SelectionSection extends VBox {
         int body = studio.selectionProperty().get();
         // The selection follows a scene that has lost the body; until then there is nothing to show.
         if (BodyEdits.isSolid(scene, body) && body == shownBody) {
-            Scene seen = studio.motionProperty().get().isOn()
-                    ? BodyEdits.moved(scene, body, studio.positionNow(body))
-                    : scene;
+            Scene seen = studio.motion().isOn() ? BodyEdits.moved(scene, body, studio.positionNow(body)) : scene;
             numbers.stream().filter(which).forEach(row -> row.show(seen, atSelection));
         }
     }

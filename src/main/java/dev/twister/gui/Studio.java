@@ -1,15 +1,11 @@
 package dev.twister.gui;
 
 import dev.twister.engine.EngineOffer;
-import dev.twister.engine.JvmEngines;
 import dev.twister.gui.drawing.DrawingLoop;
 import dev.twister.gui.drawing.DrawingRequest;
 import dev.twister.gui.drawing.DrawingStatus;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.EngineChoice;
-import dev.twister.gui.drawing.MeshShelf;
-import dev.twister.gui.drawing.Motion;
-import dev.twister.gui.drawing.SkyShelf;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyExtent;
 import dev.twister.gui.model.BodyNumber;
@@ -21,7 +17,6 @@ import dev.twister.gui.model.ResolutionMode;
 import dev.twister.gui.model.SceneHistory;
 import dev.twister.gui.model.Solid;
 import dev.twister.image.PictureSize;
-import dev.twister.mesh.MeshFile;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
@@ -55,8 +50,7 @@ public final class Studio implements AutoCloseable {
     /** After the window was asleep, say, the camera does not leap. */
     private static final double LONGEST_STEP_SECONDS = 0.25;
 
-    private final SkyShelf skies;
-    private final MeshShelf meshes;
+    private final SceneAssets assets;
     private final DrawingLoop loop;
     private final ReadOnlyObjectWrapper<Scene> scene;
     private final ReadOnlyObjectWrapper<EngineChoice> engine;
@@ -71,8 +65,7 @@ public final class Studio implements AutoCloseable {
     private final CameraHand hand = new CameraHand(this);
     private final CameraFilm film;
     private final FrameHistory frames = new FrameHistory();
-    private final ReadOnlyObjectWrapper<Motion> motion = new ReadOnlyObjectWrapper<>(Motion.NONE);
-    private long starts;
+    private final MotionControl motion = new MotionControl(this);
     private final ReadOnlyStringWrapper notice = new ReadOnlyStringWrapper("");
     private SceneHistory document;
     private long documents;
@@ -82,15 +75,13 @@ public final class Studio implements AutoCloseable {
     private double viewWidth;
     private double viewHeight;
     private long requests;
-    private long meshesEdition;
 
     /** The first request with the numbers that bodies have now; they change where some come or go. */
     private long numbered;
 
-    private Studio(OpenedScene opened, EngineOffer offer, SkyShelf skies, MeshShelf meshes, DrawingLoop loop) {
-        this.skies = skies;
-        this.meshes = meshes;
-        this.loop = loop;
+    private Studio(OpenedScene opened, EngineOffer offer, SceneAssets assets) {
+        this.assets = assets;
+        loop = assets.drawingLoop();
         Scene first = withCameraAbovePlane(opened.scene());
         scene = new ReadOnlyObjectWrapper<>(first);
         engine = new ReadOnlyObjectWrapper<>(new EngineChoice(0, offer));
@@ -108,11 +99,8 @@ public final class Studio implements AutoCloseable {
      * @param engine draws first
      */
     public static Studio start(OpenedScene opened, EngineOffer engine) {
-        SkyShelf skies = new SkyShelf();
-        MeshShelf meshes = new MeshShelf(SceneMeshes.reader(skies::warn));
-        DrawingLoop loop = new DrawingLoop(skies, meshes, JvmEngines.parallel());
-        Studio studio = new Studio(opened, engine, skies, meshes, loop);
-        loop.start();
+        Studio studio = new Studio(opened, engine, new SceneAssets());
+        studio.loop.start();
         return studio;
     }
 
@@ -159,9 +147,9 @@ public final class Studio implements AutoCloseable {
         return drawing.getReadOnlyProperty();
     }
 
-    /** A second drawing thread, not started yet, that has the same skies and meshes at hand. */
-    DrawingLoop anotherLoop() {
-        return new DrawingLoop(skies, meshes, JvmEngines.parallel());
+    /** The files that scenes name. */
+    SceneAssets assets() {
+        return assets;
     }
 
     /** See {@link DrawingLoop#radiance}. */
@@ -235,9 +223,10 @@ public final class Studio implements AutoCloseable {
     public void edit(String what, UnaryOperator<Scene> change) {
         Scene standing = scene.get();
         Scene edited = change.apply(standing);
-        if (motion.get().isOn() && !edited.spheres().equals(standing.spheres())) {
-            MovedScene.Edit edit =
-                    MovedScene.of(standing, motion.get(), picture.get()).edit(change);
+        if (motion.isOn() && !edited.spheres().equals(standing.spheres())) {
+            MovedScene.Edit edit = MovedScene.of(
+                            standing, motion.motionProperty().get(), picture.get())
+                    .edit(change);
             document.carryOnMoved(edit.before());
             edited = edit.after();
         }
@@ -253,54 +242,15 @@ public final class Studio implements AutoCloseable {
     }
 
     /** Whether and how bodies move. */
-    public ReadOnlyObjectProperty<Motion> motionProperty() {
-        return motion.getReadOnlyProperty();
-    }
-
-    /** Lets bodies move from where the scene has them, or puts them back there. */
-    public void setMoving(boolean moving) {
-        starts++;
-        boolean moved = motion.get().isOn();
-        setMotion(moving ? new Motion(starts, true, 0) : Motion.NONE);
-        if (moving) {
-            notice(StatusText.whatFalls(scene.get()));
-        } else if (moved) {
-            notice("Physics off: bodies are where the scene has them");
-        }
-    }
-
-    /** Lets time stand still, or go on; starts the motion where there is none. */
-    public void togglePause() {
-        Motion now = motion.get();
-        if (now.isOn()) {
-            setMotion(new Motion(now.start(), !now.running(), now.steps()));
-            notice(now.running() ? "Paused" : "Resumed");
-        } else {
-            setMoving(true);
-        }
-    }
-
-    /** Lets time stand still but for one step of the physics. */
-    public void stepOnce() {
-        if (!motion.get().isOn()) {
-            setMoving(true);
-        }
-        Motion now = motion.get();
-        setMotion(new Motion(now.start(), false, now.steps() + 1));
-    }
-
-    private void setMotion(Motion next) {
-        if (next.start() != motion.get().start() && BodyEdits.isPoured(scene.get(), selection.get())) {
-            select(BodyNumber.NONE);
-        }
-        motion.set(next);
-        request();
+    MotionControl motion() {
+        return motion;
     }
 
     /** Where a movable body is in the picture that is shown. */
     public Vector3 positionNow(int body) {
         return BodyEdits.isSphere(scene.get(), body)
-                ? MovedScene.of(scene.get(), motion.get(), picture.get()).position(BodyNumber.sphere(body))
+                ? MovedScene.of(scene.get(), motion.motionProperty().get(), picture.get())
+                        .position(BodyNumber.sphere(body))
                 : BodyEdits.position(scene.get(), body);
     }
 
@@ -415,18 +365,6 @@ public final class Studio implements AutoCloseable {
         request();
     }
 
-    /**
-     * Reads a scene, its sky and its textures, and shows nothing yet; any thread may do so.
-     *
-     * @throws dev.twister.scene.SceneException where it is not a scene
-     * @throws dev.twister.sky.SkyException where its sky or a texture cannot be read
-     */
-    public OpenedScene read(Path scenesFile) {
-        OpenedScene read = OpenedScene.read(scenesFile);
-        skies.refresh(read.scene());
-        return read;
-    }
-
     /** Shows another scene, and forgets the old one with its edits. */
     public void show(OpenedScene opened) {
         documents++;
@@ -434,7 +372,7 @@ public final class Studio implements AutoCloseable {
         original.set(opened.scene());
         file.set(opened.file());
         selection.set(BodyNumber.NONE);
-        motion.set(Motion.NONE);
+        motion.reset();
         show();
         film.startAnew();
         request();
@@ -451,16 +389,6 @@ public final class Studio implements AutoCloseable {
         endGesture();
         document.markUnsaved();
         show();
-    }
-
-    /**
-     * Shows another scene, as {@link #read} and {@link #show(OpenedScene)}; the old one stays where that fails.
-     *
-     * @throws dev.twister.scene.SceneException where it is not a scene
-     * @throws dev.twister.sky.SkyException where its sky cannot be read
-     */
-    public void open(Path scenesFile) {
-        show(read(scenesFile));
     }
 
     /** The number of the last request: a picture of it, or of a later one, is of what there is now. */
@@ -499,61 +427,6 @@ public final class Studio implements AutoCloseable {
         request();
     }
 
-    /**
-     * Reads a panorama, so that the scene can have it; any thread may do so.
-     *
-     * @throws dev.twister.sky.SkyException where it cannot be read
-     */
-    public void readSky(Path panorama) {
-        skies.refresh(panorama);
-    }
-
-    /**
-     * Reads a scene's textures, so that it can be shown; any thread may do so.
-     *
-     * @throws dev.twister.sky.SkyException where one cannot be read
-     */
-    public void readTextures(Scene textured) {
-        skies.refreshTextures(textured);
-    }
-
-    /**
-     * Reads a texture that a scene does not have yet; any thread may do so.
-     *
-     * @throws dev.twister.sky.SkyException where it cannot be read
-     */
-    public void readTexture(Scene textured, Path file) {
-        skies.refreshTexture(textured, file);
-    }
-
-    /**
-     * The panorama or texture that the drawing thread waits for, or the meshes that it draws without until they are
-     * read.
-     */
-    Optional<String> beingRead() {
-        return skies.beingRead().map(file -> String.valueOf(file.getFileName())).or(meshes::progress);
-    }
-
-    /** What is {@link #beingRead} is not read any more: the drawing thread draws without it. */
-    void cancelReading() {
-        skies.cancel();
-        meshes.cancel();
-    }
-
-    /**
-     * Reads a mesh's file; any thread may do so.
-     *
-     * @throws dev.twister.mesh.MeshException where it is not a mesh that can be read
-     */
-    MeshFile readMesh(Mesh mesh) {
-        return SceneMeshes.reader(skies::warn).apply(SceneMeshes.Source.of(mesh));
-    }
-
-    /** Keeps a mesh's file that was read for a scene that is shown next, or is edited to have it. */
-    void keepMesh(Mesh mesh, MeshFile file) {
-        meshes.keep(mesh, file);
-    }
-
     /** The area for the picture, in pixels of the screen. */
     public void setViewSize(double width, double height) {
         if (width != viewWidth || height != viewHeight) {
@@ -577,12 +450,8 @@ public final class Studio implements AutoCloseable {
             frames.add(newest, displayMillis);
             picture.set(Optional.of(newest));
         });
-        String warnings = skies.takeWarnings();
-        if (!warnings.isEmpty()) {
-            notice(warnings);
-        }
-        if (meshes.edition() != meshesEdition) {
-            meshesEdition = meshes.edition();
+        assets.takeWarnings().ifPresent(this::notice);
+        if (assets.takeMeshesRead()) {
             request();
         }
         drawing.set(loop.status());
@@ -625,7 +494,8 @@ public final class Studio implements AutoCloseable {
         return scene.withCamera(CameraMotion.above(scene.camera(), scene.plane()));
     }
 
-    private void request() {
+    /** Asks for a picture of what there is now. */
+    void request() {
         if (viewWidth >= 1 && viewHeight >= 1) {
             requests++;
             PictureSize size = resolution.get().size(viewWidth, viewHeight);
@@ -638,7 +508,7 @@ public final class Studio implements AutoCloseable {
                     size.height(),
                     engine.get(),
                     refineTo,
-                    motion.get(),
+                    motion.motionProperty().get(),
                     shown.get()));
         }
     }

@@ -76,7 +76,7 @@ final class Workbench implements AutoCloseable {
         autosaves = new AutosaveKeeper(studio, options.autosaves());
         pictures = new PictureActions(studio, options.files(), dialogs, errands);
         help = new HelpWindows(stage);
-        comparison = new Comparison(studio, studio::anotherLoop);
+        comparison = new Comparison(studio, studio.assets()::drawingLoop);
         middle.getChildren().add(1, new SplitView(picture, studio, comparison));
         bodies = new BodyActions(studio);
         inspector = new PixelInspector(picture, studio, errands);
@@ -226,14 +226,12 @@ final class Workbench implements AutoCloseable {
                 .on(Command.ZOOM_TO_FIT, picture::zoomToFit)
                 .on(Command.PANEL, () -> showPanel(!isPanelShown()))
                 .on(Command.FRAME_TIMES, () -> showFrameTimes(!frameTimes.isVisible()))
-                .on(
-                        Command.MOVE,
-                        () -> studio.setMoving(!studio.motionProperty().get().isOn()))
+                .on(Command.MOVE, () -> studio.motion().setOn(!studio.motion().isOn()))
                 .on(Command.FRAME, bodies::frameSelected)
                 .on(Command.FRAME_ALSO, bodies::frameSelected)
                 .on(Command.Q_UP, () -> settings.change(kept -> kept.withQUp(!kept.qUp())))
-                .on(Command.PAUSE, studio::togglePause)
-                .on(Command.STEP, studio::stepOnce)
+                .on(Command.PAUSE, studio.motion()::togglePause)
+                .on(Command.STEP, studio.motion()::stepOnce)
                 .on(Command.RANDOMIZE, this::randomize)
                 .on(Command.FULL_SCREEN, () -> stage.setFullScreen(!stage.isFullScreen()))
                 .on(Command.PLAY, studio.film()::togglePlaying)

@@ -62,7 +62,7 @@ class FilesTest {
         Path scene =
                 Files.copy(Path.of("scenes", "teaching.json"), sceneFolder().resolve("start.json"));
         driver.run(() -> {
-            driver.studio.open(scene);
+            driver.studio.show(driver.studio.assets().readScene(scene));
             driver.files.chooseNothing();
             driver.studio.edit("shadows", now -> now.withSettings(now.settings().withShadows(1)));
             SceneHistory.Version saved = driver.studio.toSave();
@@ -338,7 +338,7 @@ class FilesTest {
         Path shipped = Path.of("scenes", "teaching.json").toAbsolutePath();
         byte[] before = Files.readAllBytes(shipped);
         Path mine = folder.resolve("scenes").resolve("mine.json");
-        driver.run(() -> driver.studio.open(shipped));
+        driver.run(() -> driver.studio.show(driver.studio.assets().readScene(shipped)));
         change();
         driver.typeWith(KeyCode.Q, KeyCode.CONTROL);
         driver.files.choose(shipped);

@@ -68,7 +68,7 @@ class PhysicsTest {
     }
 
     private static Motion motion() {
-        return WindowDriver.call(driver.studio.motionProperty()::get);
+        return WindowDriver.call(driver.studio.motion().motionProperty()::get);
     }
 
     private static PanelRow row(String name) {
@@ -203,7 +203,7 @@ class PhysicsTest {
     private static DrawnPicture awaitSteps(int more) {
         driver.run(() -> {
             for (int step = 0; step < more; step++) {
-                driver.studio.stepOnce();
+                driver.studio.motion().stepOnce();
             }
         });
         long steps = motion().steps();
