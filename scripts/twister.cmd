@@ -25,6 +25,12 @@ if defined TORNADOVM_HOME if exist "%candidate%\tornado-argfile" set "sdk=%candi
 set "candidate=%USERPROFILE%\.sdkman\candidates\tornadovm\current"
 if not defined sdk if exist "%candidate%\tornado-argfile" set "sdk=%candidate%"
 
+rem Commands that use no engine start faster without the modules and options of the engines.
+set engines="@%TWISTER_HOME%\scripts\engine.options"
+for %%C in (-h --help -V --version explain join scene simulate sky) do if "%~1"=="%%C" set "engines="
+for %%C in (-h --help) do if "%~2"=="%%C" set "engines="
+if not defined engines set "sdk="
+
 call :is_built
 if errorlevel 1 call :build
 if errorlevel 1 goto fail
@@ -38,7 +44,7 @@ if exist "%jdk%\bin\jvmcicompiler.dll" set jit="@%TWISTER_HOME%\scripts\jit.opti
 for %%V in (JAVA_TOOL_OPTIONS JDK_JAVA_OPTIONS TWISTER_JAVA_OPTIONS _JAVA_OPTIONS) do set %%V 2>nul | findstr /r /c:"-XX:[+-]UseJVMCICompiler" /c:"-XX:[+-]UseGraalJIT" >nul && set "jit="
 :run
 if defined sdk goto run_with_sdk
-"%jdk%\bin\java" "@%TWISTER_HOME%\scripts\jvm.options" %collector% %jit% %TWISTER_JAVA_OPTIONS% -cp "%jar%;%target%\lib\*" dev.twister.cli.Main %*
+"%jdk%\bin\java" "@%TWISTER_HOME%\scripts\jvm.options" %engines% %collector% %jit% %TWISTER_JAVA_OPTIONS% -cp "%jar%;%target%\lib\*" dev.twister.cli.Main %*
 exit /b
 
 :run_with_sdk
@@ -52,7 +58,7 @@ if errorlevel 1 call :build_engine
 if errorlevel 2 goto go_without_sdk
 if errorlevel 1 goto fail
 set "TORNADOVM_HOME=%sdk%"
-"%jdk%\bin\java" "@%engine%\argfile" "@%TWISTER_HOME%\scripts\tornado.options" "@%TWISTER_HOME%\scripts\jvm.options" %collector% %jit% %TWISTER_JAVA_OPTIONS% -cp "%jar%;%target%\lib\*;%engine%\classes" dev.twister.cli.Main %*
+"%jdk%\bin\java" "@%engine%\argfile" "@%TWISTER_HOME%\scripts\tornado.options" "@%TWISTER_HOME%\scripts\jvm.options" %engines% %collector% %jit% %TWISTER_JAVA_OPTIONS% -cp "%jar%;%target%\lib\*;%engine%\classes" dev.twister.cli.Main %*
 exit /b
 
 rem A JDK without what the SDK's argument file names (JVMCI, say) still runs everything that needs no device.

@@ -26,8 +26,10 @@ public final class ChildJvm {
 
     /** The same with the launcher's options, as a user's, and some more. */
     public static ProcessBuilder asLaunched(List<String> moreOptions, Class<?> main, String... arguments) {
-        List<String> options = new ArrayList<>(
-                List.of("@" + Path.of("scripts", "jvm.options"), "@" + Path.of("scripts", "collector.options")));
+        List<String> options = new ArrayList<>();
+        for (String file : List.of("jvm.options", "engine.options", "collector.options")) {
+            options.add("@" + Path.of("scripts", file));
+        }
         options.addAll(moreOptions);
         return of(options, main, arguments);
     }

@@ -21,7 +21,7 @@ final class CompilerOptionsTest {
 
     @TestFactory
     Stream<DynamicTest> namesMethods() throws IOException {
-        String options = Files.readString(Path.of("scripts", "jvm.options"));
+        String options = Files.readString(Path.of("scripts", "engine.options"));
         List<MatchResult> commanded = COMMANDED.matcher(options).results().toList();
         assertThat(commanded)
                 .hasSameSizeAs(options.lines()

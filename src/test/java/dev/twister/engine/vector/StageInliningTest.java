@@ -18,7 +18,7 @@ final class StageInliningTest {
 
     @Test
     void isWhatTheLauncherTells() throws Exception {
-        List<String> options = Files.readAllLines(Path.of("scripts", "jvm.options"));
+        List<String> options = Files.readAllLines(Path.of("scripts", "engine.options"));
         assertThat(options).contains(commands("inline,", StageInlining.ALWAYS));
         assertThat(options).contains(commands("dontinline,", StageInlining.NEVER));
     }
