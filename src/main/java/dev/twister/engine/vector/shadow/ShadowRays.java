@@ -6,7 +6,7 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Blocked samples in the general case, ray by ray: the test of {@link dev.twister.kernel.SoftShadow}. */
+/** Blocked samples in the general case, ray by ray: the test of {@link dev.twister.kernel.Shadow}. */
 public final class ShadowRays {
     private ShadowRays() {}
 
