@@ -169,7 +169,7 @@ public final class FastestEngine {
     private void remember(List<EngineOffer> candidates, Optional<String> fastest, BooleanSupplier canceled) {
         fastest.filter(_ -> !canceled.getAsBoolean()).ifPresent(id -> {
             store.write(MachineKey.beforeDevices(candidates), id);
-            // Written last: whoever reads this entry may rely on the other one.
+            // Written last: a reader of this entry may rely on the other one.
             store.write(MachineKey.of(candidates), id);
         });
     }
