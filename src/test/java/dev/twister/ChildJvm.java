@@ -6,25 +6,25 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
-/** Another JVM with the classes of the tests, started without any option of this one's. */
+/** Another JVM with the class path of the tests, started without the options of this one. */
 public final class ChildJvm {
     private static final long MOST_SECONDS = 300;
 
     private ChildJvm() {}
 
-    /** Starts one that is ended after some minutes, so that a test that reads its output or waits for it goes on. */
+    /** Starts a process that is killed after some minutes, so that a test waiting for it continues. */
     public static Process start(ProcessBuilder builder) throws IOException {
         Process java = builder.start();
         java.onExit().orTimeout(MOST_SECONDS, TimeUnit.SECONDS).exceptionally(_ -> java.destroyForcibly());
         return java;
     }
 
-    /** One that is to run a class's main method without any option: without the Vector API, too. */
+    /** Prepares a JVM that runs a main method without any option, and so without the Vector API. */
     public static ProcessBuilder of(Class<?> main, String... arguments) {
         return of(List.of(), main, arguments);
     }
 
-    /** The same with the launcher's options, as a user's, and some more. */
+    /** Prepares a JVM with the launcher's options, as for a user, and additional ones. */
     public static ProcessBuilder asLaunched(List<String> moreOptions, Class<?> main, String... arguments) {
         List<String> options = new ArrayList<>();
         for (String file : List.of("jvm.options", "engine.options", "collector.options")) {

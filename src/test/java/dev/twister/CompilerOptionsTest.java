@@ -15,7 +15,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 
-/** What the launcher tells the JVM's compiler is of methods that there are: the JVM says nothing of others. */
+/** Options for the JVM's compiler name existing methods only: the JVM does not report unknown ones. */
 final class CompilerOptionsTest {
     private static final Pattern COMMANDED = Pattern.compile("CompileCommand=\\w+,([\\w/]+(?:/\\*)?)\\.([\\w*]+)");
 
@@ -34,7 +34,7 @@ final class CompilerOptionsTest {
                                 .anyMatch(glob(result.group(2)).asMatchPredicate())));
     }
 
-    /** The names of the methods of a class, or of all classes of a package. */
+    /** Returns the method names of a class or of all classes of a package. */
     private static List<String> methods(String classes) throws IOException {
         String folder = classes.substring(0, classes.lastIndexOf('/'));
         String name = classes.substring(classes.lastIndexOf('/') + 1) + ".class";

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What is given away with its license, and with those of others. */
+/** Distributed files include Twister's license and those of its libraries. */
 class LicensesTest {
     private static final Path LIST = Path.of("THIRD-PARTY.txt");
     private static final Pattern LIBRARY =
@@ -27,7 +27,7 @@ class LicensesTest {
         Set<String> built = Pattern.compile(File.pathSeparator, Pattern.LITERAL)
                 .splitAsStream(libraries.strip())
                 .map(Path::of)
-                // Of a library with native code there is one more for each system.
+                // A library with native code has one more jar for each system.
                 .map(jar -> jar.getParent().getParent().getFileName() + " "
                         + jar.getParent().getFileName())
                 .collect(Collectors.toSet());

@@ -5,11 +5,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Assumptions;
 
-/** Makes symbolic links, where the system has some. */
+/** Creates symbolic links where the system supports them. */
 public final class Links {
     private Links() {}
 
-    /** Makes a link; the test is left where that cannot be done. */
+    /** Creates a link; skips the test if that fails. */
     public static Path make(Path link, Path target) {
         try {
             return Files.createSymbolicLink(link, target);

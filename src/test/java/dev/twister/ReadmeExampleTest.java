@@ -13,7 +13,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The example of README is a program that runs as it stands there. */
+/** The example program in README runs unchanged. */
 class ReadmeExampleTest {
     private static final Pattern EXAMPLE = Pattern.compile("```java\\n(.*?class (\\w+).*?)```", Pattern.DOTALL);
 
@@ -28,7 +28,7 @@ class ReadmeExampleTest {
                 .orElseThrow();
         Path source = Files.writeString(folder.resolve(example.group(2) + ".java"), example.group(1));
 
-        // The JVM compiles a program of one file by itself.
+        // The JVM compiles and runs single-file programs.
         Process java = ChildJvm.start(new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                         "-cp",

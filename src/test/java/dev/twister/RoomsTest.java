@@ -26,7 +26,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The design's table of rooms: which package may lean on which. */
+/** The design's table of packages and their allowed dependencies. */
 class RoomsTest {
     private static final JavaClasses TWISTER = new ClassFileImporter()
             .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)

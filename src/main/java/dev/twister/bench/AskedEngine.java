@@ -5,18 +5,18 @@ import dev.twister.engine.Engines;
 import dev.twister.engine.auto.FastestEngine;
 
 /**
- * An engine under the name that it was asked for by: {@value FastestEngine#AUTO} becomes another one, which may be
- * measured beside it.
+ * An engine with the name by which it was requested: {@value FastestEngine#AUTO} opens another engine, which may be
+ * measured too.
  *
  * @param id the name in the report
  */
 record AskedEngine(String id, Engine engine) {
-    /** What does the work; with the engine's own name where that is another one. */
+    /** The engine's device, preceded by the engine's own id if that differs. */
     String device() {
         return (engine.id().equals(id) ? "" : engine.id() + ": ") + engine.device();
     }
 
-    /** Whether it draws on a device, whatever it is called. */
+    /** Whether the engine runs on a device. */
     boolean isDevice() {
         return Engines.isDevice(engine.id());
     }

@@ -16,9 +16,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 
-/** Measures engines one after the other and holds each one's pictures to sequential's. */
+/** Measures engines one after the other and compares their pictures with the reference's. */
 public final class Benchmark {
-    /** The engine that all pictures are compared with. */
+    /** The engine whose pictures are the reference. */
     public static final String REFERENCE = JvmEngines.SEQUENTIAL;
 
     private final Function<String, Engine> opener;
@@ -48,11 +48,11 @@ public final class Benchmark {
     }
 
     /**
-     * Opens the engine of that name to be measured. {@value FastestEngine#AUTO} has chosen before it draws: frames of
-     * another engine meanwhile would be measured as its own.
+     * Opens an engine for measurement. {@value FastestEngine#AUTO} is resolved before, because frames of its stand-in
+     * would be measured as its own.
      *
-     * @throws UnknownEngineException where no engine has that name
-     * @throws EngineException where it cannot be opened
+     * @throws UnknownEngineException if no engine has that name
+     * @throws EngineException if the engine cannot be opened
      */
     public static Engine open(String id) {
         return id.equals(FastestEngine.AUTO)
@@ -61,13 +61,13 @@ public final class Benchmark {
     }
 
     /**
-     * Runs the plan. An engine that fails is in the report, and the others go on.
+     * Runs the plan. If an engine fails, the report says so, and the others are measured.
      *
-     * @param opener opens the engine of an id
-     * @param scene what the report calls the world's scene
-     * @param world its settings' size, samples and bounces give way to the plan's
-     * @param motion how its bodies move, where they do: each engine starts anew at each setting
-     * @throws EngineException where the reference cannot be drawn
+     * @param opener opens an engine by its id
+     * @param scene name of the world's scene in the report
+     * @param world the plan overrides its settings' size, samples and bounces
+     * @param motion how its bodies move, if they do; each engine starts anew at each setting
+     * @throws EngineException if the reference cannot be rendered
      */
     public static BenchmarkReport run(
             Function<String, Engine> opener,
@@ -125,7 +125,7 @@ public final class Benchmark {
                 progress.begins(asked.id() + ", moving to its start,", setting.size(), bodies.stepsToStart());
             }
             bodies.moveToStart(progress::drewFrame);
-            // What is compiled at one setting is so at the next ones.
+            // Code compiled at one setting stays compiled for the next ones.
             if (plan.warmupFrames() > 0 && setting.equals(plan.settings().getFirst())) {
                 List<FrameInput> inputs =
                         plan.shown().stream().map(this::inputAt).toList();
@@ -153,7 +153,7 @@ public final class Benchmark {
         return frame;
     }
 
-    /** Bodies are where they are. */
+    /** The input at a setting, with the bodies at their current positions. */
     private FrameInput inputAt(Setting setting) {
         world.setSettings(setting.over(world.settings()));
         return world.snapshot();

@@ -12,14 +12,14 @@ import java.util.stream.Stream;
  * What to measure.
  *
  * @param engines their ids, in the order of the report
- * @param figures what each figure of the report shows, in the order of its axis; figures may share settings
- * @param warmupFrames frames drawn before the measured ones at each setting; where there are any, small pictures are
- *     drawn before an engine's first setting until they get no faster, so that compilers are done; all of them of
- *     bodies at their start, where they move
+ * @param figures settings of each figure in the report, in the order of its axis; figures may share settings
+ * @param warmupFrames frames before the measured ones at each setting. If there are any, small frames are rendered
+ *     before an engine's first setting until their times settle, so that compilers have finished. Moving bodies stay at
+ *     their start meanwhile.
  * @param frames measured frames
- * @param maxSeconds for one engine at one setting, warm-up included, half of it at most; fewer frames are taken where
- *     it is short, but always one of each. And as long again, at most, for small pictures of each of the {@link #shown}
- *     settings
+ * @param maxSeconds limit per engine and setting, of which warm-up takes at most half; if it is short, fewer frames are
+ *     measured, but always at least one of each. Small frames have the same limit for each of the {@link #shown}
+ *     settings.
  */
 public record BenchmarkPlan(
         List<String> engines,
@@ -32,7 +32,7 @@ public record BenchmarkPlan(
         figures = Collections.unmodifiableMap(new EnumMap<>(figures));
     }
 
-    /** Engines by sizes, all with the same shadows and bounces. */
+    /** A plan by size, with the same shadows and bounces for all sizes. */
     public static BenchmarkPlan bySize(
             List<String> engines,
             List<PictureSize> sizes,
@@ -52,22 +52,22 @@ public record BenchmarkPlan(
         return new BenchmarkPlan(engines, figures, newWarmupFrames, newFrames, newMaxSeconds);
     }
 
-    /** A figure's settings; none where the plan is without the figure. */
+    /** A figure's settings; empty if the plan does not include the figure. */
     public List<Setting> settings(PaperFigure figure) {
         return figures.getOrDefault(figure, List.of());
     }
 
-    /** Whether all settings have the same shadows and bounces, being those of a single figure. */
+    /** Whether all settings belong to a single figure, with the same shadows and bounces. */
     public boolean hasOneFigure() {
         return figures.size() == 1;
     }
 
-    /** All figures' settings, each once. */
+    /** The settings of all figures, without duplicates. */
     public List<Setting> settings() {
         return figures.values().stream().flatMap(Collection::stream).distinct().toList();
     }
 
-    /** The settings whose pictures are shown: the quickest and the slowest at the first size. */
+    /** The settings whose pictures are shown: the fastest and the slowest one at the first size. */
     public List<Setting> shown() {
         return Stream.of(PaperFigure.SIZES, PaperFigure.SPEEDUP)
                 .flatMap(figure -> settings(figure).stream().limit(1))
@@ -75,7 +75,7 @@ public record BenchmarkPlan(
                 .toList();
     }
 
-    /** Frames of one engine at one setting, at most. */
+    /** Maximum number of frames per engine and setting. */
     public int framesEach() {
         return warmupFrames + frames;
     }

@@ -2,17 +2,19 @@ package dev.twister.bench;
 
 import dev.twister.image.PictureSize;
 
-/** Hears how a benchmark comes along, as far as it cares. */
+/** Receives the progress of a benchmark; all methods are optional. */
 @SuppressWarnings("unused")
 public interface BenchmarkProgress {
     BenchmarkProgress SILENT = new BenchmarkProgress() {};
 
-    /** An engine starts on a size, with this number of frames at most; or its warm-up, with this number of steps. */
+    /**
+     * An engine starts a setting, with at most this number of frames, or its preparation, with this number of steps.
+     */
     default void begins(String engine, PictureSize size, int frames) {}
 
-    /** A frame, warm-up or measured, is there; or a step of what comes before. */
+    /** A frame, warm-up or measured, or a step of preparation is complete. */
     default void drewFrame() {}
 
-    /** An engine is done with a setting, or failed; the report is unfinished and without pictures. */
+    /** An engine has completed a setting or failed; the report is unfinished and has no pictures. */
     default void found(BenchmarkReport soFar) {}
 }

@@ -9,13 +9,13 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * What a benchmark found.
+ * The result of a benchmark.
  *
  * @param scene its name or file
- * @param measurements in any order; kept by setting, as the plan has them, and at one setting as they came
+ * @param measurements in any order; stored in the plan's order of settings, and per setting as given
  * @param failures engines that did not finish
- * @param pictures what the reference drew at the {@link BenchmarkPlan#shown} settings; none where bodies move
- * @param finished whether all was measured that the plan has, but what failed
+ * @param pictures the reference's pictures at the {@link BenchmarkPlan#shown} settings; none if bodies move
+ * @param finished whether the whole plan was measured, except for failures
  */
 public record BenchmarkReport(
         MachineInfo machine,
@@ -26,7 +26,7 @@ public record BenchmarkReport(
         Map<Setting, Frame> pictures,
         boolean finished) {
     public BenchmarkReport {
-        // Each engine is opened once, for all settings; a reader compares engines at one setting.
+        // Each engine is opened once for all settings, but readers compare engines at one setting.
         List<Setting> settings = plan.settings();
         measurements = measurements.stream()
                 .sorted(Comparator.comparingInt(measurement -> settings.indexOf(measurement.setting())))
@@ -35,14 +35,14 @@ public record BenchmarkReport(
         pictures = Map.copyOf(pictures);
     }
 
-    /** The same with one failure more. */
+    /** The same report with another failure. */
     public BenchmarkReport with(EngineFailure failure) {
         List<EngineFailure> all =
                 Stream.concat(failures.stream(), Stream.of(failure)).toList();
         return new BenchmarkReport(machine, plan, scene, measurements, all, pictures, finished);
     }
 
-    /** The engines that were measured, in the order of the plan. */
+    /** The measured engines, in the order of the plan. */
     public List<String> engines() {
         return plan.engines().stream()
                 .filter(engine -> measurements.stream()
@@ -50,7 +50,7 @@ public record BenchmarkReport(
                 .toList();
     }
 
-    /** An engine at a setting; empty where it was not measured. */
+    /** The measurement of an engine at a setting; empty if there is none. */
     public Optional<Measurement> find(String engine, Setting setting) {
         return measurements.stream()
                 .filter(measurement -> measurement.engine().equals(engine)
@@ -58,13 +58,14 @@ public record BenchmarkReport(
                 .findFirst();
     }
 
-    /** An engine's frames a second at a setting; empty where it was not measured. */
+    /** An engine's frames per second at a setting; empty if it was not measured. */
     Optional<Double> fps(String engine, Setting setting) {
         return find(engine, setting).map(measurement -> measurement.times().fps());
     }
 
     /**
-     * How many times faster than the baseline, by the means of the same frames; empty where that one was not measured.
+     * The speed relative to the baseline's, from the mean times of the same frames; empty if the baseline was not
+     * measured.
      */
     public Optional<Double> speedupOver(String baseline, Measurement measurement) {
         return find(baseline, measurement.setting()).map(other -> speedup(other, measurement));
@@ -75,7 +76,7 @@ public record BenchmarkReport(
         return baseline.meanOfFirst(frames) / measurement.meanOfFirst(frames);
     }
 
-    /** What is wrong, a line each: other pictures than the reference's, and engines that failed. */
+    /** All problems, one line each: pictures that differ from the reference's, and failed engines. */
     public List<String> problems() {
         return Stream.concat(
                         measurements.stream()

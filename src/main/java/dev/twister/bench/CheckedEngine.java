@@ -5,13 +5,13 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * What the check of one engine found.
+ * The result of checking one engine.
  *
- * @param driver the version of the device's driver
- * @param compileSeconds by how much a device's first frame took longer than its second
- * @param scenes its pictures of the scenes, until it failed
- * @param timed its measurements; empty where it did not come to them
- * @param obstacle why the engine does not work here
+ * @param driver version of the device's driver
+ * @param compileSeconds time by which a device's first frame exceeded its second one
+ * @param scenes comparisons of its pictures of the scenes, until it failed
+ * @param timed its measurements; empty if it failed before
+ * @param obstacle why the engine cannot run here
  * @param failure why it did not finish
  */
 public record CheckedEngine(
@@ -27,12 +27,12 @@ public record CheckedEngine(
         scenes = List.copyOf(scenes);
     }
 
-    /** Whether it finished with the reference's pictures, or does not work here and was not tried. */
+    /** Whether it finished with the reference's pictures, or cannot run here and was skipped. */
     public boolean passed() {
         return failure.isEmpty() && wrongPictures().isEmpty();
     }
 
-    /** All its pictures, those that were measured too. */
+    /** All comparisons, including those of the measurements. */
     List<CheckedPicture> pictures() {
         Stream<CheckedPicture> measured = timed.stream()
                 .flatMap(report -> report.measurements().stream()
@@ -47,7 +47,7 @@ public record CheckedEngine(
                 .toList();
     }
 
-    /** At a setting; empty where it was not measured. */
+    /** The measurement at a setting; empty if there is none. */
     Optional<Measurement> at(Setting setting) {
         return timed.flatMap(report -> report.find(engine, setting));
     }

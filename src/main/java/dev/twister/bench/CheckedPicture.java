@@ -1,8 +1,8 @@
 package dev.twister.bench;
 
-/** A picture of a check beside the reference's. */
+/** A picture of a check, compared with the reference's. */
 record CheckedPicture(String name, PictureComparison comparison) {
-    /** Its name with how many pixels are off. */
+    /** Its name and the number of differing pixels. */
     String difference() {
         return name + " " + comparison.differingPixels() + " of " + comparison.pixels() + " ("
                 + comparison.allowedPixels() + " may)";

@@ -2,5 +2,5 @@ package dev.twister.bench;
 
 import dev.twister.world.World;
 
-/** A scene to compare pictures in; its picture's size gives way to the check's. */
+/** A scene for comparing pictures; the check overrides its picture size. */
 public record CheckedScene(String name, World world) {}

@@ -14,11 +14,11 @@ import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVPrinter;
 
 /**
- * A report for spreadsheets: a line for each figure, setting and engine, with all there is to know on it. Text that
- * would be a formula there begins with an apostrophe.
+ * Writes a report for spreadsheets, with one row per figure, setting and engine. Text that a spreadsheet would take for
+ * a formula is preceded by an apostrophe.
  */
 public final class CsvReport {
-    /** Whatever is known of a measurement. */
+    /** All columns of a measurement. */
     private static final List<String> COLUMNS =
             List.of(("engine device width height shadowSamples bounces bodies warmupFrames frames fps msMin "
                             + "msMedian msMean msP95 msKernel msCopyIn msCopyOut msStep msRebuild speedupOverSequential "
@@ -27,18 +27,18 @@ public final class CsvReport {
                             + "maxHeapBytes operatingSystem jdk jdkVendor jit twister tornadoVm finished")
                     .split(" "));
 
-    /** With which spreadsheets take a cell for a formula: a processor's or a scene's name is none. */
+    /** First characters of formulas in spreadsheets. */
     private static final String FORMULA_STARTS = "=+-@\t\r";
 
-    /** The first column, where there are several. */
+    /** The first column, if there are several figures. */
     private static final String FIGURE = "figure";
 
     private CsvReport() {}
 
     /**
-     * Writes the report, whole or not at all.
+     * Writes the report; on failure the file is unchanged.
      *
-     * @throws IOException as {@link WholeFile#write}
+     * @throws IOException as for {@link WholeFile#write}
      */
     public static void write(BenchmarkReport report, Path file) throws IOException {
         List<String> columns = report.plan().hasOneFigure()

@@ -11,7 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Holds engines to the reference's pictures of several scenes, and measures each in one of them. */
+/** Compares engines' pictures of several scenes with the reference's, and measures each engine in one of them. */
 public final class DeviceCheck {
     private static final double NANOS_PER_SECOND = 1e9;
 
@@ -20,17 +20,16 @@ public final class DeviceCheck {
     private final List<Reference> references = new ArrayList<>();
 
     /**
-     * A scene's picture as it must be; the input stays the same while the world's settings are others for what is
-     * measured.
+     * The reference picture of a scene. The input stays the same while the measurements change the world's settings.
      */
     private record Reference(String scene, FrameInput input, Frame picture) {}
 
     /**
-     * Draws the reference's pictures.
+     * Renders the reference pictures.
      *
      * @param scenes at least one
-     * @param timed the one that is measured
-     * @throws EngineException where the reference cannot be drawn
+     * @param timed the scene for the measurements
+     * @throws EngineException if the reference cannot be rendered
      */
     public DeviceCheck(DeviceCheckPlan plan, List<CheckedScene> scenes, CheckedScene timed) {
         this.plan = plan;
@@ -43,7 +42,7 @@ public final class DeviceCheck {
         }
     }
 
-    /** Checks an engine; one that fails is in the answer with the reason. */
+    /** Checks an engine; if it fails, the result includes the reason. */
     public CheckedEngine check(EngineOffer offer, BenchmarkProgress progress) {
         Optional<Double> compileSeconds = Optional.empty();
         List<CheckedPicture> pictures = new ArrayList<>();
@@ -73,7 +72,7 @@ public final class DeviceCheck {
                 failure);
     }
 
-    /** Adds the scenes' pictures, and returns how long a device's compiler took. */
+    /** Compares the scenes' pictures; returns the compile time of a device. */
     private Optional<Double> drawScenes(EngineOffer offer, List<CheckedPicture> pictures, BenchmarkProgress progress) {
         Optional<Double> compileSeconds = Optional.empty();
         try (Engine engine = offer.opener().get()) {

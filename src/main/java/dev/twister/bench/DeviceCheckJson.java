@@ -6,14 +6,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** A check for programs, as JSON; measurements have the names of a benchmark's. */
+/** Writes a check as JSON; measurements use the same names as in a benchmark. */
 public final class DeviceCheckJson {
     private DeviceCheckJson() {}
 
     /**
-     * Writes the check, whole or not at all.
+     * Writes the check; on failure the file is unchanged.
      *
-     * @throws IOException as {@link JsonReport#write}
+     * @throws IOException as for {@link JsonReport#write}
      */
     public static void write(DeviceCheckPlan plan, List<CheckedEngine> engines, Path file) throws IOException {
         Map<String, Object> tree = new LinkedHashMap<>();

@@ -5,17 +5,18 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What is checked of every engine.
+ * What to check in every engine.
  *
- * @param pictureSize of the scenes' pictures
- * @param timedSize of the picture that is measured, with hard shadows and one bounce, and with soft shadows and several
- * @param warmupFrames as {@link BenchmarkPlan#warmupFrames}
- * @param frames as {@link BenchmarkPlan#frames}
- * @param maxSeconds as {@link BenchmarkPlan#maxSeconds}
+ * @param pictureSize size of the scenes' pictures
+ * @param timedSize size for the measurements, which are with hard shadows and one bounce, and with soft shadows and
+ *     several bounces
+ * @param warmupFrames as for {@link BenchmarkPlan#warmupFrames}
+ * @param frames as for {@link BenchmarkPlan#frames}
+ * @param maxSeconds as for {@link BenchmarkPlan#maxSeconds}
  */
 public record DeviceCheckPlan(
         PictureSize pictureSize, PictureSize timedSize, int warmupFrames, int frames, double maxSeconds) {
-    /** A minute for an engine, on a small machine. */
+    /** About a minute per engine on a small machine. */
     public static final DeviceCheckPlan USUAL =
             new DeviceCheckPlan(new PictureSize(640, 360), PictureSize.HD, 20, 10, 5);
 
@@ -36,7 +37,7 @@ public record DeviceCheckPlan(
                 maxSeconds);
     }
 
-    /** Frames of one engine in this number of scenes, at most; the references and a frame's warm-up with them. */
+    /** Maximum number of frames per engine for a number of scenes, including references and warm-up. */
     public int framesEach(int scenes) {
         return scenes + 2 + 1 + 2 * (warmupFrames + frames);
     }

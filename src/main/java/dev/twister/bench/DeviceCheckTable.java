@@ -7,7 +7,10 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** A check as Markdown that reads as plain text too; a line at a time, as an engine may take the process with it. */
+/**
+ * A check as a Markdown table that is also readable as plain text. It is written line by line, because an engine may
+ * crash the process.
+ */
 public final class DeviceCheckTable {
     private static final String NONE = "-";
 
@@ -15,7 +18,7 @@ public final class DeviceCheckTable {
     private final List<String> titles;
     private final List<Integer> widths;
 
-    /** For these engines, whose names are as wide as their columns. */
+    /** A table for these engines, whose names determine the widths of columns. */
     public DeviceCheckTable(DeviceCheckPlan plan, List<EngineOffer> offers) {
         this.plan = plan;
         titles = List.of(
@@ -46,7 +49,7 @@ public final class DeviceCheckTable {
         return setting.shadowSamples() + "/" + setting.bounces();
     }
 
-    /** What was run on, what is in the columns, and their titles. */
+    /** The machine, an explanation of the columns, and their titles. */
     public String heading(List<CheckedScene> scenes, CheckedScene timed) {
         List<String> lines = new ArrayList<>();
         ReportTable.machine(MachineInfo.ofThisMachine()).forEach(line -> lines.add("- " + cell(line)));
@@ -71,7 +74,7 @@ public final class DeviceCheckTable {
         return rules;
     }
 
-    /** An engine's row. */
+    /** The row of an engine. */
     public String row(CheckedEngine checked) {
         Optional<Measurement> quick = checked.at(plan.quick());
         Optional<DeviceTimes> copies = quick.flatMap(Measurement::deviceTimes);
@@ -87,7 +90,7 @@ public final class DeviceCheckTable {
                 cell(verdict(checked))));
     }
 
-    /** On the JVM the kernel's time is the whole. */
+    /** On the JVM, the kernel's time is that of the whole frame. */
     private static double kernel(Measurement measurement) {
         return measurement
                 .deviceTimes()
@@ -119,7 +122,7 @@ public final class DeviceCheckTable {
                 .sum();
     }
 
-    /** One line, without what ends a cell. */
+    /** Joins lines and escapes cell separators. */
     private static String cell(String text) {
         return text.replaceAll("\\s*\\R\\s*", " ").replace("|", "\\|");
     }

@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.ToLongFunction;
 
-/** Where the measured frames' time went on a device, in milliseconds, each the mean over the frames. */
+/** Mean times of the measured frames on a device, in milliseconds. */
 public record DeviceTimes(double kernel, double copyIn, double copyOut) {
     private static final double NANOS_PER_MILLI = 1e6;
 
-    /** Empty on the JVM, where the kernel's time is the whole. */
+    /** Empty on the JVM, where the kernel's time is that of the whole frame. */
     static Optional<DeviceTimes> meanOf(List<FrameTimes> frames) {
         boolean onJvm = frames.stream().allMatch(frame -> frame.equals(FrameTimes.onJvm(frame.totalNanos())));
         return onJvm

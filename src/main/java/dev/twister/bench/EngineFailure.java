@@ -1,10 +1,10 @@
 package dev.twister.bench;
 
-/** An engine that could not be measured, and why. */
+/** An engine that could not be measured, and the reason. */
 public record EngineFailure(String engine, String message) {
     private static final int MEGABYTE = 1 << 20;
 
-    /** What there is to say where the JVM's memory is too little, and what to do. */
+    /** The message for a JVM that runs out of memory, with what to do. */
     public static String outOfMemory() {
         return "out of memory: this needs more than the "
                 + Runtime.getRuntime().maxMemory() / MEGABYTE

@@ -8,16 +8,16 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.Function;
 
-/** Measures an engine at a setting: some frames that do not count, and some that do. */
+/** Measures an engine at a setting: warm-up frames, then measured ones. */
 record EngineMeasuring(AskedEngine asked, BenchmarkPlan plan, BenchmarkProgress progress) {
     private static final double NANOS_PER_MILLI = 1e6;
     private static final double NANOS_PER_SECOND = 1e9;
 
     /**
-     * Draws the bodies where they are, then as they move, where they do: the same frames for every engine, however many
-     * it draws to warm up.
+     * Renders the bodies at rest, then in motion if they move: the same frames for every engine, regardless of the
+     * number of warm-up frames.
      *
-     * @param reference draws what the last frame should have been
+     * @param reference renders the reference of the last frame
      */
     Measurement measure(Setting setting, MeasuredBodies bodies, Function<FrameInput, int[]> reference) {
         progress.begins(asked.id(), setting.size(), plan.framesEach());
@@ -28,7 +28,7 @@ record EngineMeasuring(AskedEngine asked, BenchmarkPlan plan, BenchmarkProgress 
             draw(bodies.rehearse(), frame);
             warmups++;
         }
-        // An engine that left pixels unwritten would show the warm-up's: what is compared is drawn over nothing.
+        // Cleared, so that pixels that an engine does not write are detected.
         Arrays.fill(frame.argb(), 0);
         List<FrameTimes> times = new ArrayList<>();
         while (times.size() < plan.frames() && (times.isEmpty() || isWithin(start, plan.maxSeconds()))) {

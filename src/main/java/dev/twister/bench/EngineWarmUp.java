@@ -8,17 +8,16 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /**
- * What an engine draws before the first picture that is measured. Frames of full size are too few for the JVM's
- * compiler on a slow machine.
+ * Warms up an engine before its first measured frame. Full-size frames alone are too few for the JIT compiler on a slow
+ * machine.
  *
- * @param maxSeconds for each input, a frame in any case
+ * @param maxSeconds limit per input; at least one frame is rendered
  */
 record EngineWarmUp(double maxSeconds, BenchmarkProgress progress) {
     private static final double NANOS_PER_SECOND = TimeUnit.SECONDS.toNanos(1);
 
     /**
-     * Draws small pictures of each input in turn until they get no faster; devices, which compile for each size, draw
-     * none.
+     * Renders small frames of each input until their times settle. Skipped for devices, which compile for each size.
      */
     void run(AskedEngine asked, PictureSize size, List<FrameInput> inputs) {
         if (!asked.isDevice()) {

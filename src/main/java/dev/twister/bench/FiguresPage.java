@@ -7,14 +7,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** The paper's rendered figures as one HTML page, which leads to no other file. */
+/** The paper's rendered figures as a self-contained HTML page. */
 public final class FiguresPage {
     private FiguresPage() {}
 
     /**
-     * Writes the page, whole or not at all.
+     * Writes the page; on failure the file is unchanged.
      *
-     * @throws IOException as {@link WholeFile#write}
+     * @throws IOException as for {@link WholeFile#write}
      */
     public static void write(List<RenderedFigure> figures, Path file) throws IOException {
         byte[] page = HtmlText.page(
@@ -28,7 +28,7 @@ public final class FiguresPage {
         WholeFile.write(file, out -> out.write(page));
     }
 
-    /** A section per figure. */
+    /** One section per figure. */
     static String sections(List<RenderedFigure> figures) {
         return figures.stream().map(FiguresPage::section).collect(Collectors.joining("\n"));
     }

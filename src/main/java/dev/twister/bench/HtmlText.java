@@ -7,16 +7,16 @@ import java.util.Base64;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** Pieces of HTML; whatever is not made here is text and is escaped. */
+/** Builds HTML; text parameters are escaped. */
 final class HtmlText {
     private static final String STYLE = "paper.css";
 
     private HtmlText() {}
 
     /**
-     * A whole page with its style in it.
+     * A whole page including its style sheet.
      *
-     * @param title for the browser's window; text, as the heading and the lead are
+     * @param title for the browser's window; text, like heading and lead
      * @param content HTML
      */
     static String page(String title, String heading, String lead, String content) throws IOException {
@@ -40,7 +40,9 @@ final class HtmlText {
                 """.formatted(escaped(title), style(), escaped(heading), escaped(lead), content);
     }
 
-    /** An image each of its own, because the names within one SVG document would be taken for those of another. */
+    /**
+     * An image element with embedded data. Inline SVG is not used, because ids in several SVG documents would clash.
+     */
     static String image(String description, String type, byte[] content, int width, int height) {
         return "<img alt=\"" + escaped(description) + "\" width=\"" + width + "\" height=\"" + height
                 + "\" src=\"data:image/" + type + ";base64,"
@@ -63,14 +65,14 @@ final class HtmlText {
                 .replace("\"", "&quot;");
     }
 
-    /** A cell of a table. */
+    /** A table cell. */
     record Cell(String text, String style) {
         static Cell of(String text) {
             return new Cell(text, "");
         }
     }
 
-    /** A table under the titles; the style is a class's name, or empty. */
+    /** A table with titles; the style is a CSS class, or empty. */
     static String table(String style, List<Cell> titles, List<List<Cell>> rows) {
         String head = titles.isEmpty() ? "" : "<thead>" + row("th", titles) + "</thead>\n";
         return "<div class=\"scroll\"><table" + attribute(style) + ">\n" + head + "<tbody>\n"

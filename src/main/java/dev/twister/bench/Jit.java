@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** The compiler of the JVM's hot methods. */
+/** The JVM's optimizing JIT compiler. */
 public enum Jit {
     C2 {
         @Override
@@ -14,7 +14,7 @@ public enum Jit {
             return true;
         }
 
-        // A JVM that does not know the option has nothing but C2.
+        // A JVM without the option has only C2.
         @Override
         public List<String> options() {
             return JvmOptions.value(USES_GRAAL).isPresent()
@@ -34,23 +34,23 @@ public enum Jit {
         }
     };
 
-    /** The JVM's option that takes Graal for C2's place. */
+    /** The JVM option that replaces C2 by Graal. */
     static final String USES_GRAAL = "UseJVMCICompiler";
 
-    /** Whether this JVM could run with it. */
+    /** Whether this JVM can use it. */
     public abstract boolean isHere();
 
-    /** What makes a JVM like this one run with it. */
+    /** Options with which a JVM like this one uses it. */
     public abstract List<String> options();
 
-    /** GraalVM has it. */
+    /** Included in GraalVM. */
     private static boolean hasLibrary() {
         Path home = Path.of(System.getProperty("java.home"));
         return Stream.of("lib/libjvmcicompiler.so", "lib/libjvmcicompiler.dylib", "bin/jvmcicompiler.dll")
                 .anyMatch(library -> Files.isRegularFile(home.resolve(library)));
     }
 
-    /** A TornadoVM SDK brings it; the JDK's own module of that name is empty. */
+    /** Included in a TornadoVM SDK; the JDK's own module of that name is empty. */
     private static boolean hasModule() {
         return ModuleLayer.boot()
                 .findModule("jdk.graal.compiler")

@@ -13,9 +13,9 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Benchmarks of one plan in several JVMs, each with another compiler, side by side.
+ * Benchmarks of one plan in several JVMs with different JIT compilers, side by side.
  *
- * @param reports what {@link JsonReport} wrote of each, by the compiler's name, in the order of the columns
+ * @param reports reports of {@link JsonReport} by the compiler's name, in the order of the columns
  */
 public record JitReport(Map<String, JsonNode> reports) {
     public JitReport {
@@ -23,30 +23,30 @@ public record JitReport(Map<String, JsonNode> reports) {
     }
 
     /**
-     * Reads a report that {@link JsonReport} wrote.
+     * Reads a report of {@link JsonReport}.
      *
-     * @throws IOException where the file cannot be read
+     * @throws IOException if the file cannot be read
      */
     public static JsonNode read(Path file) throws IOException {
         return JsonMapper.builder().build().readTree(Files.readString(file));
     }
 
     /**
-     * Writes all reports into one file, by their compilers' names.
+     * Writes all reports to one file, by their compilers' names.
      *
-     * @throws IOException as {@link JsonReport#write}
+     * @throws IOException as for {@link JsonReport#write}
      */
     public void write(Path file) throws IOException {
         JsonReport.write(new LinkedHashMap<>(reports), file);
     }
 
-    /** Whether every engine finished with the reference's pictures, by each compiler. */
+    /** Whether every engine finished with the reference's pictures, with each compiler. */
     public boolean passed() {
         return reports.values().stream()
                 .allMatch(report -> report.path("passed").asBoolean());
     }
 
-    /** Frames per second by engine, size and compiler, and how the first compares with each of the others. */
+    /** Frames per second by engine, size and compiler, and the first compiler's rate relative to each of the others. */
     public String table() {
         List<String> lines = new ArrayList<>();
         reports.forEach((jit, report) -> lines.add(jit + ": " + machine(report)));
@@ -91,7 +91,7 @@ public record JitReport(Map<String, JsonNode> reports) {
         return row;
     }
 
-    /** What was measured by each compiler. */
+    /** Identifies a measurement across compilers. */
     private record Key(String engine, String device, String size) {
         static Key of(JsonNode result) {
             return new Key(

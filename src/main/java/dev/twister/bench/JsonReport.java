@@ -12,23 +12,24 @@ import java.util.Map;
 import tools.jackson.databind.SerializationFeature;
 import tools.jackson.databind.json.JsonMapper;
 
-/** A report for programs, whole, as JSON: the results, or those of each figure where there are several. */
+/** Writes a report as JSON, with the results, or those of each figure if there are several. */
 public final class JsonReport {
-    /** JSON lines: one report a line. */
+    /** Suffix of JSON Lines files, with one report per line. */
     private static final String LINES = ".jsonl";
 
     private JsonReport() {}
 
     /**
-     * Writes the report, whole or not at all; as the last line of a file whose name ends in {@value #LINES}.
+     * Writes the report; on failure the file is unchanged. If the file's name ends in {@value #LINES}, the report is
+     * appended as a line.
      *
-     * @throws IOException as {@link WholeFile#write}
+     * @throws IOException as for {@link WholeFile#write}
      */
     public static void write(BenchmarkReport report, Path file) throws IOException {
         write(tree(report), file);
     }
 
-    /** Writes any tree of maps, lists and values so. */
+    /** Writes any tree of maps, lists and values in the same way. */
     static void write(Map<String, Object> tree, Path file) throws IOException {
         boolean isLine = file.toString().endsWith(LINES);
         byte[] json = JsonMapper.builder()

@@ -8,18 +8,18 @@ import java.lang.management.ManagementFactory;
 import java.util.Optional;
 
 /**
- * What a benchmark ran on.
+ * The machine and software of a benchmark.
  *
- * @param processor its model's name
- * @param cores that this JVM may use
- * @param memoryBytes of the machine
- * @param maxHeapBytes that this JVM may use
+ * @param processor the CPU's model
+ * @param cores number of cores available to this JVM
+ * @param memoryBytes the machine's memory
+ * @param maxHeapBytes this JVM's maximum heap
  * @param operatingSystem with version and architecture
  * @param jdk version
- * @param vendor the JDK's vendor, with its own version where it has one
- * @param jit C2, or Graal, with the JVM's name
+ * @param vendor the JDK's vendor, with its own version if it has one
+ * @param jit C2 or Graal, with the JVM's name
  * @param twister version
- * @param tornadoVm version; empty where it does not run
+ * @param tornadoVm version; empty if TornadoVM is not running
  */
 public record MachineInfo(
         String processor,

@@ -6,7 +6,7 @@ import dev.twister.world.World;
 import java.util.List;
 import java.util.Optional;
 
-/** The bodies of one measurement: they stand, or each frame moves them. */
+/** The bodies of one measurement, at rest or moving with each frame. */
 final class MeasuredBodies implements AutoCloseable {
     private static final double NANOS_PER_MILLI = 1e6;
 
@@ -17,12 +17,11 @@ final class MeasuredBodies implements AutoCloseable {
     private long rebuildNanos;
 
     /**
-     * Steps are to be compiled too, but the bodies that are measured must stay at their start: others are moved for
-     * that.
+     * A second simulation compiles the code for steps during warm-up, while the measured bodies stay at their start.
      */
     private record Moving(MotionPlan plan, Simulation simulation, Simulation rehearsal) {}
 
-    /** Of a world whose settings are those to measure with. */
+    /** For a world with the settings to measure. */
     MeasuredBodies(World world, Optional<MotionPlan> motion) {
         this.world = world;
         moving = motion.map(plan -> new Moving(
@@ -30,7 +29,7 @@ final class MeasuredBodies implements AutoCloseable {
         input = world.snapshot();
     }
 
-    /** How many steps there are to the start. */
+    /** Number of steps to the start. */
     int stepsToStart() {
         return moving.map(bodies -> Simulation.stepsIn(bodies.plan().startSeconds()))
                 .orElse(0);
@@ -44,12 +43,12 @@ final class MeasuredBodies implements AutoCloseable {
         });
     }
 
-    /** What was last drawn, or is to be drawn first. */
+    /** The input of the last frame, or of the first one. */
     FrameInput input() {
         return input;
     }
 
-    /** The bodies where they are, with the work of moving them. */
+    /** The input with the bodies at rest, after the work of a step in the second simulation. */
     FrameInput rehearse() {
         moving.ifPresent(bodies -> {
             bodies.rehearsal().advance(bodies.plan().secondsPerFrame());
@@ -58,7 +57,7 @@ final class MeasuredBodies implements AutoCloseable {
         return input;
     }
 
-    /** The bodies a frame later. */
+    /** The input with the bodies one frame later. */
     FrameInput next() {
         moving.ifPresent(bodies -> {
             long start = System.nanoTime();
@@ -76,7 +75,7 @@ final class MeasuredBodies implements AutoCloseable {
         input = world.snapshot();
     }
 
-    /** What the frames cost beside drawing, where bodies move. */
+    /** The costs of moving per frame, if bodies move. */
     Optional<MotionTimes> times(List<Double> drawing) {
         double frames = drawing.size() * NANOS_PER_MILLI;
         return moving.map(_ -> new MotionTimes(stepNanos / frames, rebuildNanos / frames, drawing));

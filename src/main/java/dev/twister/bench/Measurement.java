@@ -3,16 +3,16 @@ package dev.twister.bench;
 import java.util.Optional;
 
 /**
- * One engine at one setting.
+ * The measurement of one engine at one setting.
  *
- * @param engine the id that was asked for
- * @param device what did the work, after the engine's own id where it has another one
- * @param bodies light, plane and spheres
- * @param warmupFrames really drawn before the measured ones
- * @param times of the measured frames, from the call to the pixels in the caller's array
- * @param deviceTimes where the engine draws on a device
- * @param comparison with sequential's picture
- * @param motionTimes where bodies move
+ * @param engine the requested id
+ * @param device the device, preceded by the engine's own id if that differs
+ * @param bodies number of bodies: light, plane and spheres
+ * @param warmupFrames number of warm-up frames that were rendered
+ * @param times times of the measured frames, from the call to the pixels in the caller's array
+ * @param deviceTimes present if the engine runs on a device
+ * @param comparison comparison with the reference picture
+ * @param motionTimes present if bodies move
  */
 public record Measurement(
         String engine,
@@ -25,8 +25,8 @@ public record Measurement(
         PictureComparison comparison,
         Optional<MotionTimes> motionTimes) {
     /**
-     * The mean time of the first frames in milliseconds, by which engines compare: of the first ones where bodies move,
-     * as an engine that had time for more went on with other bodies; otherwise of all, which are alike.
+     * The mean time in milliseconds for comparisons of engines. If bodies move, only the first frames count, because
+     * later frames of a faster engine have other bodies; otherwise all frames count.
      */
     double meanOfFirst(int frames) {
         return motionTimes

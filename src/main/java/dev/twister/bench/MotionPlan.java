@@ -3,10 +3,10 @@ package dev.twister.bench;
 import dev.twister.scene.Scene;
 
 /**
- * Bodies that move while frames are measured.
+ * Motion of bodies during measurements.
  *
- * @param scene of the measured world
- * @param startSeconds simulated before the first frame, 0 or more
- * @param secondsPerFrame simulated for each frame
+ * @param scene the measured world's scene
+ * @param startSeconds simulated time before the first frame, at least 0
+ * @param secondsPerFrame simulated time per frame
  */
 public record MotionPlan(Scene scene, double startSeconds, double secondsPerFrame) {}

@@ -3,11 +3,11 @@ package dev.twister.bench;
 import java.util.List;
 
 /**
- * What frames of bodies that move cost, in milliseconds.
+ * Costs of frames with moving bodies, in milliseconds.
  *
- * @param step of the physics, a mean
- * @param rebuild of the hierarchy over the spheres, with all else that a snapshot of the world takes, a mean
- * @param drawing of each frame, as they came: each is of bodies elsewhere
+ * @param step mean time of a physics step
+ * @param rebuild mean time of a snapshot, mostly for rebuilding the hierarchy over the spheres
+ * @param drawing time of each frame, in order, because each has other positions
  */
 public record MotionTimes(double step, double rebuild, List<Double> drawing) {
     public MotionTimes {

@@ -1,6 +1,6 @@
 package dev.twister.bench;
 
-/** What the paper's evaluation shows. */
+/** The figures of the paper's evaluation. */
 public enum PaperFigure {
     SIZES("sizes", "Frames a second by picture size"),
     SHADOW_SAMPLES("shadow-samples", "Frames a second against shadow samples"),
@@ -15,12 +15,12 @@ public enum PaperFigure {
         this.title = title;
     }
 
-    /** Its name in the reports and in files' names. */
+    /** The name in reports and file names. */
     public String id() {
         return id;
     }
 
-    /** Its name for a person. */
+    /** The name for display. */
     public String title() {
         return title;
     }

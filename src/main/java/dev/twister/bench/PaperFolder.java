@@ -13,15 +13,15 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Writes the paper's evaluation into a folder: the pictures, the plots, and the page that shows everything. */
+/** Writes the paper's evaluation to a folder: pictures, plots, and a page that shows everything. */
 public final class PaperFolder {
-    /** The page that shows everything. */
+    /** File name of the page. */
     public static final String PAGE = "index.html";
 
-    /** The report, which is written beside the page. */
+    /** File name of the report. */
     public static final String JSON = "paper.json";
 
-    /** The same for spreadsheets. */
+    /** File name of the report for spreadsheets. */
     public static final String CSV = "paper.csv";
 
     private static final String PLOT_ENDING = ".svg";
@@ -29,9 +29,9 @@ public final class PaperFolder {
     private PaperFolder() {}
 
     /**
-     * Makes the folder, and those that it is in, where they are not there.
+     * Creates the folder and its parents, if necessary.
      *
-     * @throws IOException naming the folder, and why it cannot be made
+     * @throws IOException naming the folder and why it cannot be created
      */
     public static void make(Path folder) throws IOException {
         try {
@@ -44,14 +44,14 @@ public final class PaperFolder {
     }
 
     /**
-     * Writes the pictures, the plots and the page, each file whole or not at all. An older evaluation's plots of what
-     * was not measured now are gone then.
+     * Writes the pictures, plots and the page; on failure each file is complete or unchanged. Plots of an earlier
+     * evaluation that this one lacks are deleted.
      *
-     * @param folder must be there
+     * @param folder must exist
      * @param srgb whether the pictures are sRGB-encoded
      * @param figures the paper's rendered figures, for the page
      * @return the page
-     * @throws IOException as {@link WholeFile#write}, or where this system has no fonts to draw plots with
+     * @throws IOException as for {@link WholeFile#write}, or if the system has no fonts for plots
      */
     public static Path write(BenchmarkReport report, Path folder, boolean srgb, List<RenderedFigure> figures)
             throws IOException {
@@ -67,7 +67,7 @@ public final class PaperFolder {
         Map<String, String> plots = plots(report, folder);
         for (String name : PaperPlots.names()) {
             if (!plots.containsKey(name)) {
-                // An older evaluation's would be taken for this one's.
+                // A plot of an earlier evaluation would be mistaken for one of this evaluation.
                 Files.deleteIfExists(folder.resolve(name + PLOT_ENDING));
             }
         }

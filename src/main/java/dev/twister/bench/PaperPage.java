@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** The evaluation for a person: one HTML page with everything in it, which leads to no other file. */
+/** The evaluation as a self-contained HTML page. */
 final class PaperPage {
     private final BenchmarkReport report;
     private final Map<String, String> plots;
@@ -27,10 +27,10 @@ final class PaperPage {
     }
 
     /**
-     * The page's text.
+     * The page's HTML.
      *
-     * @param plots SVG documents by their names
-     * @param pictures what the reference drew, as PNG files' content
+     * @param plots SVG documents by name
+     * @param pictures the reference's pictures as PNG data
      * @param figures the paper's rendered figures
      */
     static String of(

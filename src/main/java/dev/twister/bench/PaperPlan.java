@@ -4,15 +4,15 @@ import dev.twister.image.PictureSize;
 import java.util.List;
 import java.util.Map;
 
-/** The paper's evaluation: which settings its figures have. */
+/** The settings of the paper's evaluation. */
 public final class PaperPlan {
-    /** The hard shadow of the first figure. */
+    /** Shadow samples of the first figure, for hard shadows. */
     public static final int HARD_SHADOW_SAMPLES = 1;
 
-    /** Bounces of the first and the second figure. */
+    /** Bounces of the first and second figure. */
     public static final int FEW_BOUNCES = 1;
 
-    /** Shadow samples of the third and the last figure. */
+    /** Shadow samples of the third and last figure. */
     public static final int SOFT_SHADOW_SAMPLES = 200;
 
     /** Bounces of the last figure. */
@@ -28,17 +28,17 @@ public final class PaperPlan {
     private static final int QUICK_FRAMES = 10;
     private static final double QUICK_SECONDS = 4;
 
-    /** Leaves room within ten minutes for compilers, reference pictures and frames that take longer than their time. */
+    /** Leaves time within ten minutes for compilers, reference pictures and frames that exceed their limit. */
     private static final double QUICK_SECONDS_IN_ALL = 360;
 
     private PaperPlan() {}
 
-    /** The evaluation in full. */
+    /** The full evaluation. */
     public static BenchmarkPlan full(List<String> engines) {
         return of(engines, SIZES, SHADOW_SAMPLES, BOUNCES).within(FULL_WARMUP, FULL_FRAMES, FULL_SECONDS);
     }
 
-    /** The same settings within ten minutes on two cores, however many engines there are. */
+    /** The same settings within ten minutes on two cores, for any number of engines. */
     public static BenchmarkPlan quick(List<String> engines) {
         BenchmarkPlan plan = of(engines, SIZES, SHADOW_SAMPLES, BOUNCES);
         double share = QUICK_SECONDS_IN_ALL
@@ -47,11 +47,11 @@ public final class PaperPlan {
     }
 
     /**
-     * The figures at other settings, a frame of each and no warm-up.
+     * The figures at other settings, with one frame each and no warm-up.
      *
-     * @param sizes of the first and the last figure; the first of them is that of the other figures
-     * @param shadowSamples of the second figure
-     * @param bounces of the third figure
+     * @param sizes sizes of the first and last figure; the other figures use the first size
+     * @param shadowSamples shadow samples of the second figure
+     * @param bounces bounces of the third figure
      */
     static BenchmarkPlan of(
             List<String> engines, List<PictureSize> sizes, List<Integer> shadowSamples, List<Integer> bounces) {

@@ -19,7 +19,7 @@ import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
-/** The evaluation's plots. */
+/** The plots of the evaluation. */
 final class PaperPlots {
     private static final List<String> BASELINES = List.of(JvmEngines.SEQUENTIAL, JvmEngines.PARALLEL);
     private static final String FPS = "frames a second";
@@ -27,10 +27,10 @@ final class PaperPlots {
     private static final int MARKER_SIZE = 9;
     private static final double BARS_SHARE = 0.85;
 
-    /** Less than the whole width, so that the outermost markers are not cut. */
+    /** Less than the full width, so that the outermost markers are not clipped. */
     private static final double LINES_SHARE = 0.96;
 
-    /** Above the bar. */
+    /** Slightly above the bar. */
     private static final double LABEL_POSITION = 1.04;
 
     private final BenchmarkReport report;
@@ -39,7 +39,7 @@ final class PaperPlots {
         this.report = report;
     }
 
-    /** Each plot as SVG, by its name; those of which nothing was measured are missing. */
+    /** All plots as SVG, by name, except those without measurements. */
     static Map<String, String> of(BenchmarkReport report) {
         PaperPlots plots = new PaperPlots(report);
         Map<String, String> drawn = new LinkedHashMap<>();
@@ -58,7 +58,7 @@ final class PaperPlots {
         return drawn;
     }
 
-    /** The names of all plots that a report may have. */
+    /** The names of all possible plots. */
     static List<String> names() {
         return Stream.concat(
                         Stream.of(PaperFigure.SIZES, PaperFigure.SHADOW_SAMPLES, PaperFigure.BOUNCES)
@@ -167,7 +167,7 @@ final class PaperPlots {
                 .setLabelsVisible(true)
                 .setLabelsPosition(LABEL_POSITION)
                 .setLabelsFont(PlotLook.labelFont())
-                // The bars stand on the axis.
+                // Bars start at the axis.
                 .setPlotContentSize(1);
         return chart;
     }

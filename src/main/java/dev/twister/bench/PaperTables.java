@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
 
-/** The tables of the evaluation's page. */
+/** The tables on the evaluation's page. */
 final class PaperTables {
     private static final double GIBIBYTE = 1 << 30;
     private static final String NONE = "–";
@@ -89,7 +89,7 @@ final class PaperTables {
                         .toList());
     }
 
-    /** A row for each baseline and size. */
+    /** One row per baseline and size. */
     static String speedup(BenchmarkReport report) {
         List<List<Cell>> rows = new ArrayList<>();
         for (String baseline : List.of(JvmEngines.SEQUENTIAL, JvmEngines.PARALLEL)) {

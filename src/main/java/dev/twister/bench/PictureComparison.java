@@ -1,23 +1,23 @@
 package dev.twister.bench;
 
 /**
- * How far an engine's picture is from the reference.
+ * Comparison of an engine's picture with the reference.
  *
- * @param pixels of the picture
- * @param differingPixels those more than {@value #CHANNEL_TOLERANCE} of 255 away in any channel
- * @param largestDifference the largest of all channels' differences, of 255
+ * @param pixels number of pixels of the picture
+ * @param differingPixels number of pixels that differ by more than {@value #CHANNEL_TOLERANCE} of 255 in any channel
+ * @param largestDifference largest difference of any channel, of 255
  */
 public record PictureComparison(int pixels, int differingPixels, int largestDifference) {
-    /** Rounding moves a channel by one step at most. */
+    /** Rounding changes a channel by at most one step. */
     public static final int CHANNEL_TOLERANCE = 1;
 
-    /** One pixel in this number may differ by more: where rounding moves an edge. */
+    /** One in this number of pixels may differ by more, where rounding moves an edge. */
     public static final int PIXELS_PER_DIFFERENCE = 5000;
 
     /**
-     * Compares two pictures, pixel by pixel.
+     * Compares two pictures pixel by pixel.
      *
-     * @throws IllegalArgumentException where the pictures have not as many pixels
+     * @throws IllegalArgumentException if the numbers of pixels differ
      */
     public static PictureComparison of(int[] reference, int[] argb) {
         if (reference.length != argb.length) {

@@ -11,12 +11,15 @@ import org.knowm.xchart.style.AxesChartStyler;
 import org.knowm.xchart.style.Styler.LegendLayout;
 import org.knowm.xchart.style.Styler.LegendPosition;
 
-/** How all plots look. */
+/** The common style of all plots. */
 final class PlotLook {
     static final int WIDTH = 960;
     static final int HEIGHT = 480;
 
-    /** From this ratio between the largest and the smallest value on, a linear axis hides the smaller ones. */
+    /**
+     * Ratio of the largest to the smallest value from which the axis is logarithmic, because a linear one hides small
+     * values.
+     */
     private static final double LOGARITHMIC_FROM = 10;
 
     private static final int DIGITS = 3;
@@ -26,10 +29,10 @@ final class PlotLook {
     private static final int TICK_GAP = 6;
     private static final int LEGEND_GAP = 16;
 
-    /** Room above the largest value, for its label. */
+    /** Factor for the axis's maximum, which leaves room for the largest value's label. */
     private static final double HEADROOM = 1.1;
 
-    /** Paul Tol's bright colors, which people who see colors differently can tell apart. */
+    /** Paul Tol's bright colors, which people with color vision deficiency can distinguish. */
     private static final List<Color> COLORS = List.of(
             new Color(0x4477AA),
             new Color(0xEE6677),
@@ -44,7 +47,7 @@ final class PlotLook {
 
     private PlotLook() {}
 
-    /** The color of the engine at that place of the plan: the same in all plots. */
+    /** The color of the engine with that index in the plan, the same in all plots. */
     static Color color(int engine) {
         return COLORS.get(engine % COLORS.size());
     }
@@ -81,14 +84,14 @@ final class PlotLook {
         styler.setYAxisTickLabelsFormattingFunction(PlotLook::number);
     }
 
-    /** Chooses the vertical axis for values above 0. */
+    /** Sets the vertical axis for positive values. */
     static void scale(AxesChartStyler styler, List<Double> values) {
         double least = values.stream().mapToDouble(Double::doubleValue).min().orElse(1);
         double most = values.stream().mapToDouble(Double::doubleValue).max().orElse(1);
         if (most / least >= LOGARITHMIC_FROM) {
             styler.setYAxisLogarithmic(true)
                     .setYAxisLogarithmicDecadeOnly(true)
-                    // A bar of the smallest value should still be seen.
+                    // Keeps a bar of the smallest value visible.
                     .setYAxisMin(Math.pow(10, Math.floor(Math.log10(least * 0.8))))
                     .setYAxisMax(Math.pow(10, Math.ceil(Math.log10(most * HEADROOM))));
         } else {
@@ -96,7 +99,7 @@ final class PlotLook {
         }
     }
 
-    /** Three digits that count, without an exponent. */
+    /** Three significant digits, without an exponent. */
     static String number(double value) {
         if (Math.abs(value) >= Math.pow(10, DIGITS)) {
             return String.valueOf(Math.round(value));

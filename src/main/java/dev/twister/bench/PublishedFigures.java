@@ -4,18 +4,18 @@ import dev.twister.image.PictureSize;
 import java.util.Map;
 import java.util.Optional;
 
-/** What the paper itself reports: "Accelerating Java Ray Tracing Applications on Heterogeneous Hardware". */
+/** Results that the paper reports: "Accelerating Java Ray Tracing Applications on Heterogeneous Hardware". */
 public final class PublishedFigures {
     /** The paper's title. */
     public static final String PAPER = "Accelerating Java Ray Tracing Applications on Heterogeneous Hardware";
 
-    /** Its authors. */
+    /** The paper's authors. */
     public static final String AUTHORS = "Pham Van, Fumero, Stratikopoulos, Blanaru, Kotselidis";
 
-    /** What its frames a second were measured on. */
+    /** The device of the paper's frame rates. */
     public static final String DEVICE = "RTX 2060";
 
-    /** Its largest speed-up over parallel streams, at 200 shadow samples and three bounces. */
+    /** The paper's largest speedup over parallel streams, at 200 shadow samples and three bounces. */
     public static final double LARGEST_SPEEDUP_OVER_PARALLEL = 796;
 
     private static final Map<PictureSize, Double> FPS =
@@ -23,7 +23,7 @@ public final class PublishedFigures {
 
     private PublishedFigures() {}
 
-    /** Frames a second with hard shadows and one bounce on {@link #DEVICE}; empty for sizes the paper has not. */
+    /** Frames per second with hard shadows and one bounce on {@link #DEVICE}; empty for sizes that the paper lacks. */
     public static Optional<Double> fps(PictureSize size) {
         return Optional.ofNullable(FPS.get(size));
     }

@@ -3,18 +3,18 @@ package dev.twister.bench;
 import java.util.List;
 
 /**
- * A figure of the paper, rendered here.
+ * A rendered figure of the paper.
  *
- * @param equation what it shows, in plain text; a line feed between lines
+ * @param equation what it shows, in plain text, with line feeds between lines
  * @param sentence what to look at
  */
 public record RenderedFigure(String title, String equation, String sentence, List<Picture> pictures) {
     /**
-     * One of its pictures.
+     * A picture of the figure.
      *
-     * @param scene the file that it is made from, in Twister's folder
-     * @param command that makes it, in the same folder
-     * @param type of the content: {@code png} or {@code svg+xml}
+     * @param scene its scene file, relative to Twister's folder
+     * @param command the command that renders it, run in that folder
+     * @param type format of the content: {@code png} or {@code svg+xml}
      */
     @SuppressWarnings("ArrayRecordComponent") // never compared
     public record Picture(

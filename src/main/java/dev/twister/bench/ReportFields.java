@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** A report's facts under the names that its JSON and its CSV share; nothing is null, what is unknown is absent. */
+/** Fields of a report, with the names that JSON and CSV share. No value is null; unknown fields are absent. */
 final class ReportFields {
     private ReportFields() {}
 
@@ -24,7 +24,7 @@ final class ReportFields {
         return fields;
     }
 
-    /** Shadow samples and bounces where they are the same at all settings. */
+    /** The plan's fields, with shadow samples and bounces only if they are the same at all settings. */
     static Map<String, Object> ofPlan(BenchmarkReport report) {
         BenchmarkPlan plan = report.plan();
         Map<String, Object> fields = new LinkedHashMap<>();
@@ -39,7 +39,7 @@ final class ReportFields {
         return fields;
     }
 
-    /** A row for each engine at each of the figure's settings. */
+    /** One row per engine and setting of the figure. */
     static List<Map<String, Object>> ofFigure(BenchmarkReport report, PaperFigure figure) {
         return report.plan().settings(figure).stream()
                 .flatMap(setting -> report.measurements().stream()

@@ -4,9 +4,9 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 
-/** Numbers as the reports write them. */
+/** Formatting of numbers in reports. */
 public final class ReportNumbers {
-    /** A nanosecond, where the unit is a millisecond. */
+    /** Decimals of milliseconds, down to a nanosecond. */
     private static final int DECIMALS = 6;
 
     private static final MathContext LEAST_DIGITS = new MathContext(2, RoundingMode.HALF_UP);
@@ -14,8 +14,8 @@ public final class ReportNumbers {
     private ReportNumbers() {}
 
     /**
-     * With this number of decimals, and with more where fewer than two digits would count: the rate of an engine that
-     * needs a minute for a frame is not 0.
+     * Formats with the given number of decimals, or more to show at least two significant digits, so that the rate of a
+     * very slow engine is not 0.
      */
     public static String legible(double value, int decimals) {
         BigDecimal exact = BigDecimal.valueOf(value);
@@ -27,12 +27,12 @@ public final class ReportNumbers {
         return BigDecimal.valueOf(value).setScale(DECIMALS, RoundingMode.HALF_UP);
     }
 
-    /** So many of a thing, such as {@code 1 bounce} or {@code 3 bounces}. */
+    /** A count with its noun, such as {@code 1 bounce} or {@code 3 bounces}. */
     static String counted(int count, String thing) {
         return count + " " + thing + (count == 1 ? "" : "s");
     }
 
-    /** Without a needless {@code .0}. */
+    /** Without a trailing {@code .0}. */
     static String shortest(double value) {
         return BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
     }

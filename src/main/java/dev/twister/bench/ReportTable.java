@@ -9,7 +9,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** A report for a person at a terminal of 120 columns, or more where there are several figures. */
+/** A report for a terminal with 120 columns, or more for several figures. */
 public final class ReportTable {
     private static final int LEFT_ALIGNED = 3;
     private static final int MAX_DEVICE_LENGTH = 30;
@@ -29,7 +29,7 @@ public final class ReportTable {
 
     private ReportTable() {}
 
-    /** The whole report: the machine, the table, then what failed. */
+    /** The whole report: machine, table, then failures. */
     public static String of(BenchmarkReport report) {
         List<String> lines = new ArrayList<>();
         lines.addAll(heading(report));
@@ -56,7 +56,7 @@ public final class ReportTable {
         return joined(machine(report.machine()), List.of(measured));
     }
 
-    /** What it ran on, in two lines. */
+    /** Machine and software in two lines. */
     static List<String> machine(MachineInfo machine) {
         return List.of(
                 String.format(
@@ -90,7 +90,7 @@ public final class ReportTable {
         return aligned(rows);
     }
 
-    /** Rows as lines, the first three columns to the left. */
+    /** Formats rows as lines, with the first three columns left-aligned. */
     static List<String> aligned(List<List<String>> rows) {
         int[] widths = IntStream.range(0, rows.getFirst().size())
                 .map(column -> rows.stream()

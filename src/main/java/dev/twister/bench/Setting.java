@@ -4,7 +4,7 @@ import dev.twister.image.PictureSize;
 import dev.twister.scene.RenderSettings;
 
 /**
- * What every engine draws once to be compared with the others.
+ * Size and shading of a measured picture.
  *
  * @param shadowSamples points on the light's disc
  * @param bounces limit of reflections
@@ -16,7 +16,7 @@ public record Setting(PictureSize size, int shadowSamples, int bounces) {
                 .withBounces(bounces);
     }
 
-    /** All but the size. */
+    /** Shadow samples and bounces as text. */
     String shading() {
         return ReportNumbers.counted(shadowSamples, "shadow sample") + ", " + ReportNumbers.counted(bounces, "bounce");
     }

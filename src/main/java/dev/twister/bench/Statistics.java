@@ -3,18 +3,19 @@ package dev.twister.bench;
 import java.util.Arrays;
 
 /**
- * What the measured frames' times come to, in milliseconds.
+ * Statistics of the measured frames' times, in milliseconds.
  *
- * @param median the middle one, or the mean of the two middle ones
- * @param p95 the smallest time that at least 95 of 100 frames do not exceed (the nearest rank)
+ * @param median the middle time, or the mean of the two middle ones
+ * @param p95 the smallest time that at least 95 of 100 frames do not exceed (nearest rank)
  */
 public record Statistics(int frames, double min, double median, double mean, double p95) {
     private static final double NANOS_PER_MILLI = 1e6;
 
     /**
-     * Sums up the times of the frames.
+     * Computes the statistics.
      *
-     * @throws IllegalArgumentException where there is no time at all
+     * @param nanos times in nanoseconds
+     * @throws IllegalArgumentException if there are no times
      */
     public static Statistics ofNanos(long... nanos) {
         if (nanos.length == 0) {
@@ -26,13 +27,13 @@ public record Statistics(int frames, double min, double median, double mean, dou
                 .toArray();
         int count = sorted.length;
         double median = (sorted[(count - 1) / 2] + sorted[count / 2]) / 2;
-        // In whole numbers: 0.95 * 20 is above 19 in doubles.
+        // In integers, because 0.95 * 20 exceeds 19 in doubles.
         int rank = (95 * count + 99) / 100;
         return new Statistics(
                 count, sorted[0], median, Arrays.stream(sorted).average().orElseThrow(), sorted[rank - 1]);
     }
 
-    /** Frames a second, from the mean as in the paper. */
+    /** Frames per second, from the mean as in the paper. */
     public double fps() {
         return 1000 / mean;
     }

@@ -11,13 +11,13 @@ import org.knowm.xchart.internal.chartpart.Chart;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 
-/** Draws a plot as an SVG document. */
+/** Renders a plot as an SVG document. */
 final class SvgPlot {
     private static final String NAMESPACE = "http://www.w3.org/2000/svg";
 
     private SvgPlot() {}
 
-    /** The document's text; letters are shapes in it, so that it looks the same where other fonts are. */
+    /** The document's text. Letters are converted to shapes, so that it looks the same with other fonts. */
     static String of(Chart<?, ?> chart, String description) {
         try {
             Document document = DocumentBuilderFactory.newDefaultNSInstance()
@@ -35,7 +35,7 @@ final class SvgPlot {
             root.setAttribute("aria-label", description);
             StringWriter text = new StringWriter();
             graphics.stream(root, text, true, false);
-            // Batik's heading asks for a document type definition that is elsewhere on the net.
+            // Omits Batik's header, which refers to a document type definition on the network.
             String whole = text.toString();
             return whole.substring(whole.indexOf("<svg"));
         } catch (ParserConfigurationException | SVGGraphics2DIOException impossible) {

@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.Properties;
 
-/** The TornadoVM in this JVM, by its SDK's own file; no class of it is touched. */
+/** Version of TornadoVM in this JVM, from a file of its SDK, without loading its classes. */
 final class TornadoVersion {
     private static final int MOST_BYTES = 1 << 16;
 

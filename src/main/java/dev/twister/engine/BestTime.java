@@ -3,14 +3,15 @@ package dev.twister.engine;
 import java.time.Duration;
 import java.util.Optional;
 
-/** The fastest of a series of frames, and whether it is likely to stay that; used by several threads. */
+/** The fastest frame of a series and whether frame times have settled. Thread-safe. */
 public final class BestTime {
     /**
-     * What a frame must be faster by to count as better: less than a compiler's next step, more than a clock's noise.
+     * Factor by which a frame must be faster to count as better: beyond the clock's noise, within one step of the JIT
+     * compiler.
      */
     private static final double BETTER = 0.95;
 
-    /** One compilation may take about so long. */
+    /** Minimum duration of the settled frames; about the longest single compilation. */
     private static final long SETTLED_NANOS = 700_000_000L;
 
     private static final int SETTLED_FRAMES = 20;
@@ -22,7 +23,8 @@ public final class BestTime {
     /**
      * Adds a frame.
      *
-     * @param compiled whether the JVM's compiler was at work meanwhile: the next frames may be faster
+     * @param nanos the frame's time in nanoseconds
+     * @param compiled whether the JIT compiler finished code meanwhile, so that the next frames may be faster
      */
     public synchronized void add(long nanos, boolean compiled) {
         if (!compiled && bestNanos.isPresent() && nanos >= BETTER * bestNanos.get()) {
@@ -35,12 +37,12 @@ public final class BestTime {
         bestNanos = Optional.of(Math.min(nanos, bestNanos.orElse(nanos)));
     }
 
-    /** Whether the last frames, many and over some time, were no better than one before them. */
+    /** Whether the latest frames, at least 20 and over 0.7 s, were no faster than an earlier one. */
     public synchronized boolean isSettled() {
         return settlingFrames >= SETTLED_FRAMES && settlingNanos >= SETTLED_NANOS;
     }
 
-    /** As if no frame had been added. */
+    /** Discards all frames. */
     public synchronized void forget() {
         bestNanos = Optional.empty();
         settlingNanos = 0;

@@ -7,17 +7,16 @@ import dev.twister.kernel.Tone;
 import dev.twister.world.FrameInput;
 
 /**
- * A picture that gathers samples until little noise is left. Its samples are in two halves, drawn from other samples
- * each: half of their difference is what the picture, their mean, is off by (as a standard deviation). It counts as a
- * screen shows it.
+ * A picture that accumulates samples until its noise is low. The samples form two independent halves. Half their
+ * difference is the standard error of the mean, which is the picture. The noise is measured in display values.
  */
 public final class ConvergingPicture {
     private static final int CHANNELS = 3;
 
-    /** Of a half. */
+    /** Samples per pixel in each half of the first pass. */
     private static final int FIRST_SAMPLES = 4;
 
-    /** The noise is that of the noisiest square of as many pixels a side. */
+    /** Side of the square blocks, in pixels; the noise of the noisiest block counts. */
     private static final int BLOCK = 16;
 
     private final FrameInput input;
@@ -33,12 +32,12 @@ public final class ConvergingPicture {
     }
 
     /**
-     * Draws a picture, or a band of one, with as many samples as it takes.
+     * Renders a picture, or a band of rows, with as many samples as necessary.
      *
-     * @param frame receives the picture, linear or not, and the times of all passes together
-     * @param noise the bound of the noise, as a share of white, above 0
-     * @param mostSamples of a pixel, 8 or more: no more are drawn, whatever noise is left
-     * @return the samples of each pixel
+     * @param frame receives the picture, linear or not, and the total times of all passes
+     * @param noise the noise to reach, relative to white, above 0
+     * @param mostSamples limit of samples per pixel, at least 8, even if more noise is left
+     * @return the number of samples per pixel
      */
     public static int draw(Engine engine, FrameInput input, Frame frame, double noise, int mostSamples) {
         FrameFit.check(input, frame);

@@ -4,49 +4,49 @@ import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 
 /**
- * Draws frames: with the kernel, or with equations of its own that tests hold to the kernel's pictures. An engine is
- * used by one thread at a time, and holds whatever it needs between frames (threads, device buffers, compiled kernels)
- * until it is closed.
+ * Renders frames, either with the kernel or with its own implementation of the kernel's equations, which tests compare
+ * with the kernel. Only one thread at a time may use an engine. It keeps its resources (threads, device buffers,
+ * compiled kernels) between frames, until it is closed.
  */
 public interface Engine extends AutoCloseable {
-    /** The name that commands take, such as {@code sequential} or {@code tornado:0:0}. */
+    /** The name for commands, such as {@code sequential} or {@code tornado:0:0}. */
     String id();
 
-    /** What does the work, for a person: a processor's or a device's name. */
+    /** The processor's or device's name, for display. */
     String device();
 
     /**
-     * Draws the rows {@code [input.firstRow(), input.firstRow() + frame.height())} of the picture into all of
-     * {@code frame}, and notes the times in it.
+     * Renders the rows {@code [input.firstRow(), input.firstRow() + frame.height())} of the picture into {@code frame},
+     * and stores the times there.
      *
-     * @throws EngineException where the engine or its device fails; the frame's content is then undefined
-     * @throws IllegalArgumentException where the frame's width or rows do not fit the input
+     * @throws EngineException if the engine or its device fails; the frame's content is then undefined
+     * @throws IllegalArgumentException if the frame's width or height does not match the input
      */
     void render(FrameInput input, Frame frame);
 
     /**
-     * Has someone told when the next frame would be drawn by another, faster engine, so that a picture that rests can
-     * be drawn by that one; most engines never change.
+     * Sets a listener that is called once the next frame would be rendered by a faster engine, so that a picture at
+     * rest can be rendered again. Most engines never call it.
      *
-     * @param listener called on another thread, perhaps while a frame is drawn; must return at once
+     * @param listener called on another thread, possibly during a frame; must return at once
      */
     default void onFaster(Runnable listener) {}
 
     /**
-     * Whether a band of a picture's rows takes about that part of the picture's time, so that a slow picture may be
-     * drawn band by band. Not so where each number of rows is compiled for, or a frame is measured.
+     * Whether the time for a band is proportional to its rows, so that a slow picture can be rendered in bands. False
+     * if the engine compiles for each height, or while it measures frames.
      */
     default boolean drawsBandsInProportion() {
         return false;
     }
 
     /**
-     * Says that no frame is wanted for now: what other scenes would have to wait for may be made ready meanwhile, on
-     * threads of the engine's own, until the next frame is drawn. Returns at once.
+     * Signals that no frame is requested for now. Until the next frame the engine may prepare for other scenes on its
+     * own threads. Returns at once.
      */
     default void rest() {}
 
-    /** Gives back what the engine holds; never throws. */
+    /** Releases all resources; never throws. */
     @Override
     void close();
 }

@@ -1,6 +1,6 @@
 package dev.twister.engine;
 
-/** An engine, or the device under it, failed; the message says which and what to do. */
+/** The engine or its device failed; the message says which and what to do. */
 public final class EngineException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

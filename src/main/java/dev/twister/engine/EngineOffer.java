@@ -4,14 +4,14 @@ import java.util.Optional;
 import java.util.function.Supplier;
 
 /**
- * An engine that could be used here, before it is opened.
+ * An engine of this machine, before it is opened.
  *
- * @param id the name that commands take
- * @param device what does the work, for a person
- * @param driver the version of the device's driver; empty where there is none
- * @param description one line on how it draws
- * @param obstacle why it cannot run here and what to install; empty where it can
- * @param opener makes the engine; throws {@link EngineException} where that fails, or where there is an obstacle
+ * @param id the name for commands
+ * @param device the processor's or device's name, for display
+ * @param driver version of the device's driver; empty if there is none
+ * @param description one line on how it renders
+ * @param obstacle why it cannot run here and what to install; empty if it can run
+ * @param opener opens the engine; throws {@link EngineException} if that fails or if there is an obstacle
  */
 public record EngineOffer(
         String id,
@@ -20,17 +20,17 @@ public record EngineOffer(
         String description,
         Optional<String> obstacle,
         Supplier<Engine> opener) {
-    /** An engine that runs here, without a driver. */
+    /** An engine that runs here and needs no driver. */
     public static EngineOffer working(String id, String device, String description, Supplier<Engine> opener) {
         return new EngineOffer(id, device, Optional.empty(), description, Optional.empty(), opener);
     }
 
-    /** The same by a driver of that version. */
+    /** The same engine with the version of its driver. */
     public EngineOffer withDriver(Optional<String> version) {
         return new EngineOffer(id, device, version, description, obstacle, opener);
     }
 
-    /** An engine that does not, and why. */
+    /** An engine that cannot run here, with the reason. */
     public static EngineOffer impossible(String id, String device, String description, String obstacle) {
         return new EngineOffer(id, device, Optional.empty(), description, Optional.of(obstacle), () -> {
             throw doesNotWork(id, obstacle);
@@ -46,9 +46,9 @@ public record EngineOffer(
     }
 
     /**
-     * Says what keeps the engine from running, without opening it.
+     * Checks that the engine can run, without opening it.
      *
-     * @throws EngineException where there is an obstacle
+     * @throws EngineException if there is an obstacle
      */
     public void check() {
         obstacle.ifPresent(reason -> {

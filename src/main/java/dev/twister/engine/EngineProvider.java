@@ -3,14 +3,14 @@ package dev.twister.engine;
 import java.util.List;
 import java.util.Optional;
 
-/** A family of engines, found by {@link java.util.ServiceLoader}; {@link Engines} asks each for what it offers. */
+/** A family of engines, found by {@link java.util.ServiceLoader} and listed by {@link Engines}. */
 public interface EngineProvider {
-    /** What this family offers on this machine, in the order a person should see it; never fails. */
+    /** The family's engines on this machine, in display order. Never throws. */
     List<EngineOffer> offers();
 
     /**
-     * How the ids of this family's engines begin where they are devices, before a colon; the name alone stands for the
-     * first one. To look for devices takes a noticeable time. Empty where it does not, and there are none.
+     * The prefix, before a colon, of the ids of this family's engines if they run on devices. The prefix alone names
+     * the first device. Empty for families without devices; looking for devices takes noticeable time.
      */
     default Optional<String> devices() {
         return Optional.empty();

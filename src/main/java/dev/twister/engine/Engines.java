@@ -8,11 +8,11 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Finds the engines of this machine. */
+/** Lists, finds and opens the engines of this machine. */
 public final class Engines {
     private Engines() {}
 
-    /** The names of the families whose engines are devices; each stands for its first one. */
+    /** Names of the families whose engines run on devices; each also names the family's first engine. */
     public static List<String> deviceFamilies() {
         return providers()
                 .flatMap(provider -> provider.devices().stream())
@@ -20,7 +20,7 @@ public final class Engines {
                 .toList();
     }
 
-    /** Whether an engine of this id draws on a device. */
+    /** Whether the engine with this id runs on a device. */
     public static boolean isDevice(String id) {
         return deviceFamilies().stream().anyMatch(family -> isOf(family, id));
     }
@@ -29,12 +29,12 @@ public final class Engines {
         return id.equals(family) || id.startsWith(family + ":");
     }
 
-    /** All engines known here, working or not, the JVM's own first and devices last. */
+    /** All known engines, including those that cannot run here; the JVM's own first, devices last. */
     public static List<EngineOffer> offers() {
         return offers(_ -> true);
     }
 
-    /** Those of them that are known at once, without looking for devices. */
+    /** The engines of families without devices, which are known at once. */
     public static List<EngineOffer> offersAtOnce() {
         return offers(provider -> provider.devices().isEmpty());
     }
@@ -54,19 +54,19 @@ public final class Engines {
     }
 
     /**
-     * Opens the engine of that name; a family's name alone is its first device.
+     * Opens an engine by name. A family's name stands for its first device.
      *
-     * @throws UnknownEngineException where no engine has that name
-     * @throws EngineException where it cannot be opened
+     * @throws UnknownEngineException if no engine has that name
+     * @throws EngineException if the engine cannot be opened
      */
     public static Engine open(String id) {
         return offer(id).opener().get();
     }
 
     /**
-     * The engine of that name, working or not; a family's name alone is its first device.
+     * Finds an engine by name, even if it cannot run here. A family's name stands for its first device.
      *
-     * @throws UnknownEngineException where no engine has that name
+     * @throws UnknownEngineException if no engine has that name
      */
     public static EngineOffer offer(String id) {
         return find(offersAtOnce(), id).orElseGet(() -> findEverywhere(id));
@@ -79,7 +79,7 @@ public final class Engines {
                         + offers.stream().map(EngineOffer::id).collect(Collectors.joining(", "))));
     }
 
-    /** Which of the offers that name means; a family's name alone is its first device. */
+    /** Finds an engine among offers by name. A family's name stands for its first device. */
     public static Optional<EngineOffer> find(List<EngineOffer> offers, String name) {
         return offers.stream()
                 .filter(offer -> offer.id().equals(name))

@@ -3,14 +3,14 @@ package dev.twister.engine;
 import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 
-/** Whether a frame can take what an input describes. */
+/** Checks that a frame matches its input. */
 public final class FrameFit {
     private FrameFit() {}
 
     /**
-     * Does nothing where it can.
+     * Checks the frame's size.
      *
-     * @throws IllegalArgumentException where the frame's width or height is not that of the input's band
+     * @throws IllegalArgumentException if the frame's width or height differs from the input's width or rows
      */
     public static void check(FrameInput input, Frame frame) {
         if (frame.width() != input.width() || frame.height() != input.rows()) {

@@ -7,13 +7,13 @@ import dev.twister.world.FrameInput;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** The engines that need nothing but the JVM: the paper's two baselines. */
+/** The engines that need only the JVM: the paper's two baselines. */
 @AutoService(EngineProvider.class)
 public final class JvmEngines implements EngineProvider {
     public static final String SEQUENTIAL = "sequential";
     public static final String PARALLEL = "parallel";
 
-    /** The engine that opens at once everywhere, and uses the whole processor. */
+    /** The engine that is ready at once on every machine and uses all cores. */
     public static EngineOffer parallel() {
         int threads = Runtime.getRuntime().availableProcessors();
         return offer(
@@ -48,16 +48,16 @@ public final class JvmEngines implements EngineProvider {
                 .forEach(index -> new JvmKernel().drawRow(input, frame, rows.row(index), 0, input.width()));
     }
 
-    /** How the rows of a frame are gone through. */
+    /** Renders the rows of a frame in some order. */
     @FunctionalInterface
     private interface Rows {
         void draw(FrameInput input, Frame frame);
     }
 
     /**
-     * An engine of the JVM: the kernel's own code, called by plain Java; they differ in who draws which row.
+     * An engine that calls the kernel from plain Java.
      *
-     * @param rows draws all rows of a frame
+     * @param rows renders all rows of a frame
      */
     private record JvmEngine(String id, String device, Rows rows) implements Engine {
         @Override

@@ -10,17 +10,17 @@ import dev.twister.world.FrameInput;
 import dev.twister.world.Panorama;
 import dev.twister.world.View;
 
-/** Calls the kernel on the JVM, for one thread. */
+/** Calls the kernel on the JVM. Each thread needs its own instance. */
 public final class JvmKernel {
     private final float[] path = new float[Layout.PATH_LENGTH];
     private final float[] scratch = new float[Layout.SCRATCH_LENGTH];
 
-    /** The path that {@link #follow} follows: {@link Layout#PATH_LENGTH} floats. */
+    /** The path for {@link #follow} and {@link #visible}: {@link Layout#PATH_LENGTH} floats. */
     public float[] path() {
         return path;
     }
 
-    /** Draws the pixels of a row of the band, from one column to before another. */
+    /** Renders the pixels of one row of the band, from {@code firstColumn} to before {@code endColumn}. */
     public void drawRow(FrameInput input, Frame frame, int row, int firstColumn, int endColumn) {
         int search = HitSearch.of(input);
         int materials = input.bodies().materials();
@@ -57,9 +57,9 @@ public final class JvmKernel {
     }
 
     /**
-     * S in [0, 1] where the {@link #path} meets a body, as {@link Path#visible} has it.
+     * The visible part of the light, in [0, 1], where the {@link #path} hits a body: {@link Path#visible}.
      *
-     * @param bounce how many surfaces the path has left
+     * @param bounce number of surfaces that the path has left
      */
     public float visible(FrameInput input, int body, int bounce) {
         View view = input.view();
@@ -94,7 +94,7 @@ public final class JvmKernel {
                 Aspect.FULL);
     }
 
-    /** Follows the {@link #path} from a bounce on, as {@link Path#follow} does. */
+    /** Follows the {@link #path} from a bounce on: {@link Path#follow}. */
     public void follow(FrameInput input, int bounce) {
         Path.follow(
                 path,

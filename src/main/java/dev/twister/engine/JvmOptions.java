@@ -4,13 +4,13 @@ import com.sun.management.HotSpotDiagnosticMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.Optional;
 
-/** The options that this JVM runs with, from the command line and the environment. */
+/** Options of the running JVM. */
 public final class JvmOptions {
     private JvmOptions() {}
 
     /**
-     * The value of the option of that name, without {@code -XX:}; empty where the JVM has no such option, or tells
-     * none.
+     * The value of an option by its name without {@code -XX:}; empty if this JVM does not know the option or does not
+     * expose options.
      */
     public static Optional<String> value(String name) {
         HotSpotDiagnosticMXBean diagnostics = ManagementFactory.getPlatformMXBean(HotSpotDiagnosticMXBean.class);

@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.ServiceLoader;
 
-/** Says how to come to TornadoVM's engines where they are not built. */
+/** Says how to get TornadoVM's engines where they are not built. */
 @AutoService(EngineProvider.class)
 public final class MissingTornado implements EngineProvider {
-    /** What TornadoVM's engines are called together. */
+    /** The family name of TornadoVM's engines. */
     public static final String TORNADO = "tornado";
 
     @Override

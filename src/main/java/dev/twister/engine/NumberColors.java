@@ -5,36 +5,33 @@ import dev.twister.world.Picture;
 import java.awt.Color;
 import java.util.stream.IntStream;
 
-/**
- * How views that are no colors look in 8 bits. Neither exposure nor tone map applies, and every picture has the same
- * scale.
- */
+/** 8-bit colors for views whose values are not colors. Exposure and tone map do not apply, and the scale is fixed. */
 public final class NumberColors {
     private static final int CHANNELS = 3;
     private static final int OPAQUE = 0xFF000000;
 
-    /** Meters that are shown as a middle gray. */
+    /** Depth in meters that is shown as middle gray. */
     private static final double MIDDLE_DEPTH = 10;
 
     private static final float GOLDEN_RATIO = 0.618034f;
     private static final float SATURATION = 0.65f;
     private static final float BRIGHTNESS = 0.95f;
 
-    /** Counts at the hot end of their scale; beyond, all look alike. */
+    /** Counts at the hot end of the scale; larger ones look the same. */
     private static final double MOST_BOUNCES = 64;
 
     private static final double MOST_TESTS = 65_535;
 
-    /** From cold to hot. */
+    /** RGB colors from cold to hot. */
     private static final int[] HEAT = {0x000000, 0x2020C0, 0x00A0C0, 0x20B040, 0xF0E020, 0xE03010, 0xFFFFFF};
 
     private NumberColors() {}
 
     /**
-     * 0xAARRGGBB of each pixel.
+     * The 0xAARRGGBB value of each pixel.
      *
-     * @param picture a view that is no color
-     * @param values three floats a pixel, as a linear {@link Frame} has them
+     * @param picture a view whose values are not colors
+     * @param values three floats per pixel, as in a linear {@link Frame}
      */
     public static int[] pixels(Picture picture, float[] values) {
         int[] pixels = new int[values.length / CHANNELS];
@@ -42,7 +39,7 @@ public final class NumberColors {
         return pixels;
     }
 
-    /** The same into pixels that are there already. */
+    /** As above, into existing pixels. */
     public static void paint(Picture picture, float[] values, int[] argb) {
         IntStream.range(0, argb.length)
                 .parallel()
@@ -60,13 +57,13 @@ public final class NumberColors {
         };
     }
 
-    /** Nothing is black, the light white; bodies that follow each other differ. */
+    /** No body is black and the light is white; adjacent numbers get different hues. */
     private static int body(int number) {
         int color = number < 0 ? 0 : 0xFFFFFF;
         return number > 0 ? Color.HSBtoRGB(number * GOLDEN_RATIO, SATURATION, BRIGHTNESS) : color;
     }
 
-    /** On a logarithmic scale, from 0 to the most. */
+    /** A color on a logarithmic scale from 0 to {@code most}. */
     private static int heat(double count, double most) {
         double place = Math.min(Math.log1p(count) / Math.log1p(most), 1) * (HEAT.length - 1);
         int colder = Math.min((int) place, HEAT.length - 2);

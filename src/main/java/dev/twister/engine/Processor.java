@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
-/** The processor's model, wherever this system tells it. */
+/** The name of the CPU's model, from the operating system. */
 public final class Processor {
     private Processor() {}
 

@@ -1,15 +1,15 @@
 package dev.twister.engine;
 
 /**
- * An order of a picture's rows of which every part has rows from everywhere. A parallel stream cuts its range into few
- * parts, each for one thread; with rows in order a part of sky would be done long before one of spheres, and its thread
- * idle.
+ * An order of a picture's rows that spreads every part of it over the whole picture. A parallel stream splits its range
+ * into few parts, one per thread. With consecutive rows, a part of sky would finish long before one of spheres and
+ * leave its thread idle.
  *
- * @param height of the picture, at least 1
- * @param step from one row to the next, around the picture's end; has no divisor in common with the height
+ * @param height the picture's height, at least 1
+ * @param step distance between successive rows, modulo the height; coprime to it
  */
 record RowSpread(int height, int step) {
-    /** The part of a circle after which places lie most evenly, however many there are. */
+    /** Steps of this part of a circle spread any number of points evenly. */
     private static final double GOLDEN_SECTION = 0.6180339887498949;
 
     RowSpread(int height) {
@@ -28,7 +28,7 @@ record RowSpread(int height, int step) {
         return b == 0 ? a : divisor(b, a % b);
     }
 
-    /** The row at this place of the order. */
+    /** The row at an index of the order. */
     int row(int index) {
         return (int) ((long) index * step % height);
     }

@@ -8,9 +8,9 @@ import java.time.Duration;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
-/** The first frames of an engine, which get faster as compilers come to what it runs. */
+/** The first frames of an engine, which get faster while compilers work. */
 public final class SettlingFrames {
-    /** Large enough that what a device takes for each frame, whatever its size, does not hide how fast it is. */
+    /** Width in pixels; large enough that a device's fixed cost per frame does not dominate. */
     private static final int SMALL_WIDTH = 320;
 
     private final Engine engine;
@@ -21,12 +21,12 @@ public final class SettlingFrames {
             .filter(CompilationMXBean::isCompilationTimeMonitoringSupported);
     private long compiledMillis;
 
-    /** Of one input, and with a time of their own. */
+    /** Frames of one input, with a new {@link BestTime}. */
     public SettlingFrames(Engine engine, FrameInput input) {
         this(engine, input, new BestTime());
     }
 
-    /** The same with a time that others see. */
+    /** As above, with a shared {@link BestTime}. */
     public SettlingFrames(Engine engine, FrameInput input, BestTime best) {
         this.engine = engine;
         this.input = input;
@@ -35,8 +35,8 @@ public final class SettlingFrames {
     }
 
     /**
-     * The same view with few pixels: the JVM compiles the same code for it, and sooner, for before that an engine may
-     * be hundreds of times slower.
+     * The same view with few pixels. The JVM compiles the same code for it, but sooner, because an engine may be
+     * hundreds of times slower before that.
      */
     public static FrameInput small(FrameInput input) {
         int width = Math.min(SMALL_WIDTH, input.width());
@@ -45,9 +45,9 @@ public final class SettlingFrames {
     }
 
     /**
-     * Draws one more.
+     * Renders one frame.
      *
-     * @return how long it took
+     * @return the frame's time
      */
     public Duration draw() {
         engine.render(input, frame);
@@ -57,10 +57,10 @@ public final class SettlingFrames {
     }
 
     /**
-     * Draws one, and more until they get no faster.
+     * Renders at least one frame, and more until frame times settle.
      *
-     * @param longest for all together
-     * @param unwanted whether to stop sooner
+     * @param longest limit of the total time
+     * @param unwanted whether to stop early
      */
     public void settle(Duration longest, BooleanSupplier unwanted) {
         long start = System.nanoTime();
@@ -69,15 +69,12 @@ public final class SettlingFrames {
         } while (!areSettled() && !unwanted.getAsBoolean() && System.nanoTime() - start < longest.toNanos());
     }
 
-    /** Whether they are likely to get no faster. */
+    /** Whether frame times have settled. */
     public boolean areSettled() {
         return best.isSettled();
     }
 
-    /**
-     * Whether the JVM's compiler has finished anything since it was last asked: code that is compiled anew is faster
-     * soon.
-     */
+    /** Whether the JIT compiler has finished code since the last call; faster frames may follow. */
     private boolean hasCompiled() {
         long before = compiledMillis;
         compiledMillis =

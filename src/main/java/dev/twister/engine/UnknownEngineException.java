@@ -1,6 +1,6 @@
 package dev.twister.engine;
 
-/** A name that no engine has; the message lists those there are. */
+/** No engine has this name; the message lists the known ones. */
 public final class UnknownEngineException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

@@ -1,5 +1,5 @@
 /**
- * What draws: the {@link dev.twister.engine.Engine} interface, how engines are found, how their first frames settle,
- * and the engines of the JVM itself. Leans on the kernel, the world's frame input, and the image package.
+ * The {@link dev.twister.engine.Engine} interface, engine discovery, the settling of first frames, and the JVM's own
+ * engines. Depends on the kernel, the world's frame input and the image package.
  */
 package dev.twister.engine;

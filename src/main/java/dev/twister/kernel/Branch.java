@@ -1,27 +1,25 @@
 package dev.twister.kernel;
 
-/**
- * The rays that go on from a surface of any material: Whitted's tree, of which the path is one branch and others wait.
- */
+/** Secondary rays of surfaces of any material: Whitted's tree, in which the path is one branch and other rays wait. */
 public final class Branch {
-    /** A branch that begins at a body that transmits ends where its throughput is smaller. */
+    /** A branch from a transmitting body ends if its throughput is smaller. */
     public static final float LEAST_THROUGHPUT = 1f / 1024f;
 
     private Branch() {}
 
     /**
-     * Turns the path's ray into the reflected or the refracted one; where both go on, the fainter, while the other
-     * waits. The throughput is 0 where none goes on.
+     * Replaces the path's ray by the reflected or the refracted one. If both continue, the fainter is followed and the
+     * other one waits. If none continues, the throughput becomes 0.
      *
      * @param path {@link Layout#PATH_LENGTH} floats, with {@link Layout#FACET}
-     * @param body that the ray has met
-     * @param bounce how many surfaces the path has left before
+     * @param body the body that the ray has hit
+     * @param bounce number of surfaces that the path has left before
      * @param mirror m in [0, 1]
      * @param transmission t in [0, 1]
      * @param lit in [0, 1]
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
-     * @param waiting how many rays wait
-     * @return how many rays wait now
+     * @param waiting number of waiting rays
+     * @return the new number of waiting rays
      */
     static int split(
             float[] path,
@@ -53,7 +51,7 @@ public final class Branch {
         float refractedY = 0f;
         float refractedZ = 0f;
         if (refracted > 0f) {
-            // Without an inside, the plane is as thin as a sheet: what passes it is what it reflects, on its other
+            // The plane is infinitely thin, without an inside: the transmitted ray is the reflected one on the other
             // side.
             int sheet = body == Layout.PLANE ? 1 : 0;
             float along = Refraction.along(cosine, ratio);
@@ -76,7 +74,7 @@ public final class Branch {
                 strongest(path, path[Layout.ALBEDO], path[Layout.ALBEDO + 1], path[Layout.ALBEDO + 2]) * refracted;
         strongest = strongest < least ? 0f : strongest;
         strongestPassed = strongestPassed < least ? 0f : strongestPassed;
-        // Colors of at most 1 never fill the stack.
+        // The stack cannot overflow as long as colors are at most 1.
         int room = waiting < Layout.MOST_WAITING_RAYS ? 1 : 0;
         int both = (strongest > 0f ? 1 : 0) & (strongestPassed > 0f ? 1 : 0) & room;
         int fainterPasses = strongestPassed < strongest ? 1 : 0;
@@ -114,12 +112,12 @@ public final class Branch {
         return waiting + both;
     }
 
-    /** How many surfaces the ray has left that began to wait last; {@code waiting} rays wait. */
+    /** Number of surfaces that the newest waiting ray has left; {@code waiting} is the number of waiting rays. */
     public static int bounce(float[] scratch, int waiting) {
         return (int) scratch[Layout.SCRATCH_RAYS + Layout.RAY_STRIDE * (waiting - 1) + Layout.RAY_BOUNCE];
     }
 
-    /** Goes on with the ray that began to wait last. */
+    /** Continues with the newest waiting ray. */
     public static void resume(float[] path, float[] scratch, int waiting) {
         int first = Layout.SCRATCH_RAYS + Layout.RAY_STRIDE * (waiting - 1);
         for (int i = 0; i < Layout.RAY_BOUNCE; i++) {
@@ -128,10 +126,10 @@ public final class Branch {
     }
 
     /**
-     * Starts a ray at the path's point, in the first floats of an array of the path's layout.
+     * Starts a ray at the path's hit point, in the first floats of an array with the path's layout.
      *
-     * @param passes 1 where it takes the body's color, else 0
-     * @param part of the path's throughput
+     * @param passes 1 if the ray is transmitted and takes the body's color, else 0
+     * @param part part of the path's throughput
      */
     private static void start(
             float[] ray,
@@ -158,7 +156,7 @@ public final class Branch {
         ray[first + Layout.LEAVING_TRIANGLE] = path[Layout.LEAVING_TRIANGLE];
     }
 
-    /** A part of the light as a rough surface passes it on; nothing goes to the wrong side. */
+    /** Applies the weight of the facet sample on a rough surface; 0 for directions on the wrong side. */
     private static float weighted(float[] path, float part, float cosineIn, float cosineOut) {
         float weighted = part;
         if (path[Layout.ROUGHNESS] > 0f) {

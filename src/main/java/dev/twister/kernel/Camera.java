@@ -1,16 +1,16 @@
 package dev.twister.kernel;
 
-/** View rays, from the camera through the viewport, whose shorter side runs from -1 to 1. */
+/** View rays from the camera through the viewport, whose shorter side extends from -1 to 1. */
 public final class Camera {
     private Camera() {}
 
     /**
-     * Starts the path of a pinhole's view ray: its origin and direction, no body to leave, a throughput of 1. Its
-     * radiance stays as it is.
+     * Starts the path of a pinhole camera's view ray: origin and direction, no body to leave, a throughput of 1. The
+     * radiance is kept.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param x in pixels from the picture's left border
-     * @param y in pixels from its upper border
+     * @param y in pixels from its top border
      * @param dimensions {@link Layout#DIMENSIONS_LENGTH} ints
      * @param camera {@link Layout#CAMERA_LENGTH} floats
      */
@@ -35,23 +35,23 @@ public final class Camera {
         path[Layout.THROUGHPUT + 2] = 1f;
     }
 
-    /** From left to right; the middle of the width is exactly 0. */
+    /** Viewport coordinate from left to right; exactly 0 at the center. */
     public static float u(float x, int width, int height) {
         return (x - width * 0.5f) * step(width, height);
     }
 
-    /** From bottom to top. */
+    /** Viewport coordinate from bottom to top. */
     public static float v(float y, int width, int height) {
         return (height * 0.5f - y) * step(width, height);
     }
 
-    /** From one pixel to the next. */
+    /** Distance between adjacent pixels on the viewport. */
     public static float step(int width, int height) {
         return 2f / (width > height ? height : width);
     }
 
     /**
-     * One coordinate of the ray through a place of the viewport, not yet a unit vector's.
+     * One component of the ray's direction through (u, v) on the viewport; the vector is not normalized.
      *
      * @param axis 0 for x, 1 for y, 2 for z
      */

@@ -1,22 +1,22 @@
 package dev.twister.kernel;
 
 /**
- * A rough surface's facets: GGX with alpha the roughness squared, sampled from the normals that are visible (Dupuy and
- * Benyoub, "Sampling Visible GGX Normals with Spherical Caps", 2023).
+ * Microfacets of rough surfaces: GGX with alpha equal to the squared roughness, sampled from the visible normals (Dupuy
+ * and Benyoub, "Sampling Visible GGX Normals with Spherical Caps", 2023).
  */
 public final class Facet {
-    /** Of a cosine, below which it is taken for it. */
+    /** Lower bound of a squared cosine. */
     public static final float LEAST_SQUARE = 1e-12f;
 
     private Facet() {}
 
     /**
-     * Writes the normal of the facet that the path's ray meets, turned against the ray. A smooth surface is its own
-     * facet.
+     * Writes the normal of the microfacet that the path's ray hits, turned toward the ray's origin. For a smooth
+     * surface it is the surface's normal.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
-     * @param bounce how many surfaces the path has left before
-     * @param pixelSamples {@link Layout#SAMPLE_STRIDE} floats a sample
+     * @param bounce number of surfaces that the path has left before
+     * @param pixelSamples {@link Layout#SAMPLE_STRIDE} floats per sample
      */
     public static void find(float[] path, int bounce, float[] pixelSamples) {
         float side = directionDot(path, Layout.NORMAL) > 0f ? -1f : 1f;
@@ -29,13 +29,13 @@ public final class Facet {
         }
     }
 
-    /** Tilts the facet, which is the surface's normal so far, by two numbers in [0, 1). */
+    /** Replaces the facet, initially the surface's normal, by a sample from two random numbers in [0, 1). */
     private static void sample(float[] path, float first, float second) {
         float alpha = path[Layout.ROUGHNESS] * path[Layout.ROUGHNESS];
         float normalX = path[Layout.FACET];
         float normalY = path[Layout.FACET + 1];
         float normalZ = path[Layout.FACET + 2];
-        // An orthonormal basis without a special case but for the sign (Duff et al. 2017).
+        // Orthonormal basis without singularities (Duff et al. 2017).
         float sign = normalZ < 0f ? -1f : 1f;
         float a = -1f / (sign + normalZ);
         float b = normalX * normalY * a;
@@ -67,11 +67,12 @@ public final class Facet {
     }
 
     /**
-     * G2 / G1 of Smith's height-correlated masking and shadowing: what part of the sampled light leaves the surface.
+     * G2 / G1 of Smith's height-correlated masking and shadowing: the part of the sampled light that leaves the
+     * surface.
      *
      * @param roughness in [0, 1]
-     * @param cosineIn against the normal, of the way that the ray came
-     * @param cosineOut against the normal, of the way that it goes on; both not less than 0
+     * @param cosineIn cosine between normal and incoming ray, at least 0
+     * @param cosineOut cosine between normal and outgoing ray, at least 0
      */
     public static float weight(float roughness, float cosineIn, float cosineOut) {
         float alpha = roughness * roughness;
@@ -84,7 +85,7 @@ public final class Facet {
         return 0.5f * (float) Math.sqrt(1f + alpha * alpha * (1f - Math.min(squared, 1f)) / squared) - 0.5f;
     }
 
-    /** The ray's direction times a vector at that place of the path. */
+    /** Dot product of the ray's direction and a vector of the path. */
     static float directionDot(float[] path, int vector) {
         return path[Layout.DIRECTION] * path[vector]
                 + path[Layout.DIRECTION + 1] * path[vector + 1]

@@ -1,19 +1,19 @@
 package dev.twister.kernel;
 
-/** The stages and views that are known at the first hit; {@link Aspect} says what each is. */
+/** Stages and views that are known at the first hit; {@link Aspect} defines their values. */
 final class FirstHit {
     private FirstHit() {}
 
     /**
-     * Adds the value of the path's view ray to {@link Layout#RADIANCE}. The arrays are {@link Layout}'s.
+     * Adds the value of the path's view ray to {@link Layout#RADIANCE}. {@link Layout} describes the arrays.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
-     * @param bodies how many there are
+     * @param bodies number of bodies
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
      * @param search {@link Hit#ALL} or {@link Hit#WALK}
      * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      * @param materials {@link Material#PLAIN} or {@link Material#ANY}
-     * @param aspect one of {@link Aspect}'s that end at the first hit
+     * @param aspect a constant of {@link Aspect} that ends at the first hit
      */
     static void add(
             float[] path,

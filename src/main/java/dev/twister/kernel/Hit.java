@@ -1,10 +1,10 @@
 package dev.twister.kernel;
 
-/** Which body a ray meets first. */
+/** The closest hit of a ray. */
 public final class Hit {
     /**
-     * Values of the argument {@code search}: every body is tested, or the spheres by way of the hierarchy. Both find
-     * the same.
+     * Values of the argument {@code search}: a loop over all bodies, or a traversal of the spheres' hierarchy. Both
+     * find the same hit.
      */
     public static final int ALL = 0;
 
@@ -13,21 +13,21 @@ public final class Hit {
     private Hit() {}
 
     /**
-     * The closest body in front of the path's ray, the lower index on a tie; {@link Layout#NOTHING} where there is
-     * none. The body that the ray leaves is ignored, of a mesh the triangle. Writes the distance in meters to
+     * The closest body in front of the path's ray, the lower number on a tie; {@link Layout#NOTHING} for a miss. It
+     * ignores the body that the ray leaves, or of a mesh only the triangle. Writes the distance in meters to
      * {@link Layout#DISTANCE}.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
-     * @param places {@link Layout#PLACE_STRIDE} floats a body
-     * @param looks {@link Layout#LOOK_STRIDE} floats a body
-     * @param hierarchy over the spheres
-     * @param meshes {@link Layout}'s, with their part of the hierarchy
-     * @param bodies how many there are without meshes
+     * @param places {@link Layout#PLACE_STRIDE} floats per body
+     * @param looks {@link Layout#LOOK_STRIDE} floats per body
+     * @param hierarchy hierarchies over the spheres and the meshes
+     * @param meshes all meshes, see {@link Layout}
+     * @param bodies number of bodies without meshes
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
      * @param search {@link #ALL} or {@link #WALK}
      * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      * @param materials {@link Material#PLAIN} or {@link Material#ANY}
-     * @param aspect one of {@link Aspect}'s
+     * @param aspect a constant of {@link Aspect}
      */
     public static int find(
             float[] path,
@@ -51,7 +51,7 @@ public final class Hit {
         return body;
     }
 
-    /** The body that the ray is to pass by: the one that it leaves, unless it goes on inside. */
+    /** The body that the ray ignores: the one that it leaves, unless it continues inside. */
     private static int ignored(float[] path, int materials) {
         int leaving = (int) path[Layout.LEAVING];
         if (materials == Material.ANY) {
@@ -95,10 +95,7 @@ public final class Hit {
         return distance;
     }
 
-    /**
-     * Distance to a sphere whose center and radius are at that place of an array. Who is inside sees one that
-     * transmits.
-     */
+    /** Distance to a sphere given by center and radius in an array. Transmitting spheres are also hit from inside. */
     private static float sphere(float[] path, float[] spheres, int at, int body, float[] looks, int materials) {
         float x = spheres[at] - path[Layout.ORIGIN];
         float y = spheres[at + 1] - path[Layout.ORIGIN + 1];
@@ -119,10 +116,10 @@ public final class Hit {
     }
 
     /**
-     * The nearer child is walked first, and what begins beyond the closest hit so far is not walked at all.
+     * Traverses the hierarchy, the nearer child first; skips nodes beyond the closest hit so far.
      *
      * @param first the closest hit so far
-     * @param root where in the hierarchy its root is
+     * @param root place of the root in the hierarchy
      */
     private static int onWalk(
             float[] path,
@@ -174,7 +171,7 @@ public final class Hit {
         return hit;
     }
 
-    /** The closest hit so far, or a sphere of the leaf that is closer. */
+    /** The closest hit so far, or a closer sphere of the leaf. */
     private static int inLeaf(
             float[] path, int first, float[] looks, float[] hierarchy, int link, int spheres, int materials) {
         int ignored = ignored(path, materials);

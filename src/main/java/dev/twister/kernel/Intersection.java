@@ -1,25 +1,25 @@
 package dev.twister.kernel;
 
-/** Where a ray meets a body; directions are unit vectors, so that distances are in meters. */
+/** Intersections of rays and bodies. Directions are unit vectors, so distances are in meters. */
 public final class Intersection {
-    /** The distance of what is not hit. */
+    /** Distance of a miss. */
     public static final float MISS = 3.0e38f;
 
     /**
-     * Of the plane's side, how far the square reaches from its middle: a little beyond the half, so that no border is
-     * at a round number, where rounding alone decides.
+     * Half extent of the plane's square relative to its side. It is slightly more than 0.5, so that no border is at a
+     * round number, where rounding alone would decide.
      */
     public static final float PLANE_REACH = 0.5f + 0x1p-17f;
 
     private Intersection() {}
 
     /**
-     * Distance to the near side of a sphere; {@link #MISS} where the ray passes it, or where the near side is not in
-     * front. The discriminant comes from the ray's perpendicular distance to the center, which keeps its digits where
-     * the sphere is small and far. Whether the origin is outside is asked of the origin alone: for one on the surface,
-     * it is the same in all directions.
+     * Distance to the near side of a sphere; {@link #MISS} if the ray misses it or the near side is not in front. The
+     * discriminant is computed from the perpendicular distance to the center, which stays accurate for small, distant
+     * spheres. Whether the origin is outside depends only on the origin, so it is the same for all directions from a
+     * point on the surface.
      *
-     * @param x the center, seen from the ray's origin
+     * @param x with y and z: the center relative to the ray's origin
      */
     public static float sphere(
             float x, float y, float z, float radius, float directionX, float directionY, float directionZ) {
@@ -38,8 +38,8 @@ public final class Intersection {
     }
 
     /**
-     * Distance to the far side of a sphere, which is what a ray from inside meets; {@link #MISS} where the ray passes
-     * it, or where the far side is not in front. The center is seen from the ray's origin.
+     * Distance to the far side of a sphere, for rays from inside; {@link #MISS} if the ray misses it or the far side is
+     * not in front. The center is relative to the ray's origin.
      */
     public static float sphereFromInside(
             float x, float y, float z, float radius, float directionX, float directionY, float directionZ) {
@@ -57,12 +57,12 @@ public final class Intersection {
     }
 
     /**
-     * Distance to the square ground, from above or below, its border inside; {@link #MISS} elsewhere.
+     * Distance to the plane's square, from above or below, including its border; {@link #MISS} elsewhere.
      *
-     * @param height the plane's, in meters
+     * @param height the plane's y, in meters
      * @param size the square's side, in meters
-     * @param originX from the square's center
-     * @param originZ from the square's center
+     * @param originX relative to the square's center
+     * @param originZ relative to the square's center
      */
     public static float plane(
             float height,
@@ -83,7 +83,7 @@ public final class Intersection {
         return distance;
     }
 
-    /** 1 where a point of the plane, seen from the square's center, lies on its square of that side, else 0. */
+    /** 1 if a point of the plane, relative to the square's center, is on the square of the given side, else 0. */
     static int isOnSquare(float x, float z, float size) {
         float reach = PLANE_REACH * size;
         return (Math.abs(x) <= reach ? 1 : 0) & (Math.abs(z) <= reach ? 1 : 0);

@@ -1,14 +1,14 @@
 package dev.twister.kernel;
 
 /**
- * Float functions that give the same numbers on every engine: polynomials, repeated squaring and square roots, where
- * devices' own functions differ from driver to driver. The bounds given here are tested against {@code StrictMath}.
+ * Float functions with equal results on every engine, by polynomials, repeated squaring and square roots; devices' own
+ * functions differ between drivers. The error bounds are tested against {@code StrictMath}.
  */
 public final class KernelMath {
     public static final float PI = 3.1415927f;
     public static final float HALF_PI = 1.5707964f;
 
-    /** How many binary digits of an exponent's fraction are taken one by one; the rest is a line. */
+    /** Number of binary digits of a fractional exponent that are evaluated; the rest is approximated linearly. */
     public static final int FRACTION_DIGITS = 12;
 
     /** The arc tangent of a ratio r in [0, 1] is {@code r (1 + ATAN_1 r^2 + ATAN_2 r^4 + ...)}. */
@@ -43,7 +43,7 @@ public final class KernelMath {
 
     private KernelMath() {}
 
-    /** The largest whole number that is not above {@code x}, for |x| below 2^31. */
+    /** The largest integer not above {@code x}, for |x| below 2^31. */
     public static int floor(float x) {
         int truncated = (int) x;
         return x < truncated ? truncated - 1 : truncated;
@@ -68,7 +68,7 @@ public final class KernelMath {
         return result;
     }
 
-    /** {@code base^exponent} for a base in [0, 2] and an exponent in [0, 255], by its binary digits. */
+    /** {@code base^exponent} for a base in [0, 2] and an integer exponent in [0, 255], by its binary digits. */
     static float wholePower(float base, int exponent) {
         int rest = exponent;
         float square = base;
@@ -81,7 +81,7 @@ public final class KernelMath {
         return result;
     }
 
-    /** {@code base^fraction}, fraction in [0, 1), by its binary digits: each takes one more square root. */
+    /** {@code base^fraction} for a fraction in [0, 1), by its binary digits with a square root each. */
     static float fractionalPower(float base, float fraction) {
         float root = base;
         float rest = fraction;
@@ -109,7 +109,7 @@ public final class KernelMath {
         return y < 0f ? -half : half;
     }
 
-    /** The sine of an angle in whole turns, in [0, 1), within 4e-7. */
+    /** The sine of an angle in turns, in [0, 1), within 4e-7. */
     static float sineOfTurns(float turns) {
         float x = turns > 0.75f ? turns - 1f : turns > 0.25f ? 0.5f - turns : turns;
         float s = x * x;
@@ -121,7 +121,7 @@ public final class KernelMath {
         return x * (polynomial * s + SINE_0);
     }
 
-    /** The cosine of an angle in whole turns, in [0, 1), within 4e-7. */
+    /** The cosine of an angle in turns, in [0, 1), within 4e-7. */
     static float cosineOfTurns(float turns) {
         return sineOfTurns(turns < 0.75f ? turns + 0.25f : turns - 0.75f);
     }
@@ -141,8 +141,8 @@ public final class KernelMath {
     }
 
     /**
-     * {@code x^(10 / 3)} for x in [0.486, 1], within 1e-6: a minimax polynomial. Of an eighth root it is the 5/12th
-     * power, which is the sRGB curve's.
+     * {@code x^(10 / 3)} for x in [0.486, 1], within 1e-6: a minimax polynomial. Applied to an eighth root it gives the
+     * power 5/12 of the sRGB transfer function.
      */
     static float tenThirdsPower(float x) {
         float polynomial = TEN_THIRDS_6;

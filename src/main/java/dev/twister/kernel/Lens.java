@@ -1,16 +1,16 @@
 package dev.twister.kernel;
 
-/** A thin lens: what is not at the focus distance is seen from each of its points elsewhere. */
+/** A thin lens, which blurs everything outside the plane in focus. */
 public final class Lens {
     private Lens() {}
 
     /**
-     * Moves the start of a pinhole's view ray to the sample's point of the lens, and turns the ray to where the
-     * pinhole's meets the plane that is sharp.
+     * Moves the origin of a pinhole camera's view ray to the sample's point on the lens, and turns the ray toward the
+     * pinhole ray's intersection with the plane in focus.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
-     * @param camera {@link Layout#CAMERA_LENGTH} floats, its aperture above 0
-     * @param pixelSamples {@link Layout#SAMPLE_STRIDE} floats a sample
+     * @param camera {@link Layout#CAMERA_LENGTH} floats, with an aperture above 0
+     * @param pixelSamples {@link Layout#SAMPLE_STRIDE} floats per sample
      */
     public static void bend(float[] path, float[] camera, float[] pixelSamples) {
         float radius = camera[Layout.CAMERA_APERTURE]

@@ -1,9 +1,6 @@
 package dev.twister.kernel;
 
-/**
- * The light: as a body that is seen, and as what a surface is lit by (Blinn-Phong, {@code shade(C) = C * lit +
- * lightColor * spec}).
- */
+/** The light as a visible body and as illumination (Blinn-Phong, {@code shade(C) = C * lit + lightColor * spec}). */
 public final class Light {
     /** {@code 1 / (8 pi)}. */
     public static final float INVERSE_EIGHT_PI = 0.039788734f;
@@ -11,10 +8,10 @@ public final class Light {
     private Light() {}
 
     /**
-     * Adds the light's own color where the path ends in it.
+     * Adds the light's own color if the path ends at it.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
-     * @param looks {@link Layout#LOOK_STRIDE} floats a body
+     * @param looks {@link Layout#LOOK_STRIDE} floats per body
      */
     public static void add(float[] path, float[] looks) {
         for (int channel = 0; channel < 3; channel++) {
@@ -25,10 +22,10 @@ public final class Light {
 
     /**
      * Writes the unit vector from {@link Layout#POINT} to the light's center, the distance in meters, and the cosine
-     * against the normal.
+     * with the normal.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
-     * @param places {@link Layout#PLACE_STRIDE} floats a body
+     * @param places {@link Layout#PLACE_STRIDE} floats per body
      */
     public static void aim(float[] path, float[] places) {
         float x = places[Layout.PLACE_STRIDE * Layout.LIGHT] - path[Layout.POINT];
@@ -52,7 +49,7 @@ public final class Light {
         return normalDotLight * visible > ambient ? normalDotLight * visible : ambient;
     }
 
-    /** The highlight's strength at {@link Layout#POINT}, by {@link #specular(float, float, float, float, float)}. */
+    /** The highlight's strength at {@link Layout#POINT}: {@link #specular(float, float, float, float, float)}. */
     public static float highlight(float[] path, float visible) {
         float halfX = path[Layout.TO_LIGHT] - path[Layout.DIRECTION];
         float halfY = path[Layout.TO_LIGHT + 1] - path[Layout.DIRECTION + 1];
@@ -66,11 +63,11 @@ public final class Light {
     }
 
     /**
-     * {@code S * (8 + p) / (8 pi) * max(0, N.H)^p * p / 128} where the light is in front, else 0. H is the unit vector
-     * of L + V; where L and V cancel, it is 0.
+     * {@code S * (8 + p) / (8 pi) * max(0, N.H)^p * p / 128} if the light is in front, else 0. H is the normalized L +
+     * V; if L and V cancel out, it is 0.
      *
-     * @param normalDotHalf N.(L + V), not yet divided by the length
-     * @param halfLengthSquared of L + V
+     * @param normalDotHalf N.(L + V), not divided by the length
+     * @param halfLengthSquared squared length of L + V
      */
     public static float specular(
             float reflectivity, float normalDotLight, float normalDotHalf, float halfLengthSquared, float visible) {

@@ -1,14 +1,11 @@
 package dev.twister.kernel;
 
-/** What a body is made of at a point of its surface. */
+/** A body's material at a point of its surface. */
 public final class Material {
-    /** What checks are moved by, in meters, so that no edge is at a round number, where rounding alone decides. */
+    /** Shift of the checker in meters, so that no edge is at a round number, where rounding alone would decide. */
     public static final float CHECKER_SHIFT = 0x1p-10f;
 
-    /**
-     * Values of the argument {@code materials}: all bodies have but color and reflectivity, or any of them may have
-     * more.
-     */
+    /** Values of the argument {@code materials}: all bodies have only color and reflectivity, or some may have more. */
     public static final int PLAIN = 0;
 
     public static final int ANY = 1;
@@ -16,15 +13,14 @@ public final class Material {
     private Material() {}
 
     /**
-     * Writes what the body is made of at {@link Layout#POINT}; where all are plain, the albedo and the reflectivity
-     * alone.
+     * Writes the body's material at {@link Layout#POINT}; for plain materials only albedo and reflectivity.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
-     * @param body any but the light
-     * @param looks {@link Layout#LOOK_STRIDE} floats a body
+     * @param body any except the light
+     * @param looks {@link Layout#LOOK_STRIDE} floats per body
      * @param properties {@link Layout#PROPERTIES_LENGTH} floats
-     * @param sky the panorama's texels, then those of the textures
-     * @param skyDimensions with those of the textures
+     * @param sky the panorama's texels, then the textures'
+     * @param skyDimensions of the panorama and the textures
      * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      * @param materials {@link #PLAIN} or {@link #ANY}
      */
@@ -63,7 +59,7 @@ public final class Material {
     }
 
     /**
-     * 1 where {@code floor(x + s) + floor(z + s)} is even (the plane's first color), else 0; s is
+     * 1 if {@code floor(x + s) + floor(z + s)} is even (the plane's first color), else 0, with s =
      * {@link #CHECKER_SHIFT}.
      */
     public static int isEvenSquare(float x, float z) {

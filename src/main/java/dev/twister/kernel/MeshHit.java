@@ -1,19 +1,19 @@
 package dev.twister.kernel;
 
-/** Which triangle a ray meets first. */
+/** The closest triangle of a ray. */
 final class MeshHit {
     private MeshHit() {}
 
     /**
-     * The closest body: what is closest so far, at {@link Layout#DISTANCE}, or a mesh that is closer, the lower index
-     * and the lower triangle on a tie. The triangle that the ray leaves is ignored. Writes the distance in meters, the
-     * instance and the triangle.
+     * The closest body: the closest one so far, at {@link Layout#DISTANCE}, or a closer mesh; on a tie the lower body
+     * and the lower triangle. The triangle that the ray leaves is ignored. Writes distance in meters, instance and
+     * triangle.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param closest the closest body so far
      * @param firstMesh the first mesh's body
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
-     * @param aspect one of {@link Aspect}'s
+     * @param aspect a constant of {@link Aspect}
      */
     static int find(
             float[] path, int closest, float[] hierarchy, float[] meshes, int firstMesh, float[] scratch, int aspect) {
@@ -63,7 +63,7 @@ final class MeshHit {
         return hit;
     }
 
-    /** The same in one instance, in its mesh's coordinates, where distances are still the world's. */
+    /** As above for one instance, in its mesh's coordinates. Distances remain those of the world. */
     private static int inMesh(
             float[] path,
             int closest,

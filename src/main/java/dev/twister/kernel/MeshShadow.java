@@ -1,11 +1,12 @@
 package dev.twister.kernel;
 
-/** The meshes' part in {@link Shadow}: what they let pass of a ray from a point to a sample of the light. */
+/** The meshes' part of {@link Shadow}: the light that they transmit along a ray from a point to a light sample. */
 final class MeshShadow {
     private MeshShadow() {}
 
     /**
-     * 1 where a mesh may come between {@link Layout#POINT} and the light's disc: its box meets the cone between them.
+     * 1 if a mesh may lie between {@link Layout#POINT} and the light's disc, because its box meets the cone between
+     * them.
      *
      * @param path {@link Layout#PATH_LENGTH} floats, with the disc's axes
      * @param firstMesh the first mesh's body
@@ -48,8 +49,8 @@ final class MeshShadow {
     }
 
     /**
-     * What the meshes let pass of the ray through (1, x, y) * distance, in the frame of A, U (whose x is 0) and W: in
-     * [0, 1], 0 where an opaque one blocks it. The triangle that the point lies on is ignored.
+     * The light in [0, 1] that the meshes transmit along the ray through (1, x, y) * distance, in the frame of A, U
+     * (with x = 0) and W; 0 if an opaque one blocks it. The triangle that the point lies on is ignored.
      *
      * @param own the body that the point lies on
      */
@@ -126,7 +127,7 @@ final class MeshShadow {
         return light;
     }
 
-    /** 1 where any triangle of the instance but one lies between the point and the point that is a direction away. */
+    /** 1 if any triangle of the instance except the ignored one lies between the point and the end of the direction. */
     private static int isMet(
             float[] path,
             int instance,

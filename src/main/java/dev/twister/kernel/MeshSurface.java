@@ -1,16 +1,19 @@
 package dev.twister.kernel;
 
-/** Where a ray meets a mesh, and which way its surface faces there. */
+/** Hit point, normals and texture coordinates on a mesh. */
 public final class MeshSurface {
-    /** Of a unit vector: where vertex normals cancel so far, the face's own is taken. */
+    /**
+     * Smallest squared length of an interpolated normal; below it, vertex normals cancel out and the face normal is
+     * used.
+     */
     public static final float LEAST_SQUARE = 1e-6f;
 
     private MeshSurface() {}
 
     /**
-     * Writes the point, interpolated between the corners, the face's unit normal, the normal for shading, on the side
-     * from which the ray comes, and the place in the texture, for the instance and the triangle that {@link MeshHit}
-     * has written. The path now leaves that triangle.
+     * Writes the point, interpolated between the corners; the unit face normal; the shading normal, on the side that
+     * the ray comes from; and the texture coordinates. It uses the instance and triangle written by {@link MeshHit}.
+     * The path now leaves that triangle.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param firstMesh the first mesh's body
@@ -55,7 +58,7 @@ public final class MeshSurface {
         path[Layout.LEAVING_TRIANGLE] = path[Layout.TRIANGLE];
     }
 
-    /** A coordinate between those of the corners, which are so far from each other in the array. */
+    /** Interpolates one coordinate of the corners, which are {@code stride} apart. */
     private static float between(float[] meshes, int at, int stride, float b, float c) {
         float a = meshes[at];
         return a + b * (meshes[at + stride] - a) + c * (meshes[at + 2 * stride] - a);
@@ -71,13 +74,13 @@ public final class MeshSurface {
         float x = firstY * secondZ - firstZ * secondY;
         float y = firstZ * secondX - firstX * secondZ;
         float z = firstX * secondY - firstY * secondX;
-        // Of small triangles the squares alone would be 0.
+        // Scaled first, because the squares of small triangles underflow.
         float largest = Math.max(Math.max(Math.abs(x), Math.abs(y)), Math.abs(z));
         float scale = largest > 0f ? 1f / largest : 0f;
         write(path, Layout.FACE, hierarchy, instance, x * scale, y * scale, z * scale);
     }
 
-    /** Writes a unit vector: a normal of the mesh in the world. */
+    /** Writes a mesh's normal as a unit vector in world space. */
     private static void write(
             float[] path, int at, float[] hierarchy, int instance, float meshX, float meshY, float meshZ) {
         float x = Instance.normal(hierarchy, instance, 0, meshX, meshY, meshZ);
@@ -131,7 +134,7 @@ public final class MeshSurface {
         }
     }
 
-    /** 1 where the face looks away from the light, as the ray sees it: then the light is behind it. */
+    /** 1 if the side of the face that the ray sees looks away from the light. */
     static int looksAway(float[] path) {
         float toLight = path[Layout.FACE] * path[Layout.TO_LIGHT]
                 + path[Layout.FACE + 1] * path[Layout.TO_LIGHT + 1]

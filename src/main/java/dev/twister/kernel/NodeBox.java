@@ -1,40 +1,39 @@
 package dev.twister.kernel;
 
 /**
- * Whether a ray or a cone may meet a node's box. Both err on one side only: rounding never drops a sphere that the
- * plain loop over all spheres would find.
+ * Conservative tests of rays and cones against a node's box: rounding never drops a sphere that a loop over all spheres
+ * would find.
  */
 public final class NodeBox {
-    /** What {@link #entry} is where the box is passed: beyond every distance, {@link Intersection#MISS} too. */
+    /** {@link #entry} of a box that is missed: greater than any distance, including {@link Intersection#MISS}. */
     public static final float PASSED = 3.3e38f;
 
     /**
-     * How much a box is grown, as a part of its distance: {@link Intersection#sphere} rounds a center's place across
-     * the ray by some ten units of 2^-24 of its distance; this is three times as much. (The part that the box's own
-     * size asks for is in the box.)
+     * Growth of a box relative to its distance. {@link Intersection#sphere} rounds a center's position across the ray
+     * by about 10 * 2^-24 of its distance; this is three times as much. (The growth relative to its size is stored in
+     * the box.)
      */
     public static final float GROWTH = 2.0e-6f;
 
-    /** What a shadow's cull allows beyond the sphere, as a part of the box's half sides: {@link Shadow}'s margin. */
+    /** Margin of a shadow's culling relative to the box's half sides: that of {@link Shadow}. */
     private static final float SIZE_MARGIN = Shadow.RELATIVE_MARGIN - 1f + 1.0e-4f;
 
-    /** A direction's coordinate nearer to 0 is as good as 0, even over a million meters. */
+    /** Components of a direction with a smaller absolute value are irrelevant even over a million meters. */
     public static final float TINY = 1.0e-18f;
 
     private NodeBox() {}
 
-    /** {@code 1 / coordinate} of a direction, and finite. */
+    /** {@code 1 / coordinate} of a direction, but always finite. */
     public static float inverse(float coordinate) {
         float away = coordinate < 0f ? -TINY : TINY;
         return 1f / (Math.abs(coordinate) > TINY ? coordinate : away);
     }
 
     /**
-     * How many lengths of the direction lie before the box, less than 0 from inside; {@link #PASSED} where the ray
-     * passes it.
+     * Distance to the box in lengths of the direction, negative from inside; {@link #PASSED} if the ray misses it.
      *
-     * @param node where the node is in the hierarchy
-     * @param inverseX {@link #inverse} of the direction's x
+     * @param node place of the node in the hierarchy
+     * @param inverseX {@link #inverse} of the direction's x; inverseY and inverseZ likewise
      */
     public static float entry(
             float[] hierarchy,
@@ -62,12 +61,12 @@ public final class NodeBox {
     }
 
     /**
-     * Meters along the axis from a point to the near side of the box, where a sphere in it may come between the point
-     * and a disc; else {@link #PASSED}. The axis from the point to the disc's center must meet the box, grown by as
-     * much as the cone about the axis widens until the box's far side.
+     * Distance in meters along the axis from a point to the near side of the box, if a sphere in it may lie between the
+     * point and a disc; else {@link #PASSED}. The axis from the point to the disc's center must meet the box, which is
+     * grown by the cone's radius at the box's far side.
      *
      * @param path with {@link Layout#POINT}, {@link Layout#TO_LIGHT}, and the disc's distance, tangent and secant
-     * @param inverseX {@link #inverse} of the axis's x
+     * @param inverseX {@link #inverse} of the axis's x; inverseY and inverseZ likewise
      */
     static float coneEntry(float[] path, float[] hierarchy, int node, float inverseX, float inverseY, float inverseZ) {
         float axisX = path[Layout.TO_LIGHT];

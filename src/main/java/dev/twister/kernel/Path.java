@@ -1,23 +1,21 @@
 package dev.twister.kernel;
 
-/**
- * A path of rays from a given one to its end. An engine that renders part of a path by other means continues it here.
- */
+/** A path from a given ray to its end. An engine that renders part of a path by other means continues it here. */
 public final class Path {
     private Path() {}
 
     /**
-     * Follows the path's ray, and adds what it finds to {@link Layout#RADIANCE}. The arrays are {@link Layout}'s.
+     * Follows the path's ray, and adds the light found to {@link Layout#RADIANCE}. {@link Layout} describes the arrays.
      *
-     * @param path {@link Layout#PATH_LENGTH} floats: the ray, the body that it leaves, the throughput and the radiance
-     *     so far, the pixel and its sample
-     * @param firstBounce how many surfaces the path has left already, in [0, bounces]
-     * @param bodies how many there are
+     * @param path {@link Layout#PATH_LENGTH} floats: the ray, the body that it leaves, throughput and radiance so far,
+     *     the pixel and its sample
+     * @param firstBounce number of surfaces that the path has already left, in [0, bounces]
+     * @param bodies number of bodies
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
      * @param search {@link Hit#ALL} or {@link Hit#WALK}
      * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      * @param materials {@link Material#PLAIN} or {@link Material#ANY}
-     * @param aspect {@link Aspect#FULL}, or what is counted in {@link Layout#COUNT} beside
+     * @param aspect {@link Aspect#FULL}, or the count to accumulate in {@link Layout#COUNT}
      */
     public static void follow(
             float[] path,
@@ -90,7 +88,7 @@ public final class Path {
         }
     }
 
-    /** Adds what the path's ray sees where it meets no surface: the light's own color, or the sky. */
+    /** Adds the light's own color, or the sky, for a ray that hits no surface. */
     public static void end(
             float[] path, int body, float[] properties, float[] looks, float[] sky, int[] skyDimensions) {
         if (body == Layout.NOTHING) {
@@ -101,7 +99,9 @@ public final class Path {
         }
     }
 
-    /** Writes where and how the path's ray meets a body's surface, what that is made of, and where the light is. */
+    /**
+     * Writes hit point, normal and material of the surface that the path's ray hits, and the direction to the light.
+     */
     public static void meet(
             float[] path,
             int body,
@@ -122,7 +122,7 @@ public final class Path {
         Light.aim(path, places);
     }
 
-    /** S where the ray has met a surface, as {@link Shadow#visible}; 1 where it is not shaded. */
+    /** S at the surface that the ray has hit: {@link Shadow#visible}; 1 if the surface is not shaded. */
     public static float visible(
             float[] path,
             int body,
@@ -159,12 +159,12 @@ public final class Path {
     }
 
     /**
-     * Adds what the surface sends back, and turns the path into the ray that goes on from it; another may wait in the
-     * scratch.
+     * Adds the surface's reflected light, and replaces the path's ray by the next one; another ray may be left waiting
+     * in the scratch.
      *
      * @param visible S in [0, 1]
-     * @param waiting how many rays wait
-     * @return how many rays wait now
+     * @param waiting number of waiting rays
+     * @return the new number of waiting rays
      */
     public static int scatter(
             float[] path,
@@ -191,18 +191,18 @@ public final class Path {
         return waitingNow;
     }
 
-    /** 0 where the ray has met clear glass, which shows no light of its own, else 1. */
+    /** 0 for perfectly clear glass, whose color does not depend on shadows, else 1. */
     public static int isShaded(float[] path, int bounce, float[] properties, int materials) {
         return (transmission(path, bounce, properties, materials) < 1f ? 1 : 0)
                 | (path[Layout.REFLECTIVITY] > 0f ? 1 : 0);
     }
 
-    /** m of the surface that the ray has met, in [0, 1]; 0 at the last bounce. */
+    /** m of the surface hit, in [0, 1]; 0 at the last bounce. */
     public static float mirror(float[] path, int bounce, float[] properties) {
         return bounce < (int) properties[Layout.BOUNCES] ? path[Layout.REFLECTIVITY] / Layout.MAX_REFLECTIVITY : 0f;
     }
 
-    /** t of the surface that the ray has met, in [0, 1]; 0 at the last bounce. */
+    /** t of the surface hit, in [0, 1]; 0 at the last bounce. */
     public static float transmission(float[] path, int bounce, float[] properties, int materials) {
         float transmission = 0f;
         if (materials == Material.ANY) {
@@ -211,7 +211,7 @@ public final class Path {
         return transmission;
     }
 
-    /** 1 where what the path's ray will see reaches the pixel, else 0. */
+    /** 1 if light found by the path's ray reaches the pixel, else 0. */
     public static int carriesLight(float[] path) {
         return path[Layout.THROUGHPUT] + path[Layout.THROUGHPUT + 1] + path[Layout.THROUGHPUT + 2] > 0f ? 1 : 0;
     }

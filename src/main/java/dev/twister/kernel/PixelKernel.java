@@ -1,10 +1,8 @@
 package dev.twister.kernel;
 
-/** One pixel, from its view rays to what is stored: the kernel that engines call, and that defines the picture. */
+/** Renders one pixel, from its view rays to the stored value. Engines call this kernel; it defines the picture. */
 public final class PixelKernel {
-    /**
-     * Values of the argument {@code output}: 8-bit ARGB into {@code pixels}, or linear floats into {@code radiance}.
-     */
+    /** Values of the argument {@code output}: 8-bit ARGB to {@code pixels}, or linear floats to {@code radiance}. */
     public static final int ARGB = 0;
 
     public static final int LINEAR = 1;
@@ -12,20 +10,20 @@ public final class PixelKernel {
     private PixelKernel() {}
 
     /**
-     * Draws the pixel in that column of that row of the band. The arrays are {@link Layout}'s.
+     * Renders one pixel of the band. {@link Layout} describes the arrays.
      *
      * @param column in [0, width)
-     * @param row in [0, rows) of the band
-     * @param pixels {@code int[width * rows]} where the output is ARGB, else any
-     * @param radiance {@code float[3 * width * rows]} where the output is LINEAR, else any
-     * @param path {@link Layout#PATH_LENGTH} floats of this thread's own; {@link Layout#PLAIN_PATH_LENGTH} do for plain
-     *     materials where nothing is counted and there are no meshes
-     * @param scratch {@link Layout#SCRATCH_LENGTH} floats of this thread's own; {@link Layout#PLAIN_SCRATCH_LENGTH} do
-     *     for plain materials without meshes
+     * @param row row of the band, in [0, rows)
+     * @param pixels {@code int[width * rows]} if the output is ARGB, else any array
+     * @param radiance {@code float[3 * width * rows]} if the output is LINEAR, else any array
+     * @param path {@link Layout#PATH_LENGTH} floats, not shared between threads; {@link Layout#PLAIN_PATH_LENGTH} for
+     *     plain materials without meshes and counts
+     * @param scratch {@link Layout#SCRATCH_LENGTH} floats, not shared between threads;
+     *     {@link Layout#PLAIN_SCRATCH_LENGTH} for plain materials without meshes
      * @param search {@link Hit#ALL} or {@link Hit#WALK}
      * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      * @param materials {@link Material#PLAIN} or {@link Material#ANY}
-     * @param aspect one of {@link Aspect}'s
+     * @param aspect a constant of {@link Aspect}
      * @param output {@link #ARGB} or {@link #LINEAR}
      */
     public static void draw(
@@ -103,7 +101,7 @@ public final class PixelKernel {
         }
     }
 
-    /** Adds what the path's view ray sees, to the last bounce or at the first hit. */
+    /** Adds the value of the path's view ray, from the whole path or from the first hit. */
     private static void add(
             float[] path,
             float[] properties,

@@ -1,19 +1,17 @@
 package dev.twister.kernel;
 
-/**
- * The plane's part in {@link Shadow}: it blocks what crosses its square on the way from a sphere to a sample of the
- * light.
- */
+/** The plane's part of {@link Shadow}: it blocks rays that cross its square between another body and a light sample. */
 final class PlaneShadow {
     private PlaneShadow() {}
 
     /**
-     * 1 where the plane may block a shadow ray: the point is on another body, and not all of the disc is on its side.
+     * 1 if the plane may block a shadow ray: the point is on another body, and part of the disc is on the plane's other
+     * side.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param own the body that the point lies on
      * @param discRadius in meters
-     * @param places {@link Layout#PLACE_STRIDE} floats a body
+     * @param places {@link Layout#PLACE_STRIDE} floats per body
      */
     static int mayBlock(float[] path, int own, float discRadius, float[] places) {
         float height = places[Layout.PLACE_STRIDE * Layout.PLANE + 1];
@@ -26,11 +24,11 @@ final class PlaneShadow {
     }
 
     /**
-     * 1 where the shadow ray to a sample crosses the square. A light whose center is as high as the plane is lit
-     * itself: the sample's height is counted from the light's, which loses no digits.
+     * 1 if the shadow ray to a sample crosses the square. The sample's height is computed relative to the light's
+     * center, without loss of precision, for lights at the height of the plane.
      *
-     * @param x the sample's place along U, at distance 1
-     * @param y along W
+     * @param x the sample's position along U, at distance 1
+     * @param y the sample's position along W, at distance 1
      */
     static int blocks(float[] path, float x, float y, float[] places) {
         int light = Layout.PLACE_STRIDE * Layout.LIGHT;

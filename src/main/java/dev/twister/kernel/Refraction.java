@@ -1,14 +1,14 @@
 package dev.twister.kernel;
 
-/** What passes a surface between two media, and which way. */
+/** Reflectance and direction at the boundary of two media. */
 public final class Refraction {
     private Refraction() {}
 
     /**
      * The unpolarized Fresnel reflectance of a dielectric, in [0, 1]; 1 at total internal reflection.
      *
-     * @param cosine between the ray, turned back, and the facet's normal, in [0, 1]
-     * @param ratio index of refraction where the ray comes from by that of where it goes to
+     * @param cosine cosine between the reversed ray and the facet's normal, in [0, 1]
+     * @param ratio index of refraction on the ray's side divided by that on the other side
      */
     public static float reflectance(float cosine, float ratio) {
         float passedSquared = passedSquared(cosine, ratio);
@@ -23,7 +23,7 @@ public final class Refraction {
     }
 
     /**
-     * The refracted ray is {@code ratio * direction + along * normal} (Snell's law).
+     * The coefficient of the normal in the refracted ray {@code ratio * direction + along * normal} (Snell's law).
      *
      * @param cosine as above, without total internal reflection
      */
@@ -31,7 +31,9 @@ public final class Refraction {
         return ratio * cosine - (float) Math.sqrt(Math.max(passedSquared(cosine, ratio), 0f));
     }
 
-    /** The square of the refracted ray's cosine, 0 or less where there is none; flat rays keep their digits. */
+    /**
+     * The squared cosine of the refracted ray, 0 or negative at total internal reflection; accurate at grazing angles.
+     */
     private static float passedSquared(float cosine, float ratio) {
         return (1f - ratio) * (1f + ratio) + ratio * cosine * (ratio * cosine);
     }

@@ -1,18 +1,18 @@
 package dev.twister.kernel;
 
-/** What a surface sends back along the path, and the ray that a plain one reflects. */
+/** Reflected light of a surface, and the reflected ray of a plain one. */
 public final class Scatter {
     private Scatter() {}
 
     /**
-     * Adds {@code T * (lightColor * spec + (1 - m) * (1 - t) * C * lit)} to the radiance, T the throughput.
+     * Adds {@code T * (lightColor * spec + (1 - m) * (1 - t) * C * lit)} to the radiance, with the throughput T.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param visible S in [0, 1]
      * @param mirror m in [0, 1]
      * @param transmission t in [0, 1]
-     * @param lit as {@link Light#lit} has it
-     * @param looks {@link Layout#LOOK_STRIDE} floats a body
+     * @param lit result of {@link Light#lit}
+     * @param looks {@link Layout#LOOK_STRIDE} floats per body
      */
     public static void shade(float[] path, float visible, float mirror, float transmission, float lit, float[] looks) {
         float specular = Light.highlight(path, visible);
@@ -26,9 +26,9 @@ public final class Scatter {
     }
 
     /**
-     * Mirrors the path's ray at the surface and starts it there; it leaves that body.
+     * Reflects the path's ray at the surface, from which it starts.
      *
-     * @param reflected {@code m * lit}: what part of the radiance that it finds reaches the pixel
+     * @param reflected {@code m * lit}, the factor for the throughput
      */
     public static void reflect(float[] path, int body, float reflected) {
         float directionDotNormal = path[Layout.DIRECTION] * path[Layout.NORMAL]

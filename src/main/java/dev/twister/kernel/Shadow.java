@@ -1,56 +1,57 @@
 package dev.twister.kernel;
 
 /**
- * The visible part of the light's disc, exactly as the plain equations have it but for rounding, and much sooner.
+ * The visible part of the light's disc: equal to testing every shadow ray against every body, rounding aside, but much
+ * faster.
  *
- * <p>Everything is seen in a frame with the surface point at its origin: A towards the light's center at distance D, U
- * and W the disc's axes. A shadow ray then goes through (D, x, y), with (x, y) the sample's place on the disc, and a
- * sphere at (a, u, w) meets its line where the perpendicular distance is at most the radius: {@code |(a, u, w) x (D, x,
- * y)|^2 <= radius^2 * |(D, x, y)|^2}. With x' = x / D, y' = y / D, p = u - a x' and q = w - a y' that is {@code (p y' -
- * q x')^2 + p^2 + q^2 <= radius^2 * (1 + x'^2 + y'^2)}: no square root, and small differences of large numbers only
- * where they cancel exactly.
+ * <p>The frame has the surface point at its origin, the axis A toward the light's center at distance D, and the disc's
+ * axes U and W. A shadow ray goes through (D, x, y), where (x, y) is the sample's position on the disc. A sphere at (a,
+ * u, w) meets its line if the perpendicular distance is at most the radius: {@code |(a, u, w) x (D, x, y)|^2 <=
+ * radius^2 * |(D, x, y)|^2}. With x' = x / D, y' = y / D, p = u - a x' and q = w - a y' that is {@code (p y' - q x')^2
+ * + p^2 + q^2 <= radius^2 * (1 + x'^2 + y'^2)}, which needs no square root and subtracts large numbers only where they
+ * cancel exactly.
  *
- * <p>Spheres that cannot meet the cone from the point to the disc are left out first; most points have none left. So is
- * the plane, see {@link PlaneShadow}.
+ * <p>Spheres that cannot meet the cone from the point to the disc are culled first, and so is the plane
+ * ({@link PlaneShadow}). For most points no candidates remain.
  */
 public final class Shadow {
-    /** What {@link #judge} says of a sphere. */
+    /** Results of {@link #judge}. */
     public static final int HARMLESS = 0;
 
     public static final int CANDIDATE = 1;
     public static final int HIDES_ALL = 2;
 
-    /** What {@link #candidates} says where a sphere surely hides the whole disc. */
+    /** Result of {@link #candidates} if a sphere certainly blocks the whole disc. */
     private static final int ALL_HIDDEN = -1;
 
-    /** Culling must err on one side only: this much is added to a reach, so that rounding never drops a blocker. */
+    /** Margins that keep culling conservative: rounding never drops an occluder. */
     public static final float RELATIVE_MARGIN = 1.0005f;
 
     public static final float ABSOLUTE_MARGIN = 1.0e-5f;
 
-    /** And this much is asked more of a sphere that is to hide the whole disc without a look at the samples. */
+    /** Margin for spheres that block the whole disc without tests of the samples. */
     public static final float UMBRA_MARGIN = 0.999f;
 
     private Shadow() {}
 
     /**
-     * S in [0, 1] at {@link Layout#POINT}: 1 - blocked / samples, where a body that transmits blocks but a part; 0
-     * where a mesh's face looks away from the light; 1 where S would change nothing, as the light is behind the surface
-     * or adds less than the ambient light.
+     * S in [0, 1] at {@link Layout#POINT}: 1 - blocked / samples, where transmitting bodies block only partly. 0 if a
+     * mesh's face looks away from the light. 1 if S has no effect, because the light is behind the surface or adds less
+     * than the ambient light.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param own the body that the point lies on
      * @param properties {@link Layout#PROPERTIES_LENGTH} floats
-     * @param places {@link Layout#PLACE_STRIDE} floats a body
-     * @param looks {@link Layout#LOOK_STRIDE} floats a body
-     * @param shadowDisc the unit sunflower, {@code float[2 * samples]}
-     * @param hierarchy over the spheres
-     * @param root where in the hierarchy its root is, see {@link Layout#root}
-     * @param meshes {@link Layout}'s, with their part of the hierarchy
+     * @param places {@link Layout#PLACE_STRIDE} floats per body
+     * @param looks {@link Layout#LOOK_STRIDE} floats per body
+     * @param shadowDisc points of the unit sunflower, {@code float[2 * samples]}
+     * @param hierarchy hierarchies over the spheres and the meshes
+     * @param root place of the spheres' root in the hierarchy, see {@link Layout#root}
+     * @param meshes all meshes, see {@link Layout}
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
      * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      * @param materials {@link Material#PLAIN} or {@link Material#ANY}
-     * @param aspect one of {@link Aspect}'s; where it is the shadow, S is found where it would change nothing too
+     * @param aspect a constant of {@link Aspect}; for {@link Aspect#SHADOW}, S is computed even if it has no effect
      */
     public static float visible(
             float[] path,
@@ -108,7 +109,7 @@ public final class Shadow {
         return visible;
     }
 
-    /** 1 where S changes what the surface sends back, else 0. */
+    /** 1 if S affects the surface's reflected light, else 0. */
     public static int matters(float[] path, float[] properties) {
         float cosine = path[Layout.NORMAL_DOT_LIGHT];
         return (cosine > properties[Layout.AMBIENT] ? 1 : 0)
@@ -116,10 +117,10 @@ public final class Shadow {
     }
 
     /**
-     * Writes the disc's axes and its half angle as the point sees it.
+     * Writes the disc's axes and its half angle, seen from the point.
      *
-     * @param discRadius twice the light's radius, in meters: where the sunflower's rim is
-     * @return from the unit disc to the plane at distance 1
+     * @param discRadius twice the light's radius, in meters: the radius of the sunflower
+     * @return the factor from the unit disc to the plane at distance 1
      */
     static float face(float[] path, float discRadius, int samples, float[] shadowDisc) {
         float axisX = path[Layout.TO_LIGHT];
@@ -145,11 +146,11 @@ public final class Shadow {
     }
 
     /**
-     * How many samples are blocked, by the plane, by the candidates in the scratch or, where there are more, by any
-     * sphere, or by meshes.
+     * The number of samples blocked by the plane, the candidates in the scratch (or, if there are more, any sphere) and
+     * the meshes.
      *
-     * @param plane whether it may block any
-     * @param mesh whether one may
+     * @param plane 1 if the plane may block any, else 0
+     * @param mesh 1 if a mesh may block any, else 0
      */
     private static float blocked(
             float[] path,
@@ -221,7 +222,7 @@ public final class Shadow {
         return blocked;
     }
 
-    /** What a remembered candidate transmits, in [0, 1]. */
+    /** Transmission of a stored candidate, in [0, 1]. */
     private static float rememberedTransmission(float[] scratch, int candidate, int materials) {
         float transmission = 0f;
         if (materials == Material.ANY) {
@@ -230,7 +231,7 @@ public final class Shadow {
         return transmission;
     }
 
-    /** What a body transmits, in [0, 1]. */
+    /** Transmission of a body, in [0, 1]. */
     static float transmission(float[] looks, int body, int materials) {
         float transmission = 0f;
         if (materials == Material.ANY) {
@@ -240,10 +241,10 @@ public final class Shadow {
     }
 
     /**
-     * Looks for the spheres that may come between the point and the disc, and writes the first
-     * {@link Layout#MOST_CANDIDATES} into the scratch.
+     * Finds the spheres that may lie between the point and the disc, and writes the first
+     * {@link Layout#MOST_CANDIDATES} to the scratch.
      *
-     * @return how many there are, at least if there are more, or {@link #ALL_HIDDEN}
+     * @return their number, or a lower bound if there are more than that, or {@link #ALL_HIDDEN}
      */
     private static int candidates(
             float[] path,
@@ -290,9 +291,9 @@ public final class Shadow {
     }
 
     /**
-     * The candidates of a leaf, after those that were found before.
+     * Adds the candidates of a leaf.
      *
-     * @return how many there are now, or {@link #ALL_HIDDEN}
+     * @return their number so far, or {@link #ALL_HIDDEN}
      */
     private static int addLeaf(
             float[] path,
@@ -355,8 +356,8 @@ public final class Shadow {
     }
 
     /**
-     * Whether a sphere may come between the point and the disc, with its center at (a, u, w), and whether it surely
-     * hides the whole disc.
+     * Whether a sphere with its center at (a, u, w) may lie between the point and the disc, and whether it certainly
+     * blocks the whole disc.
      */
     public static int judge(float a, float u, float w, float radius, float distance, float tangent, float secant) {
         float across = u * u + w * w;
@@ -368,13 +369,13 @@ public final class Shadow {
     }
 
     /**
-     * 1 where a sphere may meet the cone, with its center at a along the axis and a square of {@code across} beside it.
+     * 1 if a sphere may meet the cone, given its center's distance a along the axis and squared distance from the axis.
      */
     static int mayMeet(float a, float across, float radius, float distance, float tangent, float secant) {
         return mayReach(a, across, radius, distance, tangent, secant) & (a * a + across > radius * radius ? 1 : 0);
     }
 
-    /** The same for a sphere that is seen from inside too. */
+    /** As above, for a sphere that is also visible from inside. */
     private static int mayReach(float a, float across, float radius, float distance, float tangent, float secant) {
         float reach =
                 (a * tangent + radius * secant) * RELATIVE_MARGIN + ABSOLUTE_MARGIN * (Math.abs(a) + distance + radius);
@@ -385,7 +386,8 @@ public final class Shadow {
     }
 
     /**
-     * 1 where the first candidate lies wholly between the point and the disc: then only its distance from a ray counts.
+     * 1 if the first candidate lies entirely between the point and the disc, so that only its distance from a ray
+     * matters.
      */
     private static int liesBetween(float[] scratch, float distance) {
         float radius = (float) Math.sqrt(scratch[3]);
@@ -393,7 +395,8 @@ public final class Shadow {
     }
 
     /**
-     * How many samples the first candidate blocks, which lies wholly between: most points in a penumbra have but one.
+     * The number of samples blocked by the first candidate, which lies entirely between. Most points in a penumbra have
+     * only one.
      */
     private static int blockedByOne(float[] scratch, float[] shadowDisc, float sampleScale, int samples) {
         float a = scratch[0];
@@ -414,9 +417,8 @@ public final class Shadow {
     }
 
     /**
-     * 1 where a sphere meets the shadow ray through (1, x, y) * distance: its line is met, and the near side lies
-     * between the point and the sample. A point inside the sphere does not see it, unless it transmits: then the far
-     * side counts.
+     * 1 if a sphere blocks the shadow ray through (1, x, y) * distance: it meets the line, and its near side lies
+     * between the point and the sample. From a point inside, only a transmitting sphere blocks, by its far side.
      */
     static int blocks(
             float a, float u, float w, float radiusSquared, float x, float y, float distance, float transmission) {
@@ -440,9 +442,9 @@ public final class Shadow {
     }
 
     /**
-     * 1 where the sphere surely hides the whole disc: it lies wholly between point and disc, and the cone of the disc
-     * lies inside the sphere's cone, {@code sin(theta + alpha) <= radius / distance of the center}, with theta between
-     * A and the center and alpha the disc's half angle, both together below a right angle.
+     * 1 if the sphere certainly blocks the whole disc: it lies entirely between point and disc, and its cone contains
+     * the disc's cone, {@code sin(theta + alpha) <= radius / distance of the center}. Here theta is the angle between A
+     * and the center, and alpha the disc's half angle; their sum must be below a right angle.
      */
     private static int hidesDisc(float a, float across, float radius, float distance, float tangent, float secant) {
         float perpendicular = (float) Math.sqrt(across);

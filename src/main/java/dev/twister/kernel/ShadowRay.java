@@ -1,12 +1,12 @@
 package dev.twister.kernel;
 
-/** One shadow ray of {@link Shadow}; through the hierarchy where a point has more candidates than it remembers. */
+/** A single shadow ray of {@link Shadow}; used with the hierarchy if a point has too many candidates to store. */
 public final class ShadowRay {
     private ShadowRay() {}
 
     /**
-     * What reaches {@link Layout#POINT} of the light along the ray to one of the disc's samples, in [0, 1], by itself:
-     * {@link Shadow#visible} is the mean over all of them, found sooner. Writes the disc as the point sees it.
+     * The light in [0, 1] that reaches {@link Layout#POINT} along the ray to one sample of the disc.
+     * {@link Shadow#visible} is the mean over all samples, computed faster. Writes the disc's axes and half angle.
      *
      * @param sample in [0, shadow samples)
      * @param own the body that the point lies on
@@ -45,10 +45,10 @@ public final class ShadowRay {
     }
 
     /**
-     * What the spheres let pass of the ray through (1, x, y) * distance, in the frame of A, U (whose x is 0) and W: in
-     * [0, 1], 0 where an opaque one blocks it.
+     * The light in [0, 1] that the spheres transmit along the ray through (1, x, y) * distance, in the frame of A, U
+     * (with x = 0) and W; 0 if an opaque one blocks it.
      *
-     * @param start the node to start at, or {@link Layout#NO_NODE}, which blocks nothing
+     * @param start the node to start at, or {@link Layout#NO_NODE} for no spheres
      */
     static float light(
             float[] path,

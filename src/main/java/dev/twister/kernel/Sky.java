@@ -1,8 +1,6 @@
 package dev.twister.kernel;
 
-/**
- * The panorama in a direction: equirectangular, bilinear between texel centers, wrapping around, clamped up and down.
- */
+/** The panorama: equirectangular, bilinear between texel centers, wrapped horizontally, clamped vertically. */
 public final class Sky {
     private static final float TURNS_PER_RADIAN = 0.15915494f;
     private static final float HALF_TURNS_PER_RADIAN = 0.31830987f;
@@ -10,10 +8,10 @@ public final class Sky {
     private Sky() {}
 
     /**
-     * Adds the sky that the path's ray looks at.
+     * Adds the sky in the direction of the path's ray.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
-     * @param sky three floats a texel: linear radiance, row by row from the top
+     * @param sky three floats per texel: linear radiance, row by row from the top
      * @param skyDimensions width and height in texels
      * @param properties {@link Layout#PROPERTIES_LENGTH} floats
      */
@@ -30,10 +28,10 @@ public final class Sky {
     }
 
     /**
-     * Columns from the first texel's center, in [-0.5, width - 0.5]: {@code (0.5 + atan2(x, z) / 2 pi - turn) * width -
-     * 0.5}, wrapped.
+     * The column relative to the first texel's center, in [-0.5, width - 0.5]: {@code (0.5 + atan2(x, z) / 2 pi - turn)
+     * * width - 0.5}, wrapped.
      *
-     * @param turn how far the panorama is turned to the right, in whole turns, in [0, 1)
+     * @param turn rotation of the panorama to the right, in turns, in [0, 1)
      */
     public static float column(float x, float z, float turn, int width) {
         float u = 0.5f + KernelMath.atan2(x, z) * TURNS_PER_RADIAN - turn;
@@ -41,15 +39,15 @@ public final class Sky {
     }
 
     /**
-     * Rows from the first texel's center, in [-0.5, height - 0.5]: {@code (0.5 - asin(y) / pi) * height - 0.5}. The arc
-     * sine is taken as an arc tangent, which keeps its digits near straight up and down.
+     * The row relative to the first texel's center, in [-0.5, height - 0.5]: {@code (0.5 - asin(y) / pi) * height -
+     * 0.5}. The arc sine is computed by an arc tangent, which stays accurate near zenith and nadir.
      */
     public static float row(float x, float y, float z, int height) {
         float elevation = KernelMath.atan2(y, (float) Math.sqrt(x * x + z * z));
         return (0.5f - elevation * HALF_TURNS_PER_RADIAN) * height - 0.5f;
     }
 
-    /** Linear radiance of one channel (0 red, 1 green, 2 blue) at a column and a row as above. */
+    /** Linear radiance of one channel (0 red, 1 green, 2 blue) at a column and row as above. */
     public static float radiance(float[] sky, int width, int height, float column, float row, int channel) {
         int left = KernelMath.floor(column);
         int top = KernelMath.floor(row);

@@ -1,15 +1,15 @@
 package dev.twister.kernel;
 
-/** Where a ray meets a body, and which way its surface faces there. */
+/** Hit point and normal on a body. */
 public final class Surface {
     private Surface() {}
 
     /**
-     * Says whether the ray comes from inside, as it can where the body transmits, and turns a sphere's normal against
-     * it then; a mesh's is turned already.
+     * Writes whether the ray comes from inside, which requires a transmitting body. In that case a sphere's normal is
+     * turned toward the ray's origin; a mesh's already is.
      *
      * @param path {@link Layout#PATH_LENGTH} floats, after {@link #find} and {@link Material#find}
-     * @param body any but the light
+     * @param body any except the light
      * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      */
     static void face(float[] path, int body, int firstMesh) {
@@ -25,13 +25,13 @@ public final class Surface {
     }
 
     /**
-     * Writes the point and the unit normal where the path's ray meets the body at {@link Layout#DISTANCE}. A sphere's
-     * point lies on it to the last digits; the plane's normal is (0, 1, 0), seen from either side; of a mesh, see
+     * Writes the point and the unit normal where the path's ray hits the body at {@link Layout#DISTANCE}. A sphere's
+     * point is projected onto it for precision; the plane's normal is (0, 1, 0), seen from either side; for a mesh, see
      * {@link MeshSurface#find}.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
-     * @param body that {@link Hit#find} has found
-     * @param places {@link Layout#PLACE_STRIDE} floats a body
+     * @param body the result of {@link Hit#find}
+     * @param places {@link Layout#PLACE_STRIDE} floats per body
      * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      */
     public static void find(float[] path, int body, float[] places, float[] hierarchy, float[] meshes, int firstMesh) {
@@ -42,7 +42,7 @@ public final class Surface {
         }
     }
 
-    /** 1 where the body is a mesh, else 0. */
+    /** 1 if the body is a mesh, else 0. */
     static int isMesh(int body, int firstMesh) {
         return (firstMesh > Layout.NO_MESHES ? 1 : 0) & (body >= firstMesh ? 1 : 0);
     }

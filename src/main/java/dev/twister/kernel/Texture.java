@@ -1,19 +1,19 @@
 package dev.twister.kernel;
 
-/** A picture on a body, bilinear between texel centers, that multiplies its color. */
+/** A texture, bilinear between texel centers, which multiplies a body's color. */
 public final class Texture {
     private Texture() {}
 
     /**
-     * Multiplies the albedo at {@link Layout#POINT}. A sphere's picture goes around it once, so that writing reads from
-     * outside; the plane's repeats every meter, its upper edge away from a camera that looks along z; a mesh's is at
-     * {@link Layout#TEXTURE_PLACE}, repeating.
+     * Multiplies the albedo at {@link Layout#POINT}. A sphere's texture wraps around it once, so that text is readable
+     * from outside. The plane's texture repeats every meter, with its upper edge away from a camera that looks along z.
+     * A mesh's texture repeats and uses {@link Layout#TEXTURE_PLACE}.
      *
-     * @param path {@link Layout#PATH_LENGTH} floats, its normal outward
-     * @param body any but the light
+     * @param path {@link Layout#PATH_LENGTH} floats, with the outward normal
+     * @param body any except the light
      * @param texture its number, from 1 on
-     * @param sky the panorama's texels, then those of the textures
-     * @param skyDimensions with those of the textures
+     * @param sky the panorama's texels, then the textures'
+     * @param skyDimensions of the panorama and the textures
      * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      */
     static void multiply(float[] path, int body, int texture, float[] sky, int[] skyDimensions, int firstMesh) {
@@ -46,11 +46,11 @@ public final class Texture {
     }
 
     /**
-     * One channel (0 red, 1 green, 2 blue), repeating beyond the borders.
+     * One channel (0 red, 1 green, 2 blue) of a texture, which repeats beyond its borders.
      *
-     * @param start where in the array the first texel is
-     * @param column from the first texel's center, in [-0.5, width - 0.5]
-     * @param row in [-0.5, height - 0.5]
+     * @param start index of the first texel in the array
+     * @param column relative to the first texel's center, in [-0.5, width - 0.5]
+     * @param row relative to the first texel's center, in [-0.5, height - 0.5]
      */
     public static float color(float[] texels, int start, int width, int height, float column, float row, int channel) {
         int left = KernelMath.floor(column);

@@ -1,6 +1,6 @@
 package dev.twister.kernel;
 
-/** From linear color, exposure applied, to what a pixel shows. */
+/** Exposure, tone mapping and encoding of linear color. */
 public final class Tone {
     /** Numbers of tone maps, in the order of {@code scene.ToneMap}. */
     public static final int CLAMP = 0;
@@ -19,22 +19,22 @@ public final class Tone {
     public static final float ACES_BOTTOM_LINE = 0.59f;
     public static final float ACES_BOTTOM = 0.14f;
 
-    /** IEC 61966-2-1's curve: up to the end a line of that slope, then {@code SCALE c^(1 / 2.4) - OFFSET}. */
+    /** The transfer function of IEC 61966-2-1: linear up to the end, then {@code SCALE c^(1 / 2.4) - OFFSET}. */
     public static final float SRGB_LINEAR_END = 0.0031308f;
 
     public static final float SRGB_SLOPE = 12.92f;
     public static final float SRGB_SCALE = 1.055f;
     public static final float SRGB_OFFSET = 0.055f;
 
-    /** The alpha of every pixel, beside 8 bits each of red, green and blue. */
+    /** Alpha bits of an opaque pixel. */
     public static final int OPAQUE = 0xFF000000;
 
     private Tone() {}
 
     /**
-     * The opaque ARGB of the path's radiance.
+     * The path's radiance as opaque ARGB.
      *
-     * @param average what the radiance is multiplied by first
+     * @param average factor for the radiance
      * @param properties {@link Layout#PROPERTIES_LENGTH} floats
      */
     public static int argb(float[] path, float average, float[] properties) {
@@ -50,12 +50,12 @@ public final class Tone {
         return argb;
     }
 
-    /** 0 to 255 for one channel of linear radiance. */
+    /** The 8-bit value of one channel of linear radiance. */
     public static int quantized(float radiance, float exposureScale, int operator, float srgb) {
         return (int) (shown(radiance, exposureScale, operator, srgb) * 255f + 0.5f);
     }
 
-    /** What a screen shows of one channel of linear radiance, in [0, 1]. */
+    /** The display value of one channel of linear radiance, in [0, 1]. */
     public static float shown(float radiance, float exposureScale, int operator, float srgb) {
         float scaled = radiance * exposureScale;
         float exposed = scaled > 0f ? (scaled < BRIGHTEST ? scaled : BRIGHTEST) : 0f;
@@ -77,7 +77,7 @@ public final class Tone {
         return result;
     }
 
-    /** IEC 61966-2-1's curve for a channel in [0, 1], within 2e-6. */
+    /** The transfer function of IEC 61966-2-1 for a channel in [0, 1], within 2e-6. */
     public static float srgbEncoded(float linear) {
         float encoded = SRGB_SLOPE * linear;
         if (linear > SRGB_LINEAR_END) {

@@ -1,16 +1,16 @@
 package dev.twister.kernel;
 
 /**
- * Where a ray meets a triangle, from either side, watertight: of triangles that share an edge, no ray passes between
- * (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", 2013). Its corners are seen from the ray's origin
- * and sheared so that the ray runs along an axis; both triangles of an edge then have the same two products, so that
- * their signs never disagree, and a point on the edge is inside both. The direction need not be a unit vector:
- * distances are in its lengths.
+ * Watertight intersection of a ray and a triangle, from either side: no ray passes between triangles that share an edge
+ * (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", 2013). The corners are translated to the ray's
+ * origin and sheared so that the ray runs along an axis. Both triangles of an edge then compute the same two products,
+ * so their signs always agree, and a point on the edge is inside both. The direction need not be normalized: distances
+ * are in its lengths.
  */
 public final class Triangle {
     private Triangle() {}
 
-    /** The axis along which a direction is longest: 0 for x, 1 for y, 2 for z. */
+    /** The dominant axis of a direction: 0 for x, 1 for y, 2 for z. */
     public static int longestAxis(float x, float y, float z) {
         float alongX = Math.abs(x);
         float alongY = Math.abs(y);
@@ -20,29 +20,29 @@ public final class Triangle {
         return alongZ > crossLength ? 2 : crossAxis;
     }
 
-    /** The axis after another, z before x. */
+    /** The next axis in cyclic order. */
     public static int after(int axis) {
         return axis == 2 ? 0 : axis + 1;
     }
 
-    /** A coordinate by its axis. */
+    /** A component by its axis. */
     public static float along(int axis, float x, float y, float z) {
         float xOrY = axis == 0 ? x : y;
         return axis == 2 ? z : xOrY;
     }
 
     /**
-     * How many lengths of the direction the triangle is away; {@link Intersection#MISS} where the ray passes it, or
-     * where it is not in front.
+     * Distance to the triangle in lengths of the direction; {@link Intersection#MISS} if the ray misses it or it is not
+     * in front.
      *
-     * @param at where in {@code meshes} the triangle is
+     * @param at place of the triangle in {@code meshes}
      * @param axis {@link #longestAxis} of the direction
-     * @param first coordinate of the ray's origin along {@link #after} that axis
-     * @param second along the axis after that
-     * @param third along the longest axis
-     * @param shearFirst the direction's first coordinate by its longest
-     * @param shearSecond the direction's second by its longest
-     * @param inverse of the direction's longest coordinate
+     * @param first the ray's origin along the axis {@link #after} it
+     * @param second the ray's origin along the axis after that
+     * @param third the ray's origin along the dominant axis
+     * @param shearFirst the direction's first component divided by its dominant one
+     * @param shearSecond the direction's second component divided by its dominant one
+     * @param inverse inverse of the direction's dominant component
      */
     public static float distance(
             float[] meshes,
@@ -80,8 +80,7 @@ public final class Triangle {
     }
 
     /**
-     * Which part of the point where the ray meets the triangle is a corner's, in [0, 1]; the parts of all three add up
-     * to 1.
+     * The barycentric weight of a corner at the hit point, in [0, 1].
      *
      * @param corner 0, 1 or 2
      */

@@ -1,18 +1,17 @@
 /**
- * The device-portable kernel: static methods over primitives and primitive arrays, which the JVM runs as they are and
- * TornadoVM compiles for OpenCL, CUDA and Metal. Leans on nothing at all, no other package of Twister and nothing of
- * the JDK but {@code Math.sqrt}, {@code min}, {@code max} and {@code abs}.
+ * The device-portable kernel: static methods over primitives and primitive arrays, which run on the JVM and are
+ * compiled by TornadoVM for OpenCL, CUDA and Metal. It depends on no other package of Twister, and of the JDK only on
+ * {@code Math.sqrt}, {@code min}, {@code max} and {@code abs}.
  *
- * <p>{@code PixelKernel} draws one pixel, on the JVM and on every device, sample by sample: {@code Camera} starts a
+ * <p>{@code PixelKernel} renders one pixel, on the JVM and on every device, sample by sample: {@code Camera} starts a
  * path, {@code Path} follows it. At each bounce {@code Hit} finds the body, {@code Surface} the point and the normal,
- * {@code Material} what it is made of, {@code Light} and {@code Shadow} how it is lit, and {@code Scatter} adds that
- * and turns the ray; {@code Sky} ends a path, {@code Tone} stores the pixel. Steps hand their results on in the array
- * {@code path}.
+ * {@code Material} the material, {@code Light} and {@code Shadow} the illumination, and {@code Scatter} adds the
+ * reflected light and the next ray; {@code Sky} ends a path, {@code Tone} encodes the pixel. Steps pass their results
+ * in the array {@code path}.
  *
- * <p>The style is narrow on purpose, because TornadoVM silently miscompiles more than this: nested {@code if},
- * {@code for} and {@code while} with one entry and one exit, loops that end by their condition with an {@code int}
- * flag, conditions combined as ints or by nesting, no {@code break}, {@code continue} or {@code return} inside a loop,
- * no {@code ||}, and {@code &&} only between the limit and the flag of a {@code for}: there it is compiled as it should
- * be.
+ * <p>The style is restricted because TornadoVM silently miscompiles other constructs: nested {@code if}, {@code for}
+ * and {@code while} with one entry and one exit; loops that end by their condition with an {@code int} flag; conditions
+ * combined as ints or by nesting; no {@code break}, {@code continue} or {@code return} inside a loop; no {@code ||};
+ * and {@code &&} only between the limit and the flag of a {@code for}, where it compiles correctly.
  */
 package dev.twister.kernel;

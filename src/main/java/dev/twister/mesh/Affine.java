@@ -2,7 +2,7 @@ package dev.twister.mesh;
 
 import dev.twister.scene.Vector3;
 
-/** A placement: the point (x, y, z) goes to {@code x * axisX + y * axisY + z * axisZ + origin}. */
+/** An affine transform that maps the point (x, y, z) to {@code x * axisX + y * axisY + z * axisZ + origin}. */
 public record Affine(Vector3 axisX, Vector3 axisY, Vector3 axisZ, Vector3 origin) {
     public static final Affine IDENTITY =
             new Affine(new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1), new Vector3(0, 0, 0));
@@ -19,7 +19,7 @@ public record Affine(Vector3 axisX, Vector3 axisY, Vector3 axisZ, Vector3 origin
                 direction.x() * axisX.z() + direction.y() * axisY.z() + direction.z() * axisZ.z());
     }
 
-    /** First the inner one, then this one. */
+    /** The composition that applies {@code inner} first. */
     public Affine of(Affine inner) {
         return new Affine(direction(inner.axisX), direction(inner.axisY), direction(inner.axisZ), point(inner.origin));
     }

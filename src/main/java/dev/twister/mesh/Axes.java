@@ -1,10 +1,11 @@
 package dev.twister.mesh;
 
 /**
- * How a format's right-handed axes become Twister's: x right, y up, z into the picture. Neither mirrors what is seen.
+ * Conversion from a format's right-handed axes to Twister's: x right, y up, z into the picture. Objects are not
+ * mirrored.
  */
 enum Axes {
-    /** y up and z to the viewer: z changes its sign. */
+    /** y up and z toward the viewer: negates z. */
     Y_UP {
         @Override
         void turn(float[] vectors, int size) {
@@ -13,7 +14,7 @@ enum Axes {
             }
         }
     },
-    /** z up and y away from the viewer: y and z change places. */
+    /** z up and y away from the viewer: swaps y and z. */
     Z_UP {
         @Override
         void turn(float[] vectors, int size) {
@@ -25,6 +26,9 @@ enum Axes {
         }
     };
 
-    /** Turns (x, y, z) after (x, y, z). Both ways turn triangles inside out, so two corners change places with it. */
+    /**
+     * Converts consecutive vectors (x, y, z). Both conversions reverse the winding of triangles, so the caller must
+     * swap two corners.
+     */
     abstract void turn(float[] vectors, int size);
 }

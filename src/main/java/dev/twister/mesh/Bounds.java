@@ -3,15 +3,15 @@ package dev.twister.mesh;
 import dev.twister.scene.Vector3;
 
 /**
- * A box along the axes.
+ * An axis-aligned box.
  *
- * @param least of each coordinate
- * @param largest of each coordinate
+ * @param least minimum of each coordinate
+ * @param largest maximum of each coordinate
  */
 public record Bounds(Vector3 least, Vector3 largest) {
     private static final double FAR = Double.POSITIVE_INFINITY;
 
-    /** Of no points. */
+    /** The bounds of no points. */
     public static final Bounds NONE = new Bounds(new Vector3(FAR, FAR, FAR), new Vector3(-FAR, -FAR, -FAR));
 
     /** The smallest box around this one and a point. */

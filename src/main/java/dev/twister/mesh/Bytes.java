@@ -9,8 +9,8 @@ import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 
 /**
- * Bytes by their position: a file's, read through a window on the heap, or an array's. The file is not mapped: where
- * another process shortens a mapped file, the JVM may end. Not for several threads at once.
+ * Random access to the bytes of a file, through a window on the heap, or of an array. Files are not memory-mapped,
+ * because the JVM may crash if another process truncates a mapped file. Not thread-safe.
  */
 final class Bytes {
     private static final int WINDOW_BYTES = 1 << 16;
@@ -38,12 +38,12 @@ final class Bytes {
         this.windowLength = windowLength;
     }
 
-    /** A file's bytes, as many as it has now. */
+    /** The bytes of a file with its current length. */
     static Bytes of(Path file, FileChannel channel) throws IOException {
         return new Bytes(Shown.path(file), channel::read, channel.size(), new byte[WINDOW_BYTES], 0);
     }
 
-    /** An array's bytes; messages call them by this name. */
+    /** The bytes of an array; messages use the given name. */
     static Bytes of(String name, byte[] array) {
         return new Bytes(name, (_, _) -> -1, array.length, array, array.length);
     }
@@ -56,12 +56,12 @@ final class Bytes {
         return name;
     }
 
-    /** What is wrong at a position. */
+    /** An exception for a problem at a position. */
     MeshException failure(long position, String problem) {
         return new MeshException(name + ": byte " + position + ": " + problem);
     }
 
-    /** What is wrong with the bytes as a whole. */
+    /** An exception for a problem with the file as a whole. */
     MeshException failure(String problem) {
         return new MeshException(name + ": " + problem);
     }
@@ -97,7 +97,7 @@ final class Bytes {
         return Double.longBitsToDouble(order == ByteOrder.LITTLE_ENDIAN ? value : Long.reverseBytes(value));
     }
 
-    /** A copy of the bytes from a position on, all of which lie within the length. */
+    /** A copy of the bytes from a position on; the range must be within the length. */
     byte[] copy(long position, int count) throws IOException {
         byte[] bytes = new byte[count];
         for (int done = 0; done < count; ) {
@@ -109,7 +109,7 @@ final class Bytes {
         return bytes;
     }
 
-    /** Whether they start with these characters, a byte each. */
+    /** Whether the bytes start with these characters, one byte each. */
     boolean startsWith(String characters) throws IOException {
         if (length < characters.length()) {
             return false;
@@ -122,7 +122,7 @@ final class Bytes {
         return true;
     }
 
-    /** Where in the window a value is, once all of it is there. */
+    /** The index of a value in the window, which is loaded if necessary. */
     private int place(long position, int count) throws IOException {
         long place = position - windowStart;
         if (place >= 0 && place + count <= windowLength) {

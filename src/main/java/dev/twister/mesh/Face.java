@@ -1,6 +1,6 @@
 package dev.twister.mesh;
 
-/** A triangle's plane; one object serves many triangles in turn. */
+/** The plane of a triangle; a mutable object that is reused for many triangles. */
 final class Face {
     private double x;
     private double y;
@@ -19,10 +19,10 @@ final class Face {
     }
 
     /**
-     * Goes to the triangle of these vertices. Its unit normal points to where the corners run counterclockwise in
-     * right-handed axes.
+     * Computes the plane of the triangle with these vertices. Its unit normal points to the side from which the corners
+     * appear counterclockwise in right-handed axes.
      *
-     * @return whether the triangle has an area that floats can tell from 0
+     * @return whether the triangle has an area that floats can distinguish from 0
      */
     boolean set(float[] positions, int a, int b, int c) {
         double ax = positions[3 * a];

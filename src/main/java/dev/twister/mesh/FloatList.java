@@ -2,7 +2,7 @@ package dev.twister.mesh;
 
 import java.util.Arrays;
 
-/** Floats, one after the other. */
+/** A growing list of floats. */
 final class FloatList {
     private float[] values;
     private int size;
@@ -34,7 +34,7 @@ final class FloatList {
         values[size++] = value;
     }
 
-    /** The values so far, and room behind them: not for keeping. */
+    /** The internal array, which is longer than the list; do not keep a reference to it. */
     float[] storage() {
         return values;
     }

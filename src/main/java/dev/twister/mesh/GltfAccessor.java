@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.ByteOrder;
 import java.util.Arrays;
 
-/** Elements in a buffer of a glTF file: numbers, or vectors of a few of them. */
+/** Elements in a buffer of a glTF file: numbers, or vectors of several numbers. */
 final class GltfAccessor {
     private static final int BYTE = 5120;
     private static final int UNSIGNED_BYTE = 5121;
@@ -13,9 +13,7 @@ final class GltfAccessor {
     private static final int UNSIGNED_INT = 5125;
     private static final int FLOAT = 5126;
 
-    /**
-     * Of elements that are 0 but where an accessor's sparse part says otherwise: no buffer's length speaks for them.
-     */
+    /** Limit of elements that are 0 except for a sparse part: no buffer's length limits their number. */
     private static final int MAX_ZEROS = 1_000_000;
 
     private static final GltfBuffers.Range ZEROS = new GltfBuffers.Range(Bytes.of("", new byte[0]), 0, 0);
@@ -43,9 +41,9 @@ final class GltfAccessor {
     }
 
     /**
-     * Opens an accessor, all of whose elements are then there.
+     * Opens an accessor and checks that all of its elements exist.
      *
-     * @param components how many numbers an element must have
+     * @param components required number of components per element
      */
     static GltfAccessor open(GltfPlace root, GltfPlace place, int components, GltfBuffers buffers) throws IOException {
         if (components(place) != components) {
@@ -135,12 +133,12 @@ final class GltfAccessor {
         return place;
     }
 
-    /** Whether it has nothing but zeros. */
+    /** Whether all elements are zero for lack of data. */
     boolean isEmpty() {
         return count > 0 && range.length() == 0 && sparseIndices.length == 0;
     }
 
-    /** A component of an element; integers that stand for parts of 1 as those. */
+    /** A component of an element; normalized integers are converted to [0, 1] or [-1, 1]. */
     double get(int index, int component) throws IOException {
         int sparse = sparseIndices.length == 0 ? -1 : Arrays.binarySearch(sparseIndices, index);
         if (sparse < 0 && range.length() == 0) {

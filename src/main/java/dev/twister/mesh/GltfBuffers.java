@@ -14,12 +14,12 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The buffers of a glTF file: in the GLB, in the JSON or in files beside it. */
+/** The buffers of a glTF file: in the GLB, embedded in the JSON, or in separate files. */
 final class GltfBuffers implements Closeable {
     private static final int MAX_BUFFERS = 1000;
     private static final String DATA = "data:";
 
-    /** Bytes of a buffer, all of which are there. */
+    /** A range of bytes that has been checked to exist. */
     record Range(Bytes bytes, long start, long length) {}
 
     private final Path file;
@@ -90,7 +90,7 @@ final class GltfBuffers implements Closeable {
         return uri.text().regionMatches(true, 0, DATA, 0, DATA.length());
     }
 
-    /** The bytes in a data URI. */
+    /** The bytes of a data URI. */
     static byte[] data(GltfPlace uri) {
         String text = uri.text();
         int comma = text.indexOf(',');
@@ -104,11 +104,11 @@ final class GltfBuffers implements Closeable {
         }
     }
 
-    /** The file that a relative URI names. */
+    /** The file of a relative URI. */
     static Path path(Path file, GltfPlace uri) {
         String text = uri.text();
         try {
-            // The decoder is one for forms, where a plus is a space.
+            // URLDecoder is meant for forms and would turn a plus into a space.
             text = URLDecoder.decode(text.replace("+", "%2B"), StandardCharsets.UTF_8);
         } catch (IllegalArgumentException broken) {
             throw uri.failure("is " + Shown.text(text) + ", no valid URI");
@@ -116,7 +116,7 @@ final class GltfBuffers implements Closeable {
         return PathsBeside.of(file, text, problem -> uri.failure(": " + problem));
     }
 
-    /** How many bytes the buffers that were read have. */
+    /** Total length of the opened buffers in bytes. */
     long openedBytes() {
         return opened.values().stream().mapToLong(Range::length).sum();
     }

@@ -12,10 +12,10 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * The JSON of a glTF or GLB file, and where in a GLB its binary chunk is.
+ * The JSON of a glTF or GLB file, and the location of a GLB's binary chunk.
  *
  * @param binaryStart first byte of the binary chunk
- * @param binaryLength 0 where there is none
+ * @param binaryLength length in bytes; 0 if there is none
  */
 record GltfDocument(GltfPlace root, long binaryStart, long binaryLength) {
     private static final int HEADER_BYTES = 12;
@@ -24,7 +24,7 @@ record GltfDocument(GltfPlace root, long binaryStart, long binaryLength) {
     private static final int BINARY_CHUNK = 0x004e4942;
     private static final long MAX_JSON_BYTES = 1 << 30;
 
-    /** Each costs many times its characters; a file of 100,000 nodes has some 2 million. */
+    /** Each token takes many times its length in memory; a file with 100,000 nodes has about 2 million. */
     private static final int MAX_TOKENS = 5_000_000;
 
     private static final int MAX_DEPTH = 64;
@@ -79,7 +79,7 @@ record GltfDocument(GltfPlace root, long binaryStart, long binaryLength) {
                 .build();
         JsonMapper mapper = JsonMapper.builder(
                         JsonFactory.builder().streamReadConstraints(constraints).build())
-                // Some programs fill the chunk up with bytes of 0.
+                // Some programs pad the chunk with zero bytes.
                 .disable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
                 .build();
         try {
@@ -100,7 +100,7 @@ record GltfDocument(GltfPlace root, long binaryStart, long binaryLength) {
 
     private static String firstLine(String message) {
         String line = message.lines().findFirst().orElse("");
-        // What follows is about the parser's own source.
+        // The rest describes the parser's own source.
         int source = line.indexOf(" (start marker");
         return PrintableText.line(source < 0 ? line : line.substring(0, source));
     }

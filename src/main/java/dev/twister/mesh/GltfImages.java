@@ -7,7 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 
-/** The pictures of a glTF file: in it, or beside it. */
+/** The images of a glTF file, embedded or separate. */
 final class GltfImages {
     private final Path file;
     private final Bytes bytes;
@@ -26,12 +26,12 @@ final class GltfImages {
         this.warnings = warnings;
     }
 
-    /** Those in the file that materials have, by the path that these have as their texture. */
+    /** Embedded images that materials use, by the path in {@link Material#texture}. */
     Map<Path, byte[]> embedded() {
         return embedded;
     }
 
-    /** The picture of a texture; empty, with a warning, where it cannot be used. */
+    /** The image of a texture; empty, with a warning, if it cannot be used. */
     Optional<Path> ofTexture(GltfPlace texture) throws IOException {
         if (!texture.at("source").exists()) {
             warnings.add(texture + " has no PNG or JPEG" + ofExtension(texture) + "; rendered without it");

@@ -11,10 +11,10 @@ import java.util.Optional;
 /** The materials of a glTF file. */
 final class GltfMaterials {
     /**
-     * A material, and how its texture is laid on.
+     * A material and the mapping of its texture.
      *
-     * @param coordinateSet which of the texture coordinates it takes
-     * @param layout from these to the picture's
+     * @param coordinateSet which set of texture coordinates it uses
+     * @param layout transform of these coordinates
      */
     record Textured(Material material, int coordinateSet, TextureLayout layout) {}
 
@@ -31,7 +31,7 @@ final class GltfMaterials {
         this.warnings = warnings;
     }
 
-    /** The material that a primitive names. */
+    /** The material of a primitive. */
     Textured of(GltfPlace primitive) throws IOException {
         GltfPlace number = primitive.at("material");
         if (!number.exists()) {
@@ -74,7 +74,7 @@ final class GltfMaterials {
                         .withReflectivity(Reflectivity.of(metallic, roughness) * (1 - transmission))
                         .withRoughness(roughness)
                         .withTransmission(faded ? 1 - unit(color[3]) : transmission * (1 - metallic))
-                        // What is only faded is not to bend the light.
+                        // A surface that only fades must not bend the light.
                         .withIor(faded ? 1 : Math.clamp(ior, 1.0, 4.0))
                         .withTexture(picture(texture)),
                 (int) Math.min(set.countOr(0), Integer.MAX_VALUE),

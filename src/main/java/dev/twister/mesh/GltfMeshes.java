@@ -9,14 +9,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** The meshes of a glTF file, each of whose primitives becomes a mesh of its own. */
+/** The meshes of a glTF file; each primitive becomes a separate mesh. */
 final class GltfMeshes {
     private static final int TRIANGLES = 4;
     private static final int STRIP = 5;
     private static final int FAN = 6;
     private static final String DRACO = "KHR_draco_mesh_compression";
 
-    /** A primitive that has triangles. */
+    /** A primitive with triangles. */
     record Primitive(int mesh, Material material) {}
 
     private final GltfPlace root;
@@ -121,7 +121,7 @@ final class GltfMeshes {
         }
         TriangleSoup soup = new TriangleSoup(used.cardinality(), corners.length / 3);
         int[] numbers = new int[used.length()];
-        // One attribute after the other, as each mostly has a place of its own in the file.
+        // One attribute after the other, because each usually has its own region in the file.
         for (int vertex = used.nextSetBit(0); vertex >= 0; vertex = used.nextSetBit(vertex + 1)) {
             numbers[vertex] = soup.vertices();
             addPosition(soup, positions, vertex);
@@ -165,7 +165,7 @@ final class GltfMeshes {
         soup.position(x, y, z);
     }
 
-    /** Three vertices per triangle, whatever they are written as. */
+    /** Three vertex numbers per triangle, for triangle lists, strips and fans. */
     private int[] corners(GltfPlace primitive, int mode, int vertices) throws IOException {
         GltfPlace number = primitive.at("indices");
         Optional<GltfAccessor> indices = number.exists() ? Optional.of(accessor(number, 1)) : Optional.empty();

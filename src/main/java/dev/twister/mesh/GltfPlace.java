@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import tools.jackson.databind.JsonNode;
 
-/** A value of a glTF file's JSON, or the lack of one, and where it is. */
+/** A value in a glTF file's JSON, possibly missing, with its path for messages. */
 final class GltfPlace {
     private final String file;
     private final String path;
@@ -40,7 +40,7 @@ final class GltfPlace {
         return !node.isMissingNode() && !node.isNull();
     }
 
-    /** How many items an array has; 0 where there is none. */
+    /** Number of items of an array; 0 if it is missing. */
     int size() {
         if (exists() && !node.isArray()) {
             throw failure("is no array");
@@ -56,12 +56,12 @@ final class GltfPlace {
         return items;
     }
 
-    /** The item of a list of the file's that a number here names. */
+    /** The item of a list with this value as its index. */
     GltfPlace in(GltfPlace list) {
         return list.at(index(list));
     }
 
-    /** A number here that an item of a list has. */
+    /** This value as an index into a list. */
     int index(GltfPlace list) {
         long index = integer();
         if (index < 0 || index >= list.size()) {
@@ -70,7 +70,7 @@ final class GltfPlace {
         return (int) index;
     }
 
-    /** A whole number from 0 to 2^53. */
+    /** An integer in [0, 2^53]. */
     long count() {
         long count = integer();
         if (count < 0) {
@@ -109,12 +109,12 @@ final class GltfPlace {
         return exists() ? number() : fallback;
     }
 
-    /** A number in [0, 1]; what lies beyond is taken to the border. */
+    /** A number clamped to [0, 1]. */
     double unitOr(double fallback) {
         return Math.clamp(numberOr(fallback), 0.0, 1.0);
     }
 
-    /** As many numbers as the others, which are taken where there is nothing. */
+    /** The numbers of an array with the length of the fallback, which is used if the array is missing. */
     double[] numbersOr(double... fallback) {
         if (!exists()) {
             return fallback;

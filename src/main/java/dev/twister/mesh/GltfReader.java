@@ -9,7 +9,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Set;
 
-/** Reads glTF 2.0 files, as JSON and as GLB. */
+/** Reads glTF 2.0 files, as JSON or GLB. */
 final class GltfReader {
     private static final Set<String> READ =
             Set.of("KHR_materials_transmission", "KHR_materials_ior", "KHR_texture_transform", "KHR_mesh_quantization");
@@ -57,7 +57,7 @@ final class GltfReader {
     private void checkExtensions(GltfPlace root) {
         for (GltfPlace required : root.at("extensionsRequired").items()) {
             String name = required.text();
-            // These say how a surface looks, and without them it looks plain.
+            // These extensions affect only the look of surfaces, which are rendered plain without them.
             if (!READ.contains(name) && !name.startsWith("KHR_materials_") && !name.equals("KHR_lights_punctual")) {
                 throw required.failure("is " + Shown.text(name) + ", which is not read; export the file without it");
             }
@@ -105,7 +105,7 @@ final class GltfReader {
 
     private static void reach(
             List<Integer> numbers, GltfPlace nodes, Affine parent, Deque<Placed> waiting, BitSet reached) {
-        // Taken from the end: the first is to be placed first.
+        // The stack reverses the order: the first node must be placed first.
         for (int node : numbers.reversed()) {
             if (reached.get(node)) {
                 throw nodes.at(node).failure("is in the scene twice, or its own ancestor; nodes must form a tree");
@@ -119,7 +119,7 @@ final class GltfReader {
         return list.items().stream().map(number -> number.index(nodes)).toList();
     }
 
-    /** The nodes that the file shows: those of its scene, or all that have no parent. */
+    /** The visible root nodes: those of the file's scene, or all nodes without a parent. */
     private static List<Integer> roots(GltfPlace root, GltfPlace nodes) {
         GltfPlace scenes = root.at("scenes");
         if (scenes.size() > 0) {

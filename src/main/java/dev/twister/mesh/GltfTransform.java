@@ -2,13 +2,13 @@ package dev.twister.mesh;
 
 import dev.twister.scene.Vector3;
 
-/** The placements of glTF's nodes. */
+/** The transforms of glTF nodes. */
 final class GltfTransform {
     private static final double FLAT = 1e-12;
 
     private GltfTransform() {}
 
-    /** From a node's coordinates to its parent's, both as the file has them. */
+    /** The transform from a node's coordinates to its parent's, in the file's axes. */
     static Affine of(GltfPlace node) {
         if (node.at("matrix").exists()) {
             double[] m = node.at("matrix").numbersOr(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
@@ -23,7 +23,7 @@ final class GltfTransform {
                 column(node.at("translation").numbersOr(0, 0, 0), 0));
     }
 
-    /** The same placement in Twister's axes, on both sides of it. */
+    /** The same transform in Twister's axes. */
     static Affine turned(Affine placement) {
         return new Affine(
                 turned(placement.axisX()),
@@ -36,7 +36,7 @@ final class GltfTransform {
         return new Vector3(vector.x(), vector.y(), 0 - vector.z());
     }
 
-    /** Whether what is placed keeps its volume, and a size that floats can have. */
+    /** Whether the transform preserves volume other than 0 and stays within the range of coordinates. */
     static boolean isUsable(Affine placement) {
         Vector3 x = placement.axisX();
         Vector3 y = placement.axisY();
@@ -62,7 +62,7 @@ final class GltfTransform {
         return new Vector3(factor * vector.x(), factor * vector.y(), factor * vector.z());
     }
 
-    /** Of a quaternion (x, y, z, w) of any length; of none where that is 0. */
+    /** The rotation of a quaternion (x, y, z, w) of any length; the identity if that is 0. */
     private static Affine rotation(double[] q) {
         double square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
         double s = square > 0 ? 2 / square : 0;

@@ -1,6 +1,6 @@
 package dev.twister.mesh;
 
-/** Spreads numbers over hash tables. */
+/** Hashing for open-addressing tables. */
 final class Hash {
     private Hash() {}
 
@@ -10,7 +10,7 @@ final class Hash {
         return (int) (mixed >>> 32);
     }
 
-    /** A power of two, at least twice as much as long as an array can have that. */
+    /** A power of two, at least twice the number of entries as far as the length of an array allows. */
     static int tableSize(int entries) {
         return 1 << Math.min(30, 33 - Integer.numberOfLeadingZeros(Math.max(1, entries) - 1));
     }

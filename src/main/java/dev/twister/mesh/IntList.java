@@ -2,7 +2,7 @@ package dev.twister.mesh;
 
 import java.util.Arrays;
 
-/** Ints, one after the other. */
+/** A growing list of ints. */
 final class IntList {
     private int[] values;
     private int size;
@@ -34,12 +34,12 @@ final class IntList {
         values[size++] = value;
     }
 
-    /** Truncates to a length. */
+    /** Truncates the list to a length. */
     void cut(int newSize) {
         size = newSize;
     }
 
-    /** The values so far, and room behind them: not for keeping. */
+    /** The internal array, which is longer than the list; do not keep a reference to it. */
     int[] storage() {
         return values;
     }

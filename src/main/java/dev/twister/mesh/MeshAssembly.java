@@ -4,13 +4,13 @@ import java.util.Arrays;
 import java.util.SequencedMap;
 import java.util.TreeMap;
 
-/** Makes the triangles that a file lists into meshes, one per material. */
+/** Assembles the triangles of a file into meshes, one per material. */
 final class MeshAssembly {
     /**
-     * What has become of the triangles.
+     * The result.
      *
-     * @param meshByMaterial those with a triangle, in order
-     * @param degenerateTriangles how many had no area
+     * @param meshByMaterial meshes with at least one triangle, by the number of the material in ascending order
+     * @param degenerateTriangles number of dropped triangles without area
      */
     record Assembled(SequencedMap<Integer, TriangleMesh> meshByMaterial, int degenerateTriangles) {}
 
@@ -23,7 +23,10 @@ final class MeshAssembly {
         this.soup = soup;
     }
 
-    /** The soup is used up by it. All its numbers have been checked. */
+    /**
+     * Assembles the meshes. All numbers in the soup must have been checked; the soup is modified and must not be
+     * reused.
+     */
     static Assembled assemble(TriangleSoup soup, Axes axes, double smoothDegrees) {
         soup.turn(axes);
         int degenerate = soup.dropDegenerate();
@@ -66,7 +69,7 @@ final class MeshAssembly {
         for (int i = from; i < to && !textured; i++) {
             textured = soup.textureAt(3 * triangles[i]) != TriangleSoup.NONE;
         }
-        // Missing normals have been made, so that either all corners have one or none.
+        // Missing normals have been generated, so either all corners have one or none.
         boolean smooth = soup.normalAt(3 * triangles[from]) != TriangleSoup.NONE;
         boolean alone = soup.hasOneNumbering() && soup.materialOf.size() == 0;
         int[] corners =
@@ -74,7 +77,7 @@ final class MeshAssembly {
         return new TriangleMesh(positions.toArray(), normals.toArray(), textureCoordinates.toArray(), corners);
     }
 
-    /** Leaves out vertices that no corner has. */
+    /** Keeps the file's vertices except unused ones. */
     private int[] renumbered(int[] triangles, boolean smooth, boolean textured) {
         int[] numbers = new int[soup.vertices()];
         int[] corners = new int[3 * triangles.length];
@@ -89,7 +92,7 @@ final class MeshAssembly {
         return corners;
     }
 
-    /** A vertex for each set of a position, a normal and texture coordinates that a corner has. */
+    /** Creates a vertex for each distinct combination of position, normal and texture coordinates. */
     private int[] unified(int[] triangles, int from, int to, boolean smooth, boolean textured) {
         int[] corners = new int[3 * (to - from)];
         int[] table = new int[Hash.tableSize(corners.length)];

@@ -1,6 +1,6 @@
 package dev.twister.mesh;
 
-/** A mesh file that cannot be used. The message is one line for a person: what is wrong, and where. */
+/** A mesh file cannot be used. The message is one line for the user: what is wrong, and where. */
 public final class MeshException extends RuntimeException {
     private static final long serialVersionUID = 1;
 

@@ -6,13 +6,13 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What a mesh file holds.
+ * The content of a mesh file.
  *
- * @param meshes each once, however many parts show it
+ * @param meshes distinct meshes; several parts may share one
  * @param parts at least one
- * @param embeddedImages PNG or JPEG files inside the file, by the path that the parts' materials have as their texture:
- *     the file's own with the image's number after it
- * @param degenerateTriangles how many triangles without an area were left out
+ * @param embeddedImages PNG or JPEG data in the file, by the texture path of the parts' materials: the file's own path,
+ *     followed by the image's number
+ * @param degenerateTriangles number of dropped triangles without area
  */
 public record MeshFile(
         List<TriangleMesh> meshes, List<MeshPart> parts, Map<Path, byte[]> embeddedImages, int degenerateTriangles) {
@@ -22,7 +22,7 @@ public record MeshFile(
         embeddedImages = Map.copyOf(embeddedImages);
     }
 
-    /** The box around all that the parts show. */
+    /** The box around all parts. */
     public Bounds bounds() {
         Bounds bounds = Bounds.NONE;
         for (MeshPart part : parts) {
@@ -35,7 +35,7 @@ public record MeshFile(
         return bounds;
     }
 
-    /** All triangles that the parts show, a shared mesh's as often as it is shown. */
+    /** Number of triangles of all parts; triangles of a shared mesh count for each part. */
     public long shownTriangles() {
         return parts.stream()
                 .mapToLong(part -> meshes.get(part.mesh()).triangles())

@@ -1,6 +1,6 @@
 package dev.twister.mesh;
 
-/** How large a mesh file may be, and what it may hold. */
+/** Limits for the size and content of mesh files. */
 final class MeshLimits {
     static final long FILE_BYTES = 1L << 31;
     static final int TRIANGLES = 16_000_000;
@@ -8,7 +8,7 @@ final class MeshLimits {
     static final int POLYGON_CORNERS = 10_000;
     static final int PARTS = 100_000;
 
-    /** Products of three coordinates stay far from the end of a float's range. */
+    /** Keeps products of three coordinates far from a float's maximum. */
     private static final double COORDINATE = 1e9;
 
     private MeshLimits() {}
@@ -17,7 +17,7 @@ final class MeshLimits {
         return Math.abs(value) <= COORDINATE;
     }
 
-    /** Why a number is no coordinate. */
+    /** The reason why a number is not a valid coordinate. */
     static String badCoordinate(double value) {
         return (Double.isFinite(value) ? "the coordinate " + value : "a coordinate that is not a finite number")
                 + "; expected numbers from -1e9 to 1e9";

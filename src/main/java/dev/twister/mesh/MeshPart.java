@@ -3,11 +3,11 @@ package dev.twister.mesh;
 import dev.twister.scene.Material;
 
 /**
- * Triangles of one material at one place.
+ * Triangles of one material and placement.
  *
- * @param name what the file calls it, may be empty
- * @param mesh which of the file's meshes, counted from 0; several parts may have the same
- * @param placement from the mesh's coordinates to the file's; it can be inverted, and may mirror
- * @param material what the file says that it is made of
+ * @param name the file's name for it, may be empty
+ * @param mesh index of one of the file's meshes, from 0; several parts may share one
+ * @param placement transform from the mesh's coordinates to the file's; invertible, possibly mirroring
+ * @param material the file's material
  */
 public record MeshPart(String name, int mesh, Affine placement, Material material) {}

@@ -3,13 +3,13 @@ package dev.twister.mesh;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Vector3;
 
-/** Where a scene puts a mesh. */
+/** The placement of a mesh in a scene. */
 public final class MeshPlacement {
     private MeshPlacement() {}
 
     /**
-     * From the file's coordinates to the scene's: scaled, rolled about z (positive from x to y), pitched, turned,
-     * moved.
+     * The transform from the file's coordinates to the scene's: scale, then roll about z (positive from x to y), pitch,
+     * yaw, translation.
      */
     public static Affine of(Mesh mesh) {
         double pitch = Math.toRadians(mesh.rotation().x());

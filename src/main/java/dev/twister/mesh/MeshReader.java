@@ -13,19 +13,20 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
 
-/** Reads mesh files: OBJ, glTF 2.0 (also binary), PLY and STL. */
+/** Reads mesh files: OBJ, glTF 2.0 (including binary), PLY and STL. */
 public final class MeshReader {
     private MeshReader() {}
 
     /**
-     * Reads a mesh file of at most 2 GiB and 16,000,000 triangles. What it is is told by its first bytes, or where the
-     * format has no mark, by how the name ends. The result has Twister's axes: x right, y up, z into the picture.
+     * Reads a mesh file of at most 2 GiB and 16,000,000 triangles. The format is detected by the first bytes or, if the
+     * format has no signature, by the file's extension. The result uses Twister's axes: x right, y up, z into the
+     * picture.
      *
      * @param file a file of the default file system
-     * @param smoothDegrees where the file has no normals: triangles whose planes meet at no larger angle are shaded as
-     *     one smooth surface, in [0, 180]; 0 leaves every triangle flat
-     * @param warnings told of what the file says and is not used; one line each that names the file
-     * @throws MeshException where there is no such file, it is not a mesh of these kinds, is damaged or too large
+     * @param smoothDegrees for files without normals: the largest angle in [0, 180] between the planes of adjacent
+     *     triangles that are shaded as one smooth surface; 0 for flat triangles
+     * @param warnings receives one line, with the file's name, for each unsupported feature of the file
+     * @throws MeshException if the file does not exist, is not in one of these formats, is damaged or too large
      */
     public static MeshFile read(Path file, double smoothDegrees, Consumer<String> warnings) {
         String name = Shown.path(file);
@@ -85,7 +86,7 @@ public final class MeshReader {
         throw bytes.failure("not a mesh by its first bytes or its name; OBJ, glTF, GLB, PLY and STL are read");
     }
 
-    /** A file of one material. */
+    /** A file with a single material. */
     static MeshFile single(String name, Bytes bytes, MeshAssembly.Assembled assembled, Material material) {
         if (assembled.meshByMaterial().isEmpty()) {
             throw noTriangles(bytes, assembled.degenerateTriangles());

@@ -11,22 +11,22 @@ import dev.twister.scene.Vector3;
 import java.nio.file.Path;
 import java.util.List;
 
-/** A scene to look at one mesh: on the checkered plane, 2 meters large, in the middle of the picture. */
+/** A scene for viewing one mesh: scaled to 2 meters, on the checkered plane, in the center of the picture. */
 public final class MeshStage {
-    /** What a file without normals is shaded by. */
+    /** Smoothing angle for files without normals. */
     public static final double SMOOTH_DEGREES = 30;
 
     private static final double LARGEST_SIDE = 2;
     private static final double PLANE_SIZE = 20;
 
-    /** Few, as each looks through the triangles, and the picture is refined at rest. */
+    /** Few, because each sample traverses the triangles, and the picture at rest is refined. */
     private static final int SHADOW_SAMPLES = 16;
 
     private static final double YAW_DEGREES = 20;
     private static final double PITCH_DEGREES = 15;
     private static final double FIELD_OF_VIEW_DEGREES = 40;
 
-    /** Of the distance at which the mesh's ball just fits into the picture. */
+    /** Factor for the distance at which the mesh's bounding sphere just fits into the picture. */
     private static final double ROOM = 1.05;
 
     private static final Rgb BRIGHT = new Rgb(0.8, 0.8, 0.8);
@@ -35,7 +35,7 @@ public final class MeshStage {
 
     private MeshStage() {}
 
-    /** Where the scene of a mesh is saved when it is: beside the mesh. */
+    /** Default file for saving a mesh's scene: beside the mesh. */
     public static Path sceneFile(Path mesh) {
         String name = mesh.getFileName().toString();
         int dot = name.lastIndexOf('.');
@@ -43,10 +43,10 @@ public final class MeshStage {
     }
 
     /**
-     * The scene.
+     * The scene for a mesh.
      *
-     * @param file the mesh's
-     * @param held what it holds
+     * @param file the mesh file
+     * @param held its content
      * @param skybox the panorama's file
      */
     public static Scene of(Path file, MeshFile held, Path skybox) {

@@ -3,9 +3,8 @@ package dev.twister.mesh;
 import java.util.Arrays;
 
 /**
- * Gives corners the normals that a file leaves out. Triangles that share an edge, whose planes meet there at no larger
- * angle than asked for, get the same normal where they meet: the mean of theirs, weighted by their angles at the
- * corner.
+ * Generates normals that a file lacks. Adjacent triangles whose planes meet at no more than the given angle get a
+ * common normal at each shared corner: the mean of their normals, weighted by the triangles' angles at the corner.
  */
 final class MissingNormals {
     private final TriangleSoup soup;
@@ -21,7 +20,7 @@ final class MissingNormals {
         this.positions = soup.positions.storage();
         this.corners = soup.positionOf.storage();
         this.cornerCount = soup.positionOf.size();
-        // Planes at just the angle asked for are smooth, whatever rounding makes of it.
+        // A tolerance, so that rounding does not exclude planes at exactly the given angle.
         this.leastCosine = Math.cos(Math.toRadians(smoothDegrees)) - 1e-6;
         this.faceNormals = faceNormals();
         this.parents = new int[cornerCount];
@@ -29,8 +28,8 @@ final class MissingNormals {
     }
 
     /**
-     * Makes the normals of corners that have none. Nothing is done where no corner has one and the angle is 0: then the
-     * triangles are flat.
+     * Generates the normals of corners that have none. Does nothing if no corner has one and the angle is 0, because
+     * flat triangles need none.
      */
     static void make(TriangleSoup soup, double smoothDegrees) {
         int corners = soup.positionOf.size();
@@ -84,7 +83,9 @@ final class MissingNormals {
         return (otherFrom == from && otherTo == to) || (otherFrom == to && otherTo == from);
     }
 
-    /** Joins the corners of two triangles at both ends of an edge that they run along in opposite directions. */
+    /**
+     * Joins the corners of two triangles at both ends of their common edge, if they traverse it in opposite directions.
+     */
     private void joinOver(int[] places, int corner, int other) {
         if (places[corner] == places[next(other)] && cosine(corner, other) >= leastCosine) {
             join(corner, next(other));
@@ -115,7 +116,7 @@ final class MissingNormals {
         return place;
     }
 
-    /** Per corner, a number that corners at equal positions share, whatever else they differ in. */
+    /** Per corner, a number that all corners at equal positions share. */
     private int[] weldedPositions() {
         PositionIndex index = new PositionIndex(new FloatList());
         int[] numbers = new int[soup.vertices()];
@@ -135,7 +136,7 @@ final class MissingNormals {
         boolean flat = leastCosine > 1 - 2e-6;
         for (int corner = 0; corner < cornerCount; corner++) {
             int own = soup.normalAt(corner);
-            // A joined corner's root comes before it, and a flat triangle has one normal for all three.
+            // The root of a joined corner precedes it; a flat triangle has one normal for all three corners.
             int root = flat ? corner - corner % 3 : root(corner);
             if (own != TriangleSoup.NONE) {
                 normalOf.add(own);
@@ -162,7 +163,7 @@ final class MissingNormals {
         soup.normalOf = normalOf;
     }
 
-    /** Adds the sum as a normal, or where faces back to back have canceled each other, that of the first of them. */
+    /** Adds a sum as a normal, or the first face's normal if the sum cancels out. */
     private void addNormal(FloatList sums, int at, int face) {
         double x = sums.get(at);
         double y = sums.get(at + 1);
@@ -198,7 +199,7 @@ final class MissingNormals {
             rightSquare += v * v;
         }
         double cosine = dot / Math.sqrt(leftSquare * rightSquare);
-        // Never 0, so that a sliver alone has a normal.
+        // Never 0, so that an isolated sliver still gets a normal.
         return Math.max(1e-6, Math.acos(Math.clamp(cosine, -1.0, 1.0)));
     }
 

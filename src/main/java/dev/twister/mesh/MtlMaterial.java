@@ -5,7 +5,7 @@ import dev.twister.scene.Rgb;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/** What an MTL file says of a material, and Twister's material for it. */
+/** The fields of a material in an MTL file, and their conversion to Twister's material. */
 final class MtlMaterial {
     private static final double MAX_EXPONENT = 1000;
 
@@ -27,7 +27,7 @@ final class MtlMaterial {
         double through = Math.clamp(1 - opaque, 0.0, 1.0);
         boolean glass = isGlass();
         double transmission = glass && through == 0 ? 1 : through;
-        // What is only faded, without an index, is not to bend the light.
+        // A surface that only fades, without an index of refraction, must not bend the light.
         double index = ior.orElse(glass || transmission == 0 ? Material.DEFAULT.ior() : 1.0);
         return Material.DEFAULT
                 .withColor(transmission > 0 ? tint(glass) : diffuse)
@@ -46,7 +46,7 @@ final class MtlMaterial {
         return illumination == 3 || illumination == 5 || illumination == 8;
     }
 
-    /** The filter's color, where there is one; black glass is one whose file says its color nowhere. */
+    /** The filter color if given, else the diffuse color; black glass is taken for a file that gives no color. */
     private Rgb tint(boolean glass) {
         boolean black = diffuse.red() == 0 && diffuse.green() == 0 && diffuse.blue() == 0;
         return filter.orElse(glass && black ? Material.DEFAULT.color() : diffuse);

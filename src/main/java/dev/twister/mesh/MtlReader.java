@@ -96,7 +96,7 @@ final class MtlReader {
         }
     }
 
-    /** Three numbers or one for all; empty where it is a spectrum or CIE XYZ, which hardly any file has. */
+    /** Three numbers or a single gray value; empty for a spectrum or CIE XYZ, which are rare. */
     private Optional<Rgb> color() throws IOException {
         if (!text.atLineEnd() && !text.atNumber()) {
             warnings.add("material library: a color as spectrum or CIE XYZ is not read");
@@ -122,7 +122,7 @@ final class MtlReader {
         return value;
     }
 
-    /** What follows the options of a texture. */
+    /** The file name after the options of a texture. */
     private Optional<Path> texture(String line) throws IOException {
         String rest = line;
         while (rest.matches("-[a-z].*")) {
@@ -145,7 +145,7 @@ final class MtlReader {
         };
         for (int i = 0; i < most; i++) {
             String[] value = rest.split("\\s+", 2);
-            // Of three numbers the last two may be left out.
+            // The last two of three numbers are optional.
             if (i > 0 && !value[0].matches("[+-]?[0-9.]+")) {
                 break;
             }

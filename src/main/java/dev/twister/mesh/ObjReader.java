@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SequencedMap;
 
-/** Reads OBJ files, and the MTL files that they name. */
+/** Reads OBJ files and the MTL files that they refer to. */
 final class ObjReader {
     private static final int MAX_MATERIALS = 10_000;
     private static final int MAX_LIBRARIES = 100;
@@ -80,7 +80,7 @@ final class ObjReader {
             case "f", "fo" -> readFace();
             case "usemtl" -> useMaterial(text.rest());
             case "mtllib" -> readLibraries(text.rest());
-            // Groups, names and smoothing groups: the normals, or the angle asked for, say what is smooth.
+            // Groups, names and smoothing groups are ignored: normals, or the smoothing angle, decide what is smooth.
             case "g", "o", "s", "mg" -> {}
             case "p", "l" -> warnings.add("there are points or lines; not read");
             default -> {
@@ -145,7 +145,7 @@ final class ObjReader {
         }
     }
 
-    /** A corner as {@code 1}, {@code 1/2}, {@code 1//3} or {@code 1/2/3}. */
+    /** Reads a corner in one of the forms {@code 1}, {@code 1/2}, {@code 1//3} or {@code 1/2/3}. */
     private void readCorner() throws IOException {
         polygon.add(position());
         int texture = TriangleSoup.NONE;
@@ -176,7 +176,7 @@ final class ObjReader {
         return position;
     }
 
-    /** Of normals or texture coordinates, which some programs number but do not write. */
+    /** The index of a normal or of texture coordinates; some programs refer to missing ones. */
     private int index(int count) throws IOException {
         int index = fromStart(text.integer("a number"), count);
         if (index == TriangleSoup.NONE) {
@@ -185,7 +185,7 @@ final class ObjReader {
         return index;
     }
 
-    /** Counted from 0 instead of 1, or with a minus from the end. */
+    /** Converts a 1-based index, or a negative index from the end, to a 0-based one. */
     private static int fromStart(long index, int count) {
         if (index == 0 || Math.abs(index) > count) {
             return TriangleSoup.NONE;
@@ -200,7 +200,7 @@ final class ObjReader {
         material = numberByMaterial.computeIfAbsent(name, _ -> numberByMaterial.size());
     }
 
-    /** One file whose name may have spaces, or several files. */
+    /** Reads one file whose name may contain spaces, or several files. */
     private void readLibraries(String names) throws IOException {
         Path whole = PathsBeside.of(file, names, text::failure);
         if (Files.isRegularFile(whole)) {

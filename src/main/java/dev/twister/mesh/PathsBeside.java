@@ -4,16 +4,16 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.function.Function;
 
-/** Files that a mesh file names: they lie in its folder, or in folders there. */
+/** Files that a mesh file refers to; they must be in its folder or below. */
 final class PathsBeside {
     private PathsBeside() {}
 
     /**
-     * Where a named file is.
+     * Resolves a file name.
      *
-     * @param file the one that names it
-     * @param name with slashes or, as on Windows, backslashes
-     * @param failure makes the exception for what is wrong
+     * @param file the referring file
+     * @param name a relative path with slashes or backslashes
+     * @param failure creates the exception for a problem
      */
     static Path of(Path file, String name, Function<String, MeshException> failure) {
         String slashed = name.replace('\\', '/');

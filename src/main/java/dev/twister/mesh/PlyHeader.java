@@ -7,18 +7,18 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What a PLY file says that it holds.
+ * The header of a PLY file.
  *
- * @param order of binary files; text has none
+ * @param order byte order of a binary file; empty for text
  * @param elements in the file's order
- * @param texture the file that a comment of MeshLab's kind names
+ * @param texture the texture file that a comment in MeshLab's style names
  */
 record PlyHeader(Optional<ByteOrder> order, List<Element> elements, Optional<String> texture) {
     private static final int MAX_PROPERTIES = 1000;
     private static final int MAX_ELEMENTS = 100;
     private static final String EXPECTED = "expected a header of lines like 'element vertex 8' up to 'end_header'";
 
-    /** A kind of things, and how many there are. */
+    /** A kind of element and the number of its instances. */
     record Element(String name, long count, List<Property> properties) {
         int indexOf(String... names) {
             for (String wanted : names) {
@@ -31,7 +31,7 @@ record PlyHeader(Optional<ByteOrder> order, List<Element> elements, Optional<Str
             return -1;
         }
 
-        /** The fewest bytes that one of them takes. */
+        /** Minimum size of an instance in bytes. */
         long leastBytes(boolean binary) {
             long least = 0;
             for (Property property : properties) {
@@ -44,11 +44,11 @@ record PlyHeader(Optional<ByteOrder> order, List<Element> elements, Optional<Str
     /**
      * A number, or a list of numbers.
      *
-     * @param count the type of a list's length
+     * @param count the type of a list's length; empty for a single number
      */
     record Property(String name, PlyType type, Optional<PlyType> count) {}
 
-    /** Reads the header; the text then stands at the first element. */
+    /** Reads the header; leaves the cursor at the first element. */
     static PlyHeader read(TextCursor text) throws IOException {
         text.skipLine();
         Optional<ByteOrder> order = Optional.empty();

@@ -56,7 +56,7 @@ final class PlyReader {
 
     private void check(Element element, boolean binary, PlyValues values) {
         long least = element.leastBytes(binary);
-        // The last number of a text needs nothing behind it.
+        // The last number of a text file needs no separator.
         if (least > 0 && element.count() > (values.remaining() + 1) / least) {
             throw bytes.failure("truncated: the header says " + element.count() + " of the element "
                     + Shown.text(element.name()) + ", but only " + values.remaining()
@@ -185,7 +185,7 @@ final class PlyReader {
         }
     }
 
-    /** Strips that -1 parts from each other. */
+    /** Reads triangle strips, which are separated by -1. */
     private void readStrips(Element element, PlyValues values) throws IOException {
         int corners = cornersOf(element, values);
         for (long i = 0; i < element.count(); i++) {

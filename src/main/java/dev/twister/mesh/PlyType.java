@@ -2,7 +2,7 @@ package dev.twister.mesh;
 
 import java.util.Optional;
 
-/** What a number in a PLY file is. */
+/** The types of numbers in PLY files. */
 enum PlyType {
     BYTE(1, "char", "int8"),
     UNSIGNED_BYTE(1, "uchar", "uint8"),

@@ -3,7 +3,7 @@ package dev.twister.mesh;
 import java.io.IOException;
 import java.nio.ByteOrder;
 
-/** The numbers behind a PLY file's header, one after the other. */
+/** Sequential access to the numbers after a PLY file's header. */
 interface PlyValues {
     double next(PlyType type) throws IOException;
 
@@ -11,17 +11,18 @@ interface PlyValues {
     void skip(PlyType type, long count) throws IOException;
 
     /**
-     * Goes to the next element: in text to the next line, as some programs write more numbers than the header names.
+     * Ends an element. Text continues at the next line, because some programs write more numbers than the header
+     * declares.
      */
     void endElement() throws IOException;
 
-    /** What is wrong where the reader is. */
+    /** An exception for a problem at the current position. */
     MeshException failure(String problem);
 
-    /** How many bytes are left. */
+    /** Number of bytes left. */
     long remaining();
 
-    /** Numbers as text, wherever lines end. */
+    /** Numbers as text, regardless of line breaks. */
     static PlyValues text(TextCursor text) {
         return new PlyValues() {
             @Override

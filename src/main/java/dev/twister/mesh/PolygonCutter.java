@@ -1,10 +1,12 @@
 package dev.twister.mesh;
 
-/** Cuts polygons, also concave ones, into triangles by clipping ears; one object serves many polygons in turn. */
+/**
+ * Triangulates polygons, including concave ones, by ear clipping; a mutable object that is reused for many polygons.
+ */
 final class PolygonCutter {
     static final String EXHAUSTED = "the file's concave polygons are too large; triangulate them";
 
-    /** Some seconds of work. Clipping ears takes the square of a polygon's corners, and with bad luck the cube. */
+    /** Limit of several seconds of work. Ear clipping takes quadratic time in the number of corners, at worst cubic. */
     private static final long MAX_TESTS = 1_000_000_000L;
 
     private final IntList triangles = new IntList();
@@ -15,13 +17,13 @@ final class PolygonCutter {
     private int[] previous = new int[16];
 
     /**
-     * Cuts a polygon into {@code count - 2} triangles, that wind as it does. One that crosses itself, or has no area,
-     * is cut somehow.
+     * Triangulates a polygon into {@code count - 2} triangles with the same winding. For a polygon that crosses itself
+     * or has no area, the result is arbitrary.
      *
-     * @param positions of all vertices
+     * @param positions positions of all vertices
      * @param corners the polygon's vertices
-     * @param count 3 or more
-     * @return for each triangle three of the polygon's corners, in [0, count); until the next call
+     * @param count number of corners, at least 3
+     * @return three of the polygon's corners, in [0, count), per triangle; valid until the next call
      */
     IntList cut(FloatList positions, IntList corners, int count) {
         triangles.cut(0);
@@ -38,7 +40,7 @@ final class PolygonCutter {
         return triangles;
     }
 
-    /** Whether all polygons together have taken so long that the last one was cut anyhow. */
+    /** Whether the limit of work for all polygons was exceeded, so that the last result is arbitrary. */
     boolean isExhausted() {
         return tests > MAX_TESTS;
     }
@@ -49,7 +51,7 @@ final class PolygonCutter {
         triangles.add(c);
     }
 
-    /** Onto the plane of two axes that shows most of it, so that it runs counterclockwise. */
+    /** Projects the polygon onto the coordinate plane in which its area is largest, counterclockwise. */
     private void project(FloatList positions, IntList corners, int count) {
         if (xs.length < count) {
             xs = new double[count];
@@ -74,7 +76,7 @@ final class PolygonCutter {
         }
     }
 
-    /** Newell's. */
+    /** The normal by Newell's method. */
     private static double[] normal(FloatList positions, IntList corners, int count) {
         double[] normal = new double[3];
         int first = 3 * corners.get(0);
@@ -103,12 +105,12 @@ final class PolygonCutter {
         return true;
     }
 
-    /** Above 0 where the way through three corners turns left. */
+    /** Positive if the path through three corners turns left. */
     private double turn(int a, int b, int c) {
         return (xs[b] - xs[a]) * (ys[c] - ys[a]) - (xs[c] - xs[a]) * (ys[b] - ys[a]);
     }
 
-    /** So many corners from one on, as triangles that all have it. */
+    /** Triangulates the {@code count} remaining corners as a fan around the first one. */
     private void fan(int first, int count) {
         int corner = next[first];
         for (int i = 2; i < count; i++) {
@@ -128,7 +130,7 @@ final class PolygonCutter {
                 previous[next[corner]] = previous[corner];
                 left--;
                 passed = 0;
-                // The corner after next: ears one after the other would make a fan of slivers.
+                // Skips a corner: consecutive ears would form a fan of slivers.
                 corner = next[next[corner]];
             } else {
                 passed++;
@@ -153,7 +155,9 @@ final class PolygonCutter {
         return true;
     }
 
-    /** Whether a corner is in a triangle or on its edge, but at none of its own corners, where holes are joined. */
+    /**
+     * Whether a corner is inside a triangle or on its edge, but not at one of its corners, where holes may be joined.
+     */
     private boolean isInside(int corner, int a, int b, int c) {
         return turn(a, b, corner) >= 0
                 && turn(b, c, corner) >= 0

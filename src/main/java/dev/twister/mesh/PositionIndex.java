@@ -2,18 +2,18 @@ package dev.twister.mesh;
 
 import java.util.Arrays;
 
-/** Numbers positions, equal ones alike. */
+/** Assigns numbers to positions; equal positions get the same number. */
 final class PositionIndex {
     private final FloatList positions;
     private int[] table = new int[1 << 10];
 
-    /** Starts with no positions, and adds them to this empty list. */
+    /** Starts without positions; new ones are added to this empty list. */
     PositionIndex(FloatList positions) {
         this.positions = positions;
         Arrays.fill(table, -1);
     }
 
-    /** The number of the position, a new one where it was not there yet. */
+    /** The number of a position, which is added if it is new. */
     int of(float x, float y, float z) {
         int count = positions.size() / 3;
         if (2 * count >= table.length) {
@@ -51,7 +51,7 @@ final class PositionIndex {
         return positions.get(3 * index) == x && positions.get(3 * index + 1) == y && positions.get(3 * index + 2) == z;
     }
 
-    // Adding 0 makes -0 into 0, which it is equal to.
+    // Adding 0 turns -0 into 0, which is equal to it.
     private static int bits(float value) {
         return Float.floatToRawIntBits(value + 0f);
     }

@@ -1,21 +1,21 @@
 package dev.twister.mesh;
 
 /**
- * Twister's reflectivity p, which is the exponent of highlights and, over 128, the mirror ratio, for other programs'
- * materials.
+ * Conversion of other programs' materials to Twister's reflectivity p. It is the exponent of highlights, and p / 128 is
+ * the strength of reflections.
  */
 final class Reflectivity {
     static final double MOST = 128;
 
-    /** About the 4 % that plastic mirrors when it is looked at from the front. */
+    /** Corresponds to the reflectance of about 4 % of plastic at normal incidence. */
     static final double PLASTIC = 5;
 
-    /** Less than all: what a metal mirrors here has not its color, so that the rest must show it. */
+    /** Below the maximum: reflections here do not take on a metal's color, so the rest must show it. */
     private static final double METAL = 96;
 
     private Reflectivity() {}
 
-    /** For a metallic part and a roughness in [0, 1]: something rough hardly mirrors. */
+    /** The reflectivity for a metallic value and a roughness in [0, 1]; rough surfaces hardly reflect. */
     static double of(double metallic, double roughness) {
         return (PLASTIC + metallic * (METAL - PLASTIC)) * (1 - roughness);
     }

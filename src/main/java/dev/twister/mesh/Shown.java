@@ -3,7 +3,7 @@ package dev.twister.mesh;
 import dev.twister.files.PrintableText;
 import java.nio.file.Path;
 
-/** What files hold, made fit for a message: one line, and short. */
+/** Text from files, prepared for messages: short and on one line. */
 final class Shown {
     private static final int TEXT_LENGTH = 60;
 
@@ -13,7 +13,7 @@ final class Shown {
         return PrintableText.line(file.toString());
     }
 
-    /** In quotation marks, the start alone of a long text. */
+    /** Quoted; long texts are truncated. */
     static String text(String text) {
         return text.length() <= TEXT_LENGTH
                 ? "'" + PrintableText.line(text) + "'"

@@ -6,14 +6,14 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 
-/** Reads STL files, binary and as text. Their normals say no more than their corners, and are not used. */
+/** Reads STL files, binary and text. Their normals are ignored, because they follow from the corners. */
 final class StlReader {
     private static final int COUNT_AT = 80;
     private static final int TRIANGLES_AT = 84;
     private static final int TRIANGLE_BYTES = 50;
     private static final int NORMAL_BYTES = 12;
 
-    /** A text file that begins with "solid" has a facet, or ends, within this number of bytes. */
+    /** Within this number of bytes, a text file that starts with "solid" has a facet or ends. */
     private static final int TEXT_START = 1024;
 
     private final Bytes bytes;
@@ -30,7 +30,7 @@ final class StlReader {
         this.vertices = new PositionIndex(soup.positions);
     }
 
-    /** Whether a file is as long as the number of triangles in it says. */
+    /** Whether the file's length matches its number of triangles. */
     static boolean isBinary(Bytes bytes) throws IOException {
         return bytes.length() >= TRIANGLES_AT && bytes.length() == TRIANGLES_AT + TRIANGLE_BYTES * count(bytes);
     }
@@ -101,7 +101,7 @@ final class StlReader {
         for (String word = nextWord(text); !word.isEmpty(); word = nextWord(text)) {
             switch (word) {
                 case "facet" -> readFacet(text);
-                // Several solids may follow each other in a file.
+                // A file may contain several solids.
                 case "solid", "endsolid" -> text.skipLine();
                 default -> throw text.failure(Shown.text(word) + "; expected facet or endsolid");
             }

@@ -5,14 +5,14 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 
 /**
- * Reads words and numbers of a text, and knows the line. Lines end in a line feed, a carriage return or both; one that
- * ends in a backslash goes on in the next. Lines are not held as a whole, so they may be of any length.
+ * Reads words and numbers of a text and tracks the line number. Lines end in a line feed, a carriage return or both; a
+ * line that ends in a backslash continues in the next one. Lines are not buffered, so they may have any length.
  */
 final class TextCursor {
     private static final int END = -1;
     private static final int MAX_WORD_BYTES = 4096;
 
-    /** With a digit more it still fits a long. */
+    /** Below this limit, another digit still fits into a long. */
     private static final long MANTISSA_LIMIT = 100_000_000_000_000_000L;
 
     private static final double[] POWERS_OF_TEN = {
@@ -28,7 +28,7 @@ final class TextCursor {
         this.bytes = bytes;
     }
 
-    /** Over the mark that some programs put before UTF-8. */
+    /** Skips the UTF-8 byte order mark that some programs write. */
     void skipByteOrderMark() throws IOException {
         if (bytes.startsWith("\u00ef\u00bb\u00bf")) {
             position = 3;
@@ -51,14 +51,14 @@ final class TextCursor {
         return position >= bytes.length();
     }
 
-    /** Whether nothing but blanks or a comment is left on the line. */
+    /** Whether only blanks or a comment are left on the line. */
     boolean atLineEnd() throws IOException {
         skipBlanks();
         int next = peek();
         return isLineEnd(next) || next == '#';
     }
 
-    /** To the start of the next line. */
+    /** Moves to the start of the next line. */
     void skipLine() throws IOException {
         int next = peek();
         while (!isLineEnd(next)) {
@@ -67,7 +67,7 @@ final class TextCursor {
         endLine(next);
     }
 
-    /** Over blanks and the ends of lines. */
+    /** Skips blanks and line ends. */
     void skipSpace() throws IOException {
         skipBlanks();
         for (int next = peek(); isLineEnd(next) && next != END; next = peek()) {
@@ -76,7 +76,7 @@ final class TextCursor {
         }
     }
 
-    /** The next word of the line, empty where there is none. */
+    /** The next word of the line; empty if there is none. */
     String word() throws IOException {
         skipBlanks();
         long start = position;
@@ -87,7 +87,7 @@ final class TextCursor {
         return text(start);
     }
 
-    /** The rest of the line, without blanks around it. */
+    /** The rest of the line without leading and trailing blanks. */
     String rest() throws IOException {
         skipBlanks();
         long start = position;
@@ -98,7 +98,7 @@ final class TextCursor {
         return text(start).strip();
     }
 
-    /** The next number of the line; not a number where the text says that it is none, or infinite. */
+    /** The next number of the line; NaN if the text spells NaN or infinity. */
     double number() throws IOException {
         skipBlanks();
         long start = position;
@@ -139,9 +139,9 @@ final class TextCursor {
     }
 
     /**
-     * The next whole number.
+     * The next integer.
      *
-     * @param what stands there, for messages
+     * @param what what is expected, for messages
      */
     long integer(String what) throws IOException {
         skipBlanks();
@@ -164,7 +164,7 @@ final class TextCursor {
         return negative ? -value : value;
     }
 
-    /** Goes over a character where it comes next. */
+    /** Skips a character if it comes next. */
     boolean skip(char character) throws IOException {
         if (peek() == character) {
             position++;
@@ -173,19 +173,19 @@ final class TextCursor {
         return false;
     }
 
-    /** Whether a blank, a line's end or a comment comes next. */
+    /** Whether a blank, a line end or a comment comes next. */
     boolean atWordEnd() throws IOException {
         int next = peek();
         return isBlank(next) || isLineEnd(next) || next == '#';
     }
 
-    /** Whether a digit or a minus comes next. */
+    /** Whether a digit or a sign comes next. */
     boolean atInteger() throws IOException {
         int next = peek();
         return isDigit(next) || next == '-' || next == '+';
     }
 
-    /** Whether a number comes next, going by its first character. */
+    /** Whether a number comes next, judging by its first character. */
     boolean atNumber() throws IOException {
         return atInteger() || peek() == '.';
     }
@@ -226,7 +226,7 @@ final class TextCursor {
         return mantissa * Math.pow(10, scale);
     }
 
-    /** C's and C++'s libraries write numbers that are none in these ways. */
+    /** Accepts the notations of C and C++ libraries for NaN and infinity. */
     private double noNumber(long start) throws IOException {
         position = start;
         String word = word().toLowerCase(Locale.ROOT);
@@ -251,7 +251,7 @@ final class TextCursor {
         }
     }
 
-    /** Steps onto the end of a line before which there is a backslash. */
+    /** Moves to the end of a line that ends in a backslash. */
     private boolean continued() throws IOException {
         long after = position + 1;
         if (after >= bytes.length()) {

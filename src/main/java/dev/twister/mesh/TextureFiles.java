@@ -7,14 +7,14 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
 
-/** Pictures that a mesh file names. */
+/** Texture files that a mesh file refers to. */
 final class TextureFiles {
     private static final byte[] PNG = {(byte) 0x89, 'P', 'N', 'G'};
     private static final byte[] JPEG = {(byte) 0xff, (byte) 0xd8, (byte) 0xff};
 
     private TextureFiles() {}
 
-    /** The file itself; empty, with a warning, where it is not there or neither PNG nor JPEG. */
+    /** The file itself; empty, with a warning, if it does not exist or is neither PNG nor JPEG. */
     static Optional<Path> usable(Path texture, Warnings warnings) throws IOException {
         String name = "texture " + Shown.path(texture);
         if (!Files.isRegularFile(texture)) {
@@ -32,7 +32,7 @@ final class TextureFiles {
         return Optional.of(texture);
     }
 
-    /** Whether bytes start as PNG or JPEG files do. */
+    /** Whether bytes start with the signature of PNG or JPEG. */
     static boolean isPicture(byte[] bytes) {
         return startsWith(bytes, PNG) || startsWith(bytes, JPEG);
     }

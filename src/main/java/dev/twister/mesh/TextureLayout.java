@@ -1,6 +1,6 @@
 package dev.twister.mesh;
 
-/** How texture coordinates are moved, turned and scaled, as KHR_texture_transform describes it. */
+/** The transform of texture coordinates in KHR_texture_transform. */
 record TextureLayout(double scaleU, double scaleV, double cosine, double sine, double offsetU, double offsetV) {
     static final TextureLayout PLAIN = new TextureLayout(1, 1, 1, 0, 0, 0);
 

@@ -1,14 +1,14 @@
 package dev.twister.mesh;
 
 /**
- * Triangles that share vertices. None is degenerate, and all numbers are finite. The arrays are not changed.
+ * Triangles that share vertices. None is degenerate, and all numbers are finite. The arrays are immutable.
  *
  * @param positions {@code float[3 * vertices]}
- * @param normals {@code float[3 * vertices]}, unit vectors for shading, or of length 0 where triangles are flat
- * @param textureCoordinates {@code float[2 * vertices]}, u to the right and v down from the picture's top left, or of
- *     length 0 where there are none
- * @param corners {@code int[3 * triangles]}: each triangle's vertices, in [0, vertices); with a, b and c, (b - a) x (c
- *     - a) points to the side that the file has as the outer one, in a placement that mirrors to the other
+ * @param normals {@code float[3 * vertices]}, unit vectors for shading; length 0 for flat triangles
+ * @param textureCoordinates {@code float[2 * vertices]}, u to the right and v down from the image's top left; length 0
+ *     if there are none
+ * @param corners {@code int[3 * triangles]}: each triangle's vertices a, b and c, in [0, vertices). (b - a) x (c - a)
+ *     points to the file's outer side, or with a mirroring placement to the inner side.
  */
 @SuppressWarnings("ArrayRecordComponent") // shared, and compared by identity
 public record TriangleMesh(float[] positions, float[] normals, float[] textureCoordinates, int[] corners) {

@@ -3,8 +3,8 @@ package dev.twister.mesh;
 import java.util.Arrays;
 
 /**
- * Triangles as a file lists them. Positions, normals and texture coordinates are numbered apart from each other, or by
- * one number where nothing but {@link #triangle(int, int, int)} was called.
+ * Triangles as listed in a file. Positions, normals and texture coordinates have separate numbers, or the same number
+ * per vertex if only {@link #triangle(int, int, int)} is called.
  */
 final class TriangleSoup {
     static final int NONE = -1;
@@ -15,19 +15,19 @@ final class TriangleSoup {
     final FloatList normals;
     final FloatList textureCoordinates;
 
-    /** Per corner. */
+    /** Position number per corner. */
     IntList positionOf;
 
-    /** Per corner, or empty where it is the position's number. */
+    /** Normal number per corner; empty if it equals the position's number. */
     IntList normalOf = new IntList();
 
-    /** Per corner, or empty where it is the position's number. */
+    /** Texture coordinate number per corner; empty if it equals the position's number. */
     final IntList textureOf = new IntList();
 
-    /** Per triangle, or empty where all are 0. */
+    /** Material number per triangle; empty if all are 0. */
     final IntList materialOf = new IntList();
 
-    /** With initial room for a number of vertices and triangles. */
+    /** With initial capacity for a number of vertices and triangles. */
     TriangleSoup(int vertices, int triangles) {
         positions = new FloatList(3 * vertices);
         normals = new FloatList();
@@ -49,7 +49,7 @@ final class TriangleSoup {
         positions.add((float) z);
     }
 
-    /** A normal of any length; one that is not finite counts as missing. */
+    /** Adds a normal of any length; a zero or non-finite one counts as missing. */
     void normal(double x, double y, double z) {
         double length = Math.sqrt(x * x + y * y + z * z);
         double factor = length > 0 && length < Double.POSITIVE_INFINITY ? 1 / length : 0;
@@ -58,7 +58,7 @@ final class TriangleSoup {
         normals.add(factor == 0 ? 0 : (float) (z * factor));
     }
 
-    /** Texture coordinates, v down; ones that no texture can be read at become 0. */
+    /** Adds texture coordinates with v down; unusable values become 0. */
     void textureCoordinates(double u, double v) {
         textureCoordinates.add(usable(u));
         textureCoordinates.add(usable(v));
@@ -104,7 +104,7 @@ final class TriangleSoup {
         return materialOf.size() == 0 ? 0 : materialOf.get(triangle);
     }
 
-    /** Turns everything, and the triangles with it. */
+    /** Converts all vectors, and restores the winding of the triangles. */
     void turn(Axes axes) {
         axes.turn(positions.storage(), positions.size());
         axes.turn(normals.storage(), normals.size());
@@ -117,7 +117,7 @@ final class TriangleSoup {
         }
     }
 
-    /** Leaves out triangles without an area. Returns how many. */
+    /** Drops triangles without area; returns their number. */
     int dropDegenerate() {
         Face face = new Face();
         float[] places = positions.storage();

@@ -4,7 +4,7 @@ import java.util.HashSet;
 import java.util.Set;
 import java.util.function.Consumer;
 
-/** Says what of a file is not used: each thing once, one line that names the file, up to a limit. */
+/** Reports unsupported features of a file: each once, as one line with the file's name, up to a limit. */
 final class Warnings {
     private static final int MOST = 20;
 

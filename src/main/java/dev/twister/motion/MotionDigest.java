@@ -9,13 +9,15 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Objects;
 
-/** Tells scenes apart whose bodies move differently: colors, cameras, skies and settings do not count. */
+/**
+ * A digest of everything in a scene that affects the motion of its bodies. Colors, cameras, skies and settings do not.
+ */
 final class MotionDigest {
     static final int BYTES = 32;
 
     private MotionDigest() {}
 
-    /** SHA-256 of all that the motion depends on. */
+    /** SHA-256 of the data that the motion depends on. */
     static byte[] of(Scene scene) {
         MessageDigest digest = sha256();
         add(digest, scene.physics());
@@ -29,7 +31,7 @@ final class MotionDigest {
             add(digest, sphere.radius());
         }
         for (Mesh mesh : scene.meshes()) {
-            // The folder may be another one on each machine of a farm.
+            // Only the file's name: the folder may differ between the machines of a farm.
             add(digest, mesh.file().getFileName());
             add(digest, mesh.position());
             add(digest, mesh.rotation());
@@ -38,7 +40,7 @@ final class MotionDigest {
         return digest.digest();
     }
 
-    // Records and numbers say all their bits as text.
+    // The text of records and numbers is exact.
     private static void add(MessageDigest digest, Object part) {
         digest.update(Objects.toString(part).getBytes(StandardCharsets.UTF_8));
         digest.update((byte) '\n');

@@ -13,8 +13,8 @@ import java.nio.file.StandardOpenOption;
 import java.util.Optional;
 
 /**
- * A motion file that is read by frame number; it may still be written meanwhile. Messages of exceptions are one line
- * and name the file.
+ * Reads a motion file by frame number, even while it is being written. Messages of exceptions are one line and name the
+ * file.
  */
 public final class MotionFile implements AutoCloseable {
     private static final String CONTINUE = "; 'twister simulate' with the same options completes it";
@@ -30,10 +30,9 @@ public final class MotionFile implements AutoCloseable {
     }
 
     /**
-     * Opens a scene's motion.
+     * Opens the motion file of a scene.
      *
-     * @throws IOException where the file cannot be read, is no motion file, or is that of a scene whose bodies move
-     *     differently
+     * @throws IOException if the file cannot be read, is not a motion file, or belongs to a scene with different motion
      */
     public static MotionFile open(Path path, Scene scene) throws IOException {
         if (!Files.isRegularFile(path)) {
@@ -75,15 +74,15 @@ public final class MotionFile implements AutoCloseable {
         }
     }
 
-    /** The number of the first frame. */
+    /** Number of the first frame. */
     public int firstFrame() {
         return header.firstFrame();
     }
 
     /**
-     * The number of the last whole frame; one below the first where there is none.
+     * Number of the last complete frame; one less than the first if there is none.
      *
-     * @throws IOException whatever the disk reported
+     * @throws IOException if the disk reports an error
      */
     public int lastFrame() throws IOException {
         return header.firstFrame() + wholeFrames(channel, header) - 1;
@@ -94,17 +93,17 @@ public final class MotionFile implements AutoCloseable {
         return (int) Math.min(Integer.MAX_VALUE - header.firstFrame(), frames);
     }
 
-    /** Frames a second. */
+    /** Frames per second. */
     public double rate() {
         return header.rate();
     }
 
-    /** Light, plane and all spheres, poured or not. */
+    /** Number of bodies: light, plane and all spheres, including those not poured yet. */
     public int bodies() {
         return header.bodies();
     }
 
-    /** What positions are relative to, in the scene's coordinates, in meters. */
+    /** Origin of the positions, in the scene's coordinates, in meters. */
     public Vector3 origin() {
         return header.origin();
     }
@@ -112,7 +111,7 @@ public final class MotionFile implements AutoCloseable {
     /**
      * Reads a frame.
      *
-     * @throws IOException where it is not in the file, or damaged
+     * @throws IOException if the frame is not in the file or is damaged
      */
     public MotionFrame frame(int number) throws IOException {
         if (number < firstFrame()) {
@@ -141,9 +140,9 @@ public final class MotionFile implements AutoCloseable {
     }
 
     /**
-     * Moves a world's bodies to where they are in a frame; it must be of the same scene.
+     * Moves the bodies of a world of the same scene to their positions in a frame.
      *
-     * @throws IOException where the frame is not in the file, or damaged
+     * @throws IOException if the frame is not in the file or is damaged
      */
     public void place(World world, int number) throws IOException {
         MotionFrame frame = frame(number);

@@ -6,10 +6,10 @@ import java.nio.ByteOrder;
 import java.util.zip.CRC32C;
 
 /**
- * Where the bodies are in a frame. In a file: the number of bodies that are there, the positions as floats, and a
+ * The positions of the bodies in a frame. In a file: the number of present bodies, the positions as floats, and a
  * CRC-32C of both, little-endian.
  *
- * @param present how many bodies are there, light and plane included; the others are not poured yet
+ * @param present number of present bodies, including light and plane; the others are not poured yet
  * @param positions {@code float[3 * bodies]}, as the world takes them, relative to the file's origin
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
@@ -27,9 +27,9 @@ public record MotionFrame(int present, float[] positions) {
     }
 
     /**
-     * Reads what {@link #encoded} gave.
+     * Decodes the result of {@link #encoded}.
      *
-     * @throws IOException where the checksum is wrong
+     * @throws IOException if the checksum is wrong
      */
     static MotionFrame decode(byte[] bytes) throws IOException {
         ByteBuffer buffer = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);

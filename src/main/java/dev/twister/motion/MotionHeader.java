@@ -13,13 +13,13 @@ import java.util.HexFormat;
 import java.util.zip.CRC32C;
 
 /**
- * What a motion file begins with: {@value #BYTES} bytes, little-endian.
+ * The header of a motion file: {@value #BYTES} bytes, little-endian.
  *
- * @param digest hexadecimal, of the scene's motion
- * @param bodies light, plane and all spheres, poured or not
- * @param firstFrame the number of the first frame in the file, 0 or more
- * @param rate frames a second
- * @param origin what positions are relative to, in the scene's coordinates, in meters
+ * @param digest hexadecimal {@link MotionDigest} of the scene
+ * @param bodies number of bodies: light, plane and all spheres, including those not poured yet
+ * @param firstFrame number of the first frame in the file, at least 0
+ * @param rate frames per second
+ * @param origin origin of the positions, in the scene's coordinates, in meters
  */
 record MotionHeader(String digest, int bodies, int firstFrame, double rate, Vector3 origin) {
     static final int BYTES = 128;
@@ -44,10 +44,10 @@ record MotionHeader(String digest, int bodies, int firstFrame, double rate, Vect
     }
 
     /**
-     * Reads what {@link #encoded} gave.
+     * Decodes the result of {@link #encoded}.
      *
-     * @param bytes {@value #BYTES} of them
-     * @throws IOException where they are something else
+     * @param bytes {@value #BYTES} bytes
+     * @throws IOException if they are not a header
      */
     static MotionHeader decode(byte[] bytes) throws IOException {
         ByteBuffer buffer = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
@@ -66,7 +66,7 @@ record MotionHeader(String digest, int bodies, int firstFrame, double rate, Vect
                 new Vector3(buffer.getDouble(), buffer.getDouble(), buffer.getDouble()));
     }
 
-    /** Of each frame in the file. */
+    /** Size of each frame in the file, in bytes. */
     int frameBytes() {
         return MotionFrame.bytes(bodies);
     }

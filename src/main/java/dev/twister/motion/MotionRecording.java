@@ -15,8 +15,9 @@ import java.util.Arrays;
 import java.util.Optional;
 
 /**
- * A motion file that is written frame by frame, by one process at a time. After a kill at any moment its whole frames
- * count: the next recording goes on behind them. Messages of exceptions are one line and name the file.
+ * Writes a motion file frame by frame; only one process at a time can. If the process is killed at any moment, the
+ * complete frames remain valid, and the next recording continues after them. Messages of exceptions are one line and
+ * name the file.
  */
 public final class MotionRecording implements AutoCloseable {
     private final Path path;
@@ -32,11 +33,12 @@ public final class MotionRecording implements AutoCloseable {
     }
 
     /**
-     * Begins a file, or goes on with what is there.
+     * Creates a file, or continues an existing one.
      *
-     * @param firstFrame its number, 0 or more
-     * @param rate frames a second
-     * @throws IOException where there is something else already, another process writes it, or it cannot be written
+     * @param firstFrame number of the first frame, at least 0
+     * @param rate frames per second
+     * @throws IOException if the file exists with other content, is being written by another process, or cannot be
+     *     written
      */
     public static MotionRecording open(Path path, Scene scene, int firstFrame, double rate) throws IOException {
         if (Files.exists(path) && !Files.isRegularFile(path)) {
@@ -71,7 +73,7 @@ public final class MotionRecording implements AutoCloseable {
         }
     }
 
-    /** How many whole frames are there; what is behind them is cut off. */
+    /** The number of complete frames; removes anything after them. */
     private static int begin(Path path, FileChannel channel, MotionHeader header, Scene scene) throws IOException {
         byte[] wanted = header.encoded();
         if (channel.size() < wanted.length) {
@@ -111,21 +113,21 @@ public final class MotionRecording implements AutoCloseable {
         return MotionHeader.BYTES + (long) frames * header.frameBytes();
     }
 
-    /** The number of the frame that comes next. */
+    /** Number of the next frame. */
     public int nextFrame() {
         return header.firstFrame() + recorded;
     }
 
-    /** What positions must be relative to, in the scene's coordinates, in meters. */
+    /** Required origin of the positions, in the scene's coordinates, in meters. */
     public Vector3 origin() {
         return header.origin();
     }
 
     /**
-     * Takes a frame: the next one is written, an earlier one must be as it was.
+     * Writes the next frame, or checks that an earlier one is unchanged.
      *
-     * @param number the next frame's, or an earlier one's in the file
-     * @throws IOException where the file has another motion, or the disk is full
+     * @param number number of the next frame or of an earlier one in the file
+     * @throws IOException if the file holds a different frame, or the disk is full
      */
     public void put(int number, MotionFrame frame) throws IOException {
         byte[] encoded = frame.encoded();

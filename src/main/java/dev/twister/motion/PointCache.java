@@ -9,8 +9,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 
 /**
- * Writes point caches ({@code .pc2}), which Blender and 3ds Max read: the spheres' centers of each frame, in the
- * scene's coordinates, as floats. A sphere that is not poured yet is where a motion file has it.
+ * Writes point caches ({@code .pc2}) for Blender and 3ds Max: the centers of the spheres per frame, in the scene's
+ * coordinates, as floats. A sphere that is not poured yet is where the motion file puts it.
  */
 public final class PointCache {
     private static final String MAGIC = "POINTCACHE2\0";
@@ -19,9 +19,9 @@ public final class PointCache {
     private PointCache() {}
 
     /**
-     * Writes frames of a motion, whole or not at all.
+     * Writes some frames of a motion; on failure no file is left.
      *
-     * @throws IOException where a frame is not in the motion, or as {@link WholeFile#write}
+     * @throws IOException if a frame is not in the motion, or as for {@link WholeFile#write}
      */
     public static void write(Path file, MotionFile motion, int firstFrame, int lastFrame) throws IOException {
         int spheres = motion.bodies() - Layout.FIRST_SPHERE;
@@ -31,7 +31,7 @@ public final class PointCache {
         WholeFile.write(file, out -> {
             ByteBuffer header = ByteBuffer.allocate(MAGIC.length() + 5 * Integer.BYTES);
             header.order(ByteOrder.LITTLE_ENDIAN).put(MAGIC.getBytes(StandardCharsets.US_ASCII));
-            // First frame, and samples a frame.
+            // First frame, and samples per frame.
             header.putInt(VERSION).putInt(spheres).putFloat(firstFrame).putFloat(1);
             out.write(header.putInt(lastFrame - firstFrame + 1).array());
             ByteBuffer points = ByteBuffer.allocate(3 * Float.BYTES * spheres).order(ByteOrder.LITTLE_ENDIAN);

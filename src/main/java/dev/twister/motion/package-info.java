@@ -1,5 +1,5 @@
 /**
- * Motion files: the places of a scene's bodies, simulated once, and read by frame number; and point caches made of
- * them. Leans on the scene, on the world, which it moves, and on {@code files}.
+ * Motion files: the positions of a scene's bodies, simulated once and read by frame number; and point caches made from
+ * them. Depends on the scene, the world and {@code files}.
  */
 package dev.twister.motion;

@@ -3,22 +3,21 @@ package dev.twister.physics;
 import dev.twister.scene.Vector3;
 
 /**
- * Says which small bodies give way to what presses them, and which cannot: one that is pressed against the ground, a
- * wall or others that hold it is as firm as they are, however little it weighs. Without that, a heavy body would sink
- * into a small one as long as the small one's contacts take to build up its weight, which is seconds at thousands to
- * one.
+ * Decides which small bodies yield to a push and which cannot. A body that is pressed against the ground, a wall or
+ * bodies that hold it is as firm as these, however light it is. Otherwise a heavy body would sink into a small one
+ * until the small one's contacts have accumulated its weight, which takes seconds at mass ratios of thousands.
  */
 final class Backing {
-    /** How near a surface is to count, in radii. */
+    /** Distance in radii within which a surface counts. */
     private static final double NEAR = 0.1;
 
-    /** The cosine of the largest angle between a push and what holds against it; beyond, a body slips away. */
+    /** Cosine of the largest angle between a push and a support against it; at larger angles a body slips away. */
     private static final double LEAST_COSINE = Math.sqrt(0.5);
 
-    /** The least load that shows that a body lies on others, in its weights. */
+    /** Smallest load, in weights of the body, that shows that it rests on others. */
     private static final double LEAST_LOAD = 0.5;
 
-    /** How long what held a body counts on: what lies on others bounces a little. */
+    /** Number of sub-steps for which a support keeps counting, because resting bodies bounce slightly. */
     static final int MOMENT = 4;
 
     private final BodyStore bodies;
@@ -34,19 +33,19 @@ final class Backing {
     /**
      * Whether the contacts of a body hold it up.
      *
-     * @param lift what they add to its move against gravity
-     * @param all the length of what they add to it
-     * @param weight what gravity adds to it
+     * @param lift the part of their change of its move that is directed against gravity
+     * @param all the length of their change of its move
+     * @param weight the length of gravity's change of its move
      */
     static boolean holdsUp(double lift, double all, double weight) {
         return lift > LEAST_LOAD * weight && lift >= LEAST_COSINE * all;
     }
 
     /**
-     * Says that a body is at something firm.
+     * Records that a body touches something firm.
      *
-     * @param nx and the other two: the normal, towards the body
-     * @param gap between them, in radii of the smaller one
+     * @param nx with ny and nz: the normal, toward the body
+     * @param gap the gap between them, in radii of the smaller one
      */
     void touch(int body, double nx, double ny, double nz, double gap) {
         if (gap <= NEAR && nx * up.x() + ny * up.y() + nz * up.z() >= LEAST_COSINE) {
@@ -54,15 +53,15 @@ final class Backing {
         }
     }
 
-    /** Whether a body that is awake cannot give way along a unit vector. */
+    /** Whether an awake body cannot yield along a unit vector. */
     boolean holds(int body, double dx, double dy, double dz) {
         boolean lies = bodies.held[body] > 0 && -(dx * up.x() + dy * up.y() + dz * up.z()) >= LEAST_COSINE;
         return lies || sunk(body, dx, dy, dz) >= -NEAR * bodies.numbers[BodyStore.STRIDE * body + BodyStore.RADIUS];
     }
 
     /**
-     * How deep a body is in the ground or the wall that holds it along a unit vector, in meters: below 0 before it,
-     * less the body's radius where there is none.
+     * How deep a body is in the ground or wall that holds it along a unit vector, in meters. Negative with a gap; minus
+     * the radius if there is neither.
      */
     double sunk(int body, double dx, double dy, double dz) {
         double[] n = bodies.numbers;

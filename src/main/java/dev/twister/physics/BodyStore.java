@@ -10,72 +10,76 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The bodies' numbers: body 0 is the light, the others are spheres, in an order that changes so that what is near in
- * space is near in memory. Those of one body lie together, because a contact needs all of two bodies.
+ * The state of all bodies in arrays. Body 0 is the light, the others are spheres, in an order that changes so that
+ * neighbors in space are close in memory. A body's values are contiguous, because a contact needs all values of two
+ * bodies.
  */
 final class BodyStore {
     static final int LIGHT = 0;
     static final int FIRST_SPHERE = 1;
 
-    /** Numbers for each body: places 0 to 11. */
+    /** Doubles per body in {@link #numbers}, at the offsets below. */
     static final int STRIDE = 12;
 
-    /** The center, in meters: x, y, z. */
+    /** Center x, y and z, in meters. */
     static final int POSITION = 0;
 
-    /** In meters. */
+    /** Radius in meters. */
     static final int RADIUS = 3;
 
     /**
-     * What the center moved in the last sub-step, in meters: the position less the previous one of Verlet's method,
-     * which is kept instead of that one because it loses no digits far from the origin.
+     * Displacement of the center in the last sub-step, in meters: Verlet's current position minus the previous one. It
+     * is stored instead of the previous position because it keeps its precision far from the origin.
      */
     static final int MOVE = 4;
 
-    /** 1 for the largest sphere of the scene; 0 for what no contact moves, which is the light and what sleeps. */
+    /**
+     * Inverse mass, 1 for the largest sphere of the scene; 0 for bodies that contacts do not move: the light and
+     * sleeping ones.
+     */
     static final int INVERSE_MASS = 7;
 
-    /** What the contacts' impulses of the last sub-step come to in {@link #MOVE}: the next one starts with them. */
+    /** Sum of the contacts' impulses of the last sub-step as a displacement; warm-starts the next sub-step. */
     static final int SUPPORT = 8;
 
-    /** How long {@link #SUPPORT} was when it was last added to {@link #MOVE}; 0 for what sleeps. */
+    /** Length of {@link #SUPPORT} when it was last added to {@link #MOVE}; 0 while asleep. */
     static final int CARRIED = 11;
 
     static final byte AWAKE = 0;
     static final byte ASLEEP = 1;
 
-    /** Roused since the last search: its other contacts are not known before the next one. */
+    /** Woken since the last search: its remaining contacts are unknown until the next one. */
     static final byte WOKEN = 2;
 
-    /** In place of calm steps, until the loads of its contacts are in balance again. */
+    /** Value of {@link #calmSteps} until the loads of the body's contacts are in balance again. */
     private static final int JUST_WOKEN = -1;
 
     final double[] numbers;
 
-    /** How far from the center something may touch the body until the pairs are looked for again, in meters. */
+    /** Distance from the center within which contacts are possible until the next search, in meters. */
     final double[] reach;
 
-    /** Where the centers were one step ago: 3 for each body. */
+    /** Centers one step ago: 3 doubles per body, in meters. */
     final double[] before;
 
-    /** For how many sub-steps a body counts as held up by others: above 0 where it lay on them a moment ago. */
+    /** Number of sub-steps for which the body still counts as supported by others. */
     final byte[] held;
 
     final byte[] state;
 
-    /** 1 above the plane, -1 below it: kept while over or under the square, so that no force presses a body through. */
+    /** 1 above the plane, -1 below. It stays constant over the square, so that no force presses a body through. */
     final byte[] side;
 
-    /** Whether the walls keep it in: it was between them, and fits, when it came. */
+    /** Whether the walls confine the body: it was between them at the start, and fits. */
     final boolean[] walled;
 
-    /** Which of the scene's spheres a body is, from 0; -1 for the light. */
+    /** The sphere's number in the scene, from 0; -1 for the light. */
     final int[] sphere;
 
-    /** Steps that it has been nearly at rest on others. */
+    /** Number of consecutive steps in which the body was almost at rest on others. */
     final int[] calmSteps;
 
-    /** The bodies that are there: the light and the first spheres. */
+    /** Number of present bodies: the light and the first spheres. */
     int count = FIRST_SPHERE;
 
     private double smallestRadius = Double.POSITIVE_INFINITY;
@@ -104,11 +108,11 @@ final class BodyStore {
         Light light = scene.light();
         putLight(light);
         sphere[LIGHT] = -1;
-        // Never woken, for nothing moves it; so it never looks for pairs itself.
+        // Nothing moves the light, so it never wakes and never searches for pairs.
         state[LIGHT] = ASLEEP;
     }
 
-    /** Lets the next sphere be there. */
+    /** Adds the next sphere. */
     void add(Vector3 position, double radius) {
         put(count, position, radius);
         sphere[count] = count - FIRST_SPHERE;
@@ -116,13 +120,13 @@ final class BodyStore {
         count++;
     }
 
-    /** Puts the light somewhere, which nothing moves. */
+    /** Moves the light, which is fixed during the simulation. */
     void putLight(Light light) {
         put(LIGHT, light.position(), light.radius());
         numbers[STRIDE * LIGHT + INVERSE_MASS] = 0;
     }
 
-    /** Puts a body where one of another store is, and was one step ago. */
+    /** Copies a body's position, and that of one step ago, from another store. */
     void putWhere(int body, BodyStore other, int from) {
         int at = STRIDE * from + POSITION;
         Vector3 place = new Vector3(other.numbers[at], other.numbers[at + 1], other.numbers[at + 2]);
@@ -130,7 +134,7 @@ final class BodyStore {
         System.arraycopy(other.before, 3 * from, before, 3 * body, 3);
     }
 
-    /** For each of the scene's spheres that is there, which body it is. */
+    /** The body number of each present sphere of the scene. */
     int[] bodiesOfSpheres() {
         int[] places = new int[count - FIRST_SPHERE];
         for (int body = FIRST_SPHERE; body < count; body++) {
@@ -139,7 +143,7 @@ final class BodyStore {
         return places;
     }
 
-    /** Sets how far a body moves in a sub-step. */
+    /** Sets a body's displacement per sub-step, in meters. */
     void setMove(int body, double x, double y, double z) {
         int at = STRIDE * body + MOVE;
         numbers[at] = x;
@@ -147,15 +151,15 @@ final class BodyStore {
         numbers[at + 2] = z;
     }
 
-    /** Of the spheres that are there; infinite where there is none. */
+    /** Smallest radius of the present spheres; infinite if there are none. */
     double smallestRadius() {
         return smallestRadius;
     }
 
     /**
-     * Changes the bodies' order; the light stays the first.
+     * Changes the order of the bodies; the light stays first.
      *
-     * @param order for each place, the body that comes there
+     * @param order for each new place, the body's old number
      */
     void reorder(int[] order) {
         double[] oldNumbers = Arrays.copyOf(numbers, STRIDE * count);
@@ -191,7 +195,7 @@ final class BodyStore {
         walled[body] = walls && above && over && radius <= halfSide;
     }
 
-    /** Lets a body rest where it is. */
+    /** Puts a body to sleep. */
     void sleep(int body) {
         state[body] = ASLEEP;
         calmSteps[body] = 0;
@@ -202,27 +206,24 @@ final class BodyStore {
         numbers[at + CARRIED] = 0;
     }
 
-    /**
-     * Says that a sphere that sleeps is to be awake from the next search on. Until then it is as firm as it was, but
-     * for what hits it.
-     */
+    /** Wakes a sleeping sphere at the next search. Until then it stays immovable, except for impacts. */
     void rouse(int body) {
         state[body] = WOKEN;
         calmSteps[body] = JUST_WOKEN;
     }
 
-    /** Lets a sphere that slept be moved. */
+    /** Lets contacts move a sphere that slept. */
     void free(int body) {
         int at = STRIDE * body;
         numbers[at + INVERSE_MASS] = inverseMass(numbers[at + RADIUS]);
     }
 
-    /** Whether it has slept, and its contacts' loads are not what they would be if it had not. */
+    /** Whether the body has woken and the loads of its contacts are not in balance yet. */
     boolean isJustWoken(int body) {
         return calmSteps[body] == JUST_WOKEN;
     }
 
-    /** Says that the loads of a body's contacts are in balance. */
+    /** Records that the loads of a body's contacts are in balance. */
     void setBraced(int body) {
         calmSteps[body] = Math.max(0, calmSteps[body]);
     }
@@ -232,7 +233,7 @@ final class BodyStore {
         Arrays.fill(numbers, at, at + 3, 0);
     }
 
-    /** Of a sphere that contacts move; 1 for the largest one. */
+    /** The inverse mass of a movable sphere; 1 for the largest one. */
     double inverseMass(double radius) {
         double ratio = largestRadius / radius;
         return ratio * ratio * ratio;

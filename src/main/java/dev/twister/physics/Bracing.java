@@ -3,16 +3,15 @@ package dev.twister.physics;
 import java.util.function.Consumer;
 
 /**
- * Puts the loads of the contacts of bodies that have just woken in balance. While a body slept, what moves pressed it
- * ever harder and nothing asked what it rests on; the loads among those that slept were not kept at all. To go on with
- * such loads would shoot a small body that lies under a heavy one away, or lift the heavy one: energy out of nothing.
- * So, before anything moves, the contacts of what has woken are solved alone and several times, with what all loads
- * that are known give, until what holds them carries what presses them.
+ * Balances the contact loads of bodies that have just woken. While a body sleeps, moving bodies press it harder and
+ * harder without moving it, and loads between sleeping bodies are not stored. Continuing with these loads would eject a
+ * small body below a heavy one, or lift the heavy one: energy from nothing. Therefore, before anything moves, the
+ * contacts of woken bodies are solved several times on their own, starting with all known loads, until they carry what
+ * rests on them.
  */
 final class Bracing {
     /**
-     * Small bodies and heavy ones in one contact are slow to find their loads; 10 sweeps leave some bodies out of
-     * balance.
+     * Number of sweeps. Contacts with large mass ratios converge slowly; 10 sweeps leave some bodies out of balance.
      */
     private static final int SWEEPS = 20;
 
@@ -24,12 +23,12 @@ final class Bracing {
         solver = ContactSolver.bracing(bodies, surroundings);
     }
 
-    /** Says how long the sub-steps are from now on, in seconds. */
+    /** Sets the length of the sub-steps, in seconds. */
     void setSubstep(double seconds) {
         solver.setSubstep(seconds);
     }
 
-    /** Before the bodies get their moves: lets what has just woken start with the loads that are known. */
+    /** Gives woken bodies the known loads; called before the moves of a sub-step are computed. */
     void load(ContactSearch search) {
         each(search, contacts -> {
             for (int index = 0; index < contacts.unbalancedCount; index++) {
@@ -54,7 +53,7 @@ final class Bracing {
         });
     }
 
-    /** When they have them, and no contact of the sub-step is solved yet. */
+    /** Balances the loads; called after the moves are computed and before the first contacts are solved. */
     void brace(ContactSearch search) {
         for (int sweep = 0; sweep < SWEEPS; sweep++) {
             each(search, solver::solveUnbalanced);
@@ -97,7 +96,7 @@ final class Bracing {
 
     private void end(int body) {
         if (body >= 0) {
-            // The sub-step itself finds what the next one starts with.
+            // The sub-step itself computes what warm-starts the next one.
             bodies.clearSupport(body);
             bodies.setBraced(body);
         }

@@ -3,15 +3,14 @@ package dev.twister.physics;
 import java.util.Arrays;
 
 /**
- * The bodies in square columns of space, in rows of two colors by turns: what is done to the pairs of one row touches
- * no body that the pairs of another one of the same color touch. So rows of one color go to any threads in any order
- * and the result is the same. Along a row each column's bodies are still in the cache when the next one's pairs need
- * them.
+ * Bodies in square columns of space, whose rows alternate between two colors. Pairs of one row share no body with pairs
+ * of another row of the same color, so rows of one color can be processed by any thread in any order with the same
+ * result. Within a row, each column's bodies are still cached when the next column's pairs need them.
  */
 final class Columns {
     static final int COLORS = 2;
 
-    /** As many a side at most: there is work for many threads, and few columns without any. */
+    /** Most columns per side: enough work for many threads, and few empty columns. */
     private static final int MAX_SIDE = 48;
 
     private int columnsX;
@@ -21,12 +20,12 @@ final class Columns {
     private int[] slots = {};
 
     /**
-     * Puts all slots but the giants' into columns, each in the order of the slots.
+     * Sorts all slots except the giants' into columns, in the order of the slots.
      *
-     * @param minX and the other three: where the bodies' centers are
+     * @param minX with the other three: the bounds of the bodies' centers
      */
     void sort(NeighborGrid grid, double minX, double maxX, double minZ, double maxZ) {
-        // A column between two of one color has to keep the pairs of both apart.
+        // A column between two of the same color must separate the pairs of both.
         double least = 2 * grid.farthestPair();
         double widthX = Math.max(least, (maxX - minX) / MAX_SIDE);
         double widthZ = Math.max(least, (maxZ - minZ) / MAX_SIDE);
@@ -80,17 +79,17 @@ final class Columns {
         return columnsZ;
     }
 
-    /** How many rows of columns a color has. */
+    /** Number of rows of a color. */
     int rows(int color) {
         return (columnsZ + 1 - color) / COLORS;
     }
 
-    /** The number, among all rows, of one of a color. */
+    /** The number of a color's row among all rows. */
     int row(int color, int index) {
         return COLORS * index + color;
     }
 
-    /** The first column of a row; the others follow it. */
+    /** The first column of a row; the others follow. */
     int firstOfRow(int row) {
         return row * columnsX;
     }

@@ -3,8 +3,8 @@ package dev.twister.physics;
 import java.util.Arrays;
 
 /**
- * The contacts of one search, in lists that are worked on side by side, and where each body's own are, so that the next
- * search finds the impulses that a pair has built up.
+ * The contacts of one search, in lists that are processed in parallel, with the range of each body, so that the next
+ * search finds each pair's accumulated impulses.
  */
 final class ContactBook {
     private final int[] list;
@@ -18,7 +18,7 @@ final class ContactBook {
         end = new int[bodies];
     }
 
-    /** Empties as many lists, and forgets all contacts. */
+    /** Clears {@code count} lists and all ranges. */
     void open(int count) {
         if (lists.length < count) {
             int old = lists.length;
@@ -38,19 +38,19 @@ final class ContactBook {
         return lists[index];
     }
 
-    /** Says that a body's contacts are the list's from a place on. */
+    /** Records that a body's contacts are in a list, from a place to its end. */
     void setRange(int body, int index, int from) {
         list[body] = index;
         start[body] = from;
         end[body] = lists[index].count;
     }
 
-    /** Takes over the impulses of the contacts of a body from an earlier search. */
+    /** Copies the impulses of a body's contacts from an earlier search. */
     void inherit(ContactBook earlier, int body) {
         Contacts contacts = lists[list[body]];
         int from = start[body];
         if (earlier.start[body] < earlier.end[body]) {
-            // Mostly nothing has changed since the last search.
+            // Usually nothing has changed since the last search.
             Contacts old = earlier.lists[earlier.list[body]];
             from += contacts.inheritWhileAlike(from, end[body], old, earlier.start[body], earlier.end[body]);
         }
@@ -66,7 +66,7 @@ final class ContactBook {
                 if (found >= 0) {
                     double[] old = earlier.lists[earlier.list[other]].impulses;
                     int at = Contacts.IMPULSES * found;
-                    // It acted on the other body.
+                    // The stored impulse acts on the other body.
                     contacts.impulses[to] = -old[at];
                     contacts.impulses[to + 1] = -old[at + 1];
                     contacts.impulses[to + 2] = -old[at + 2];
@@ -79,11 +79,11 @@ final class ContactBook {
     }
 
     /**
-     * Follows a change of the bodies' order.
+     * Applies a change of the bodies' order.
      *
-     * @param order for each place, the body that came there
-     * @param places for each body as it was called, its new place
-     * @param count how many bodies there are
+     * @param order for each new number, the old one
+     * @param places for each old number, the new one
+     * @param count number of bodies
      */
     void reorder(int[] order, int[] places, int count) {
         int[] oldList = Arrays.copyOf(list, count);
@@ -103,7 +103,7 @@ final class ContactBook {
         }
     }
 
-    /** Scales all impulses, as a change of the sub-step's length asks for. */
+    /** Scales all impulses, after a change of the sub-step's length. */
     void scale(double factor) {
         for (Contacts contacts : lists) {
             for (int i = 0; i < Contacts.IMPULSES * contacts.count; i++) {
@@ -112,7 +112,7 @@ final class ContactBook {
         }
     }
 
-    /** Whether a body's contact with another, or with a surface, carries a load. */
+    /** Whether a body's contact with another body or a surface carries a load. */
     boolean isLoaded(int body, int other) {
         int found = find(body, other);
         return found >= 0 && lists[list[body]].impulses[Contacts.IMPULSES * found + Contacts.BUILT] != 0;

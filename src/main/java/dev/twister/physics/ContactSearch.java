@@ -1,25 +1,23 @@
 package dev.twister.physics;
 
-/** Finds what may touch until the next search, column by column, and carries the impulses over from the last search. */
+/** Broad phase: finds all possible contacts until the next search, column by column, and carries the impulses over. */
 final class ContactSearch {
-    /** Bodies of which each is compared with all: in a small scene they are all there are. */
+    /** Largest number of bodies that are compared with all others; in a small scene these are all bodies. */
     private static final int MAX_GIANTS = 32;
 
     private static final int BODIES_AT_ONCE = 4096;
 
     /**
-     * The most pairs of a body that are looked for with bodies after it. A dozen touch it; only where hundreds lie in
-     * one another are there more, and their number would grow with the square of theirs.
+     * Limit of the pairs that are searched per body with later bodies. About a dozen touch it; only where hundreds of
+     * bodies overlap are there more, and their number would grow quadratically.
      */
     private static final int MOST_SEEN = 4096;
 
-    /**
-     * The most of those pairs that are kept, where there is room for all bodies', and the fewest where there is not.
-     */
+    /** Limits of the pairs that are kept per body: the largest one for few bodies, the smallest for very many. */
     private static final int MOST_KEPT = 64;
 
     private static final int FEWEST_KEPT = 16;
-    /** The most triangles of a mesh, the nearest ones, that a body is held by. */
+    /** Limit of the mesh triangles, the nearest ones, that hold a body. */
     private static final int MOST_TRIANGLES = 64;
 
     private static final int ROOM = 1 << 22;
@@ -49,22 +47,22 @@ final class ContactSearch {
         return columns;
     }
 
-    /** How many lists of contacts there are: one for each row of columns, and the last one that of the giants. */
+    /** Number of contact lists: one per row of columns, and a last one for the giants. */
     int lists() {
         return columns.rows() + 1;
     }
 
-    /** The contacts of a row of columns, one column's after the other's. */
+    /** The contacts of a row of columns, column after column. */
     Contacts contacts(int row) {
         return contacts.list(row);
     }
 
-    /** Where a column's contacts end in its row's list; the next one's begin there. */
+    /** End of a column's contacts in its row's list, where the next column's begin. */
     int end(int column) {
         return ends[column];
     }
 
-    /** The contacts of the few very large or fast bodies, which no other list has. */
+    /** The contacts of the few very large or fast bodies, which are in no other list. */
     Contacts giantsContacts() {
         return contacts.list(columns.rows());
     }
@@ -74,10 +72,10 @@ final class ContactSearch {
     }
 
     /**
-     * Finds all pairs whose bodies' reaches meet.
+     * Finds all pairs of bodies whose reaches overlap.
      *
-     * @param bounds where the centers are: least and largest x, y, z
-     * @param anyJustWoken whether a body's contacts are to be found that are out of balance
+     * @param bounds bounds of the centers: minimum and maximum of x, y and z
+     * @param anyJustWoken whether to list the unbalanced contacts
      */
     void search(double[] bounds, boolean anyJustWoken) {
         unbalanced = anyJustWoken;
@@ -100,7 +98,7 @@ final class ContactSearch {
         for (int color = 0; color < Columns.COLORS; color++) {
             int own = color;
             int rows = columns.rows(color);
-            // The giants' pairs are one more task.
+            // One more task for the giants' pairs.
             team.each(color == 0 ? rows + 1 : rows, index -> {
                 if (index < rows) {
                     searchRow(columns.row(own, index));
@@ -111,7 +109,7 @@ final class ContactSearch {
         }
     }
 
-    /** Puts the bodies of a column side by side in memory; to be called after a search. */
+    /** Makes the bodies of a column contiguous in memory; called after a search. */
     void reorder() {
         int[] order = new int[bodies.count];
         int place = BodyStore.FIRST_SPHERE;
@@ -164,7 +162,7 @@ final class ContactSearch {
         }
     }
 
-    /** The square of how far apart two bodies' centers are, in the sum of their radii. */
+    /** The squared distance of two bodies' centers, relative to the squared sum of their radii. */
     private double nearness(int one, int other) {
         double[] n = bodies.numbers;
         int a = BodyStore.STRIDE * one;
@@ -267,7 +265,7 @@ final class ContactSearch {
         }
     }
 
-    /** The side of a triangle that a body is on; one that is pressed into it stays on the side that it came from. */
+    /** The side of a triangle that a body is on; a body that is pressed into it stays on its former side. */
     private int side(int body, int triangle, int first) {
         double[] n = bodies.numbers;
         int at = BodyStore.STRIDE * body;

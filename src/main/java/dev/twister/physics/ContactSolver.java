@@ -1,53 +1,50 @@
 package dev.twister.physics;
 
 /**
- * Lets bodies that touch push each other. A contact is either an impact, which is settled at once between its two
- * bodies by Newton's law of restitution as if at the time at which they met, or one of rest, whose impulse is built up
- * from sub-step to sub-step so that it carries what lies on it (accumulated impulses: Catto, "Iterative Dynamics with
- * Temporal Coherence", 2005; many small steps instead of many iterations: Macklin et al., "Small Steps in Physics
- * Simulation", 2019). Friction is Coulomb's in both. What overlaps is pushed apart slowly, in place, without speed.
+ * Contact solver. A contact is either an impact, which is resolved at once by Newton's law of restitution as of the
+ * time of the collision, or a resting contact, whose impulse accumulates from sub-step to sub-step so that it carries
+ * the load (accumulated impulses: Catto, "Iterative Dynamics with Temporal Coherence", 2005; many small steps instead
+ * of many iterations: Macklin et al., "Small Steps in Physics Simulation", 2019). Both have Coulomb friction. Overlaps
+ * are corrected slowly by position, without adding speed.
  *
- * <p>All speeds are lengths a sub-step here.
+ * <p>All speeds are displacements per sub-step.
  */
 final class ContactSolver {
-    /** Share of an overlap that is pushed apart in a sub-step. */
+    /** Share of an overlap that is corrected per sub-step. */
     private static final double PUSH_SHARE = 0.2;
 
     /**
-     * The most that a pair is pushed apart in a sub-step, in the smaller diameter: what starts overlapping must not
-     * jump.
+     * Largest correction of a pair per sub-step, in diameters of the smaller body: initial overlaps must not make
+     * bodies jump.
      */
     private static final double MOST_PUSH = 0.02;
 
-    /** The same for ground and walls, in radii: more, because they have to hold against any number of bodies. */
+    /** As above for ground and walls, in radii; larger, because they must hold any number of bodies. */
     private static final double MOST_SURFACE_PUSH = 0.05;
 
     /**
-     * How much more load a contact of rest may carry into the next sub-step than it carried into this one, in weights
-     * of its lighter body, so that what lies between a heavy one and the ground gets no more from the one than from the
-     * other. What the next sub-step starts with is solved in one sweep; a shock's impulse, hundreds of weights, is not
-     * needed again there, and what the sweep does not take back of it would be speed out of nothing.
+     * Limit of the load that a resting contact may add per sub-step, in weights of its lighter body, so that a body
+     * between a heavy one and the ground gets similar loads from both. The next sub-step solves its warm-start loads in
+     * one sweep; whatever that sweep does not take back of a shock's impulse, hundreds of weights, would become speed
+     * from nothing.
      */
     private static final double MOST_NEW_LOAD = 8;
 
-    /** Overlap that is left alone, in radii, so that what rests keeps touching. */
+    /** Overlap that is not corrected, in radii, so that resting bodies keep touching. */
     private static final double SLOP = 0.005;
 
-    /** A body this near, in radii, wakes one that sleeps when it moves. */
+    /** Gap in radii within which a moving body wakes a sleeping one. */
     private static final double WAKE_GAP = 0.1;
 
-    /** Below it, relative to the pair's radii, centers are taken to be one point. */
+    /** Relative to the pair's radii: centers closer than this count as coincident. */
     private static final double COINCIDENT = 1e-9;
 
-    /**
-     * From this multiple of the radius on, whether the lighter body gives way to the heavier one depends on its
-     * backing.
-     */
+    /** Ratio of the radii from which the lighter body yields to the heavier one only if nothing holds it. */
     private static final double UNEQUAL_RADII = 3;
 
     /**
-     * Contacts of one body follow each other in a list; taken as far apart as this, two that follow have nothing in
-     * common, and the processor works on both at once.
+     * Distance in the list between contacts that are solved in succession. A body's contacts are adjacent; at this
+     * distance they are independent, so the CPU overlaps their work.
      */
     private static final int CONTACTS_APART = 7;
 
@@ -75,17 +72,19 @@ final class ContactSolver {
         friction = surroundings.friction();
     }
 
-    /** One that moves the bodies of a sub-step. */
+    /** A solver that moves the bodies of a sub-step. */
     static ContactSolver moving(BodyStore bodies, Surroundings surroundings) {
         return new ContactSolver(bodies, surroundings, false);
     }
 
-    /** One that only finds loads, of any size: nothing is pushed apart, bounces, or is woken. */
+    /**
+     * A solver that only finds loads, without limit: it corrects no overlaps, causes no bounces and wakes no bodies.
+     */
     static ContactSolver bracing(BodyStore bodies, Surroundings surroundings) {
         return new ContactSolver(bodies, surroundings, true);
     }
 
-    /** Says how long the sub-steps are from now on, in seconds. */
+    /** Sets the length of the sub-steps, in seconds. */
     void setSubstep(double seconds) {
         double square = seconds * seconds;
         gravityX = surroundings.gravity().x() * square;
@@ -100,8 +99,8 @@ final class ContactSolver {
     /**
      * Solves the contacts of a list.
      *
-     * @param from the first one
-     * @param to the one after the last
+     * @param from the first contact
+     * @param to the index after the last one
      */
     void solve(Contacts contacts, int from, int to) {
         contacts.fetched = fetch(contacts.second, from, to);
@@ -118,10 +117,10 @@ final class ContactSolver {
     }
 
     /**
-     * Reads from every cache line of the second bodies, so that they come from memory many at a time. Solving alone
-     * asks for few at once: a contact's roots and divisions keep the processor from looking far ahead.
+     * Prefetches every cache line of the second bodies, so that their cache misses overlap. The solver alone would
+     * request few at a time: square roots and divisions keep the CPU from running far ahead.
      *
-     * @return what no one needs, so that the reading is not left out
+     * @return a value that keeps C2 from eliminating the reads
      */
     private long fetch(int[] second, int from, int to) {
         long bits = 0;
@@ -134,7 +133,7 @@ final class ContactSolver {
         return bits;
     }
 
-    /** Solves the contacts of a list whose loads are out of balance, once. */
+    /** Solves the unbalanced contacts of a list once. */
     void solveUnbalanced(Contacts contacts) {
         for (int index = 0; index < contacts.unbalancedCount; index++) {
             int contact = contacts.unbalanced[index];
@@ -157,7 +156,7 @@ final class ContactSolver {
         double ofLighter = Math.max(n[a + BodyStore.INVERSE_MASS], n[b + BodyStore.INVERSE_MASS]);
         if (n[a + BodyStore.INVERSE_MASS] == 0 || n[b + BodyStore.INVERSE_MASS] == 0) {
             wake(one, two, square, radii);
-            // Also one that sleeps is to carry no more than it could bear when it wakes.
+            // A sleeping body too must not carry more than it could bear awake.
             ofLighter = Math.max(inverseMassAwake(one), inverseMassAwake(two));
         }
         double dx = n[a + BodyStore.MOVE] - n[b + BodyStore.MOVE];
@@ -187,14 +186,14 @@ final class ContactSolver {
                     && solveUnequal(impulses, at, one, two, nx, ny, nz, distance, radii, outside)) {
                 return;
             }
-            // What loads that were carried on move a body by is no fall: its other contacts take it back.
+            // Displacement by warm-started loads is not an impact: the other contacts of the body take it back.
             if (!loaded
                     && -closing * inverse > impactSpeed + n[a + BodyStore.CARRIED] + n[b + BodyStore.CARRIED]
                     && impact(impulses, at, a, b, false, px, py, pz, outside, closing, dx * dx + dy * dy + dz * dz)) {
                 return;
             }
         } else {
-            // Any direction does; which one follows from the bodies' numbers, so that many at one point part in many.
+            // Any direction will do; it depends on the bodies' numbers, so that many bodies at one point spread.
             int axis = (one + two) % 3;
             nx = axis == 0 ? 1 : 0;
             ny = axis == 1 ? 1 : 0;
@@ -207,10 +206,10 @@ final class ContactSolver {
     }
 
     /**
-     * Solves a contact of a heavy body with a light one, where that cannot give way.
+     * Solves a contact of a heavy body with a light one that cannot yield.
      *
-     * @param nx and the other two: the normal, towards the first body
-     * @return false where the light body is free to move: the contact is as any other
+     * @param nx with ny and nz: the normal, toward the first body
+     * @return false if the light body can move, so that the contact is an ordinary one
      */
     private boolean solveUnequal(
             double[] impulses,
@@ -237,13 +236,13 @@ final class ContactSolver {
             solveBacked(impulses, at, a, b, sign * nx, sign * ny, sign * nz, distance, radii, outside);
             turn(impulses, at, sign);
         } else if (impulses[at + Contacts.BUILT] < 0) {
-            // The light one bore it as a part of what it lay on; alone it would be shot away.
+            // The light body carried this load as part of its support; alone it would be ejected.
             clear(impulses, at);
         }
         return firm;
     }
 
-    /** Turns a contact's impulses so that they act on the heavy body, where that is the second one, and back. */
+    /** Converts a contact's impulses so that they act on the heavy body, if that is the second one, and back. */
     private static void turn(double[] impulses, int at, double sign) {
         impulses[at] *= sign;
         impulses[at + 1] *= sign;
@@ -251,9 +250,9 @@ final class ContactSolver {
     }
 
     /**
-     * Lets a heavy body meet a light one that cannot give way, as if that were part of the ground.
+     * Solves the contact of a heavy body with a light one that cannot yield and acts like the ground.
      *
-     * @param nx and the other two: the normal, towards the heavy body
+     * @param nx with ny and nz: the normal, toward the heavy body
      */
     private void solveBacked(
             double[] impulses,
@@ -269,7 +268,7 @@ final class ContactSolver {
         double[] n = numbers;
         boolean asleep = n[light + BodyStore.INVERSE_MASS] == 0;
         if (!asleep) {
-            // It has no way out, and no mass to lift the heavy one by.
+            // It cannot move away, and its mass is too small to lift the heavy body.
             changeMove(light, -Math.max(0, along(light, nx, ny, nz)), nx, ny, nz);
         }
         double dx = n[heavy + BodyStore.MOVE] - n[light + BodyStore.MOVE];
@@ -288,7 +287,8 @@ final class ContactSolver {
             double lift = push(-gap - SLOP * (radii - diameter), diameter);
             if (!asleep) {
                 changePlace(light, -push(-gap, diameter), nx, ny, nz);
-                // Pushed against the ground it lifts the heavy one; pushed by its neighbors it does not.
+                // Only a light body that is pushed against the ground lifts the heavy one, not one pushed by its
+                // neighbors.
                 lift = push(Math.min(backing.sunk(light / BodyStore.STRIDE, -nx, -ny, -nz), -gap), diameter);
             }
             double weight = n[heavy + BodyStore.INVERSE_MASS];
@@ -325,15 +325,15 @@ final class ContactSolver {
     }
 
     /**
-     * Lets two bodies at rest close the gap between them, not more, and slide no further than friction lets them.
+     * Resting contact: lets two bodies at most close the gap between them, and limits their sliding by friction.
      *
-     * @param at where the contact's impulses are
-     * @param b the second body's numbers; not read where its inverse mass is 0
-     * @param wa the first body's inverse mass, and the other alike
-     * @param ofLighter the inverse mass of the lighter body, also of one that sleeps
-     * @param nx and the other two: the normal, towards the first body
-     * @param dx and the other two: what the first body moves more than the second one
-     * @param push how far they are to be pushed apart
+     * @param at start of the contact's impulses
+     * @param b start of the second body's values; not read if its inverse mass is 0
+     * @param wa the first body's inverse mass; wb the second one's
+     * @param ofLighter inverse mass of the lighter body, even if it sleeps
+     * @param nx with ny and nz: the normal, toward the first body
+     * @param dx with dy and dz: the first body's displacement relative to the second one
+     * @param push how far to push the bodies apart
      */
     private void hold(
             double[] impulses,
@@ -355,7 +355,7 @@ final class ContactSolver {
         double ox = impulses[at];
         double oy = impulses[at + 1];
         double oz = impulses[at + 2];
-        // The impulse that would stop one relative to the other, with what the sub-step started with.
+        // The impulse that would stop the relative motion, including the warm start.
         double qx = ox - mass * dx;
         double qy = oy - mass * dy;
         double qz = oz - mass * dz;
@@ -365,7 +365,7 @@ final class ContactSolver {
         double ty = qy - along * ny;
         double tz = qz - along * nz;
         double across = tx * tx + ty * ty + tz * tz;
-        // Without a branch, which nothing could predict; what is added keeps 0 / 0 away.
+        // No branch, because it would be unpredictable; the tiny addition avoids 0 / 0.
         double share = Math.min(1, friction * built / Math.sqrt(across + Double.MIN_NORMAL));
         double ix = built * nx + share * tx;
         double iy = built * ny + share * ty;
@@ -394,10 +394,10 @@ final class ContactSolver {
     }
 
     /**
-     * Settles an impact at the place where the paths of this sub-step meet; where they met before it, a little back.
+     * Resolves an impact where the paths of this sub-step meet; if they met earlier, slightly back in time.
      *
      * @param firm whether the second body is as firm as the ground
-     * @return false where the bodies do not meet within the sub-step's paths
+     * @return false if the paths do not meet within the sub-step
      */
     private boolean impact(
             double[] impulses,
@@ -451,13 +451,13 @@ final class ContactSolver {
         double sy = impulse * ny + share * ty;
         double sz = impulse * nz + share * tz;
         clear(impulses, at);
-        // From where they met on they move as they do after it, until there as before.
+        // Until the collision the bodies keep their old velocities, afterwards they have the new ones.
         apply(a, wa, sx, sy, sz, -time * sx, -time * sy, -time * sz, 0, 0, 0);
         apply(b, wb, -sx, -sy, -sz, time * sx, time * sy, time * sz, 0, 0, 0);
         return true;
     }
 
-    /** Also of one that has been roused: what is hit moves at once. */
+    /** The inverse mass in an impact: a roused body moves at once. */
     private double inverseMassWhenHit(int at) {
         int body = at / BodyStore.STRIDE;
         if (numbers[at + BodyStore.INVERSE_MASS] == 0 && bodies.state[body] == BodyStore.WOKEN) {
@@ -526,10 +526,10 @@ final class ContactSolver {
     }
 
     /**
-     * Lets a body meet what does not move.
+     * Solves the contact of a body with a fixed surface.
      *
-     * @param nx and the other two: the normal, towards the body
-     * @param distance of its center from the surface, in meters; below 0 beyond it
+     * @param nx with ny and nz: the normal, toward the body
+     * @param distance signed distance of the body's center from the surface, in meters; negative behind it
      */
     private void meetSurface(double[] impulses, int at, int a, double nx, double ny, double nz, double distance) {
         double[] n = numbers;
@@ -545,14 +545,14 @@ final class ContactSolver {
             return;
         }
         double pull = gravityX * nx + gravityY * ny + gravityZ * nz;
-        // The sub-step's start is half a sub-step before the time of the move.
+        // The start of the sub-step is half a sub-step before the time of the move.
         double atStart = along - pull / 2;
         double tx = along * nx - dx;
         double ty = along * ny - dy;
         double tz = along * nz - dz;
         if (old == 0 && -atStart > impactSpeed + n[a + BodyStore.CARRIED]) {
             double met = Math.max(gap, along);
-            // Energy: the speed at the surface, and what is left of the bounced one where it is taken up.
+            // By energy: the speed at the surface, and the remaining speed after the bounce.
             double hit = Math.max(0, atStart * atStart - 2 * pull * met);
             double e = surroundings.elasticity();
             double left = Math.sqrt(Math.max(0, e * e * hit - 2 * pull * e * met)) + pull / 2;
@@ -575,7 +575,7 @@ final class ContactSolver {
         hold(impulses, at, a, a, weight, 0, weight, nx, ny, nz, dx, dy, dz, gap, push);
     }
 
-    // A miss needs no root: moving apart, never near enough, or not yet at the end of the sub-step.
+    // Detects a miss without a root: moving apart, never near enough, or not yet within this sub-step.
     private static boolean missed(double outside, double closing, double path) {
         return closing >= 0
                 || closing * closing < path * outside
@@ -616,9 +616,9 @@ final class ContactSolver {
     }
 
     /**
-     * Changes a body's move by an impulse, its place by a push, and what it starts the next sub-step with.
+     * Adds an impulse to a body's move, a push to its position, and a load to its warm start.
      *
-     * @param weight its inverse mass, below 0 where they act the other way
+     * @param weight the body's inverse mass, negative for the opposite direction
      */
     private void apply(
             int a,

@@ -4,14 +4,12 @@ import java.util.Arrays;
 import java.util.function.IntPredicate;
 import java.util.function.IntToDoubleFunction;
 
-/** A growing list of pairs that touch or may come to touch, with the impulses that they have built up. */
+/** A growing list of pairs in contact or near it, with their accumulated impulses. */
 final class Contacts {
-    /** Impulses for each contact: the whole one in x, y, z, then its share along the normal. */
+    /** Doubles per contact: the impulse's x, y and z, then its component along the normal. */
     static final int IMPULSES = 4;
 
-    /**
-     * Where among them that share is: below 0 where the lighter body is as firm as the ground, and bears nothing of it.
-     */
+    /** Offset of that component. It is negative if the lighter body is as firm as the ground and carries none of it. */
     static final int BUILT = 3;
 
     private static final int LEAST_ROOM = 64;
@@ -19,18 +17,18 @@ final class Contacts {
     private static final int[] NO_BODIES = {};
     private static final double[] NO_IMPULSES = {};
 
-    /** The body whose neighbors were looked for; those of one body follow each other. */
+    /** The body whose neighbors were searched; the contacts of one body are contiguous. */
     int[] first = NO_BODIES;
 
     /** The other body, or {@code -1 - k} for surface k of the {@link Surroundings}. */
     int[] second = NO_BODIES;
 
-    /** {@value #IMPULSES} for each contact, in masses times meters a sub-step, as they act on the first body. */
+    /** {@value #IMPULSES} doubles per contact, in masses times meters per sub-step, acting on the first body. */
     double[] impulses = NO_IMPULSES;
 
     int count;
 
-    /** Where no more are looked for. */
+    /** Number of contacts at which a search stops. */
     private int limit = Integer.MAX_VALUE;
 
     /** The contacts of bodies that have just woken. */
@@ -38,7 +36,7 @@ final class Contacts {
 
     int unbalancedCount;
 
-    /** Written by the solver, and read by no one. */
+    /** Sink for the solver's prefetch reads; keeps C2 from eliminating them. */
     long fetched;
 
     void clear() {
@@ -46,7 +44,7 @@ final class Contacts {
         unbalancedCount = 0;
     }
 
-    /** Says how many more may be looked for. */
+    /** Limits the number of further contacts. */
     void limit(int more) {
         limit = count + more;
     }
@@ -59,35 +57,35 @@ final class Contacts {
         return count >= limit;
     }
 
-    /** Adds a contact; its first body and its impulses are to be set. */
+    /** Adds a contact; the caller must set its first body and impulses. */
     void add(int other) {
         reserve(1);
         second[count] = other;
         count++;
     }
 
-    /** Where the other bodies of pairs are to be written, from {@link #count} on: there is room for as many more. */
+    /** The array for the other bodies of new pairs, with room for {@code more} from {@link #count} on. */
     int[] roomFor(int more) {
         reserve(more);
         return second;
     }
 
-    /** Adds the pairs with those that were written; their first body and their impulses are to be set. */
+    /** Adds the pairs whose other bodies were written; the caller must set their first body and impulses. */
     void addFound(int newCount) {
         count = newCount;
     }
 
-    /** Says whose the contacts from one on are. */
+    /** Sets the first body of the contacts from {@code from} on. */
     void setFirst(int one, int from) {
         Arrays.fill(first, from, count, one);
     }
 
     /**
-     * Takes over an earlier list's impulses, contact by contact, as long as the other bodies are the same.
+     * Copies an earlier list's impulses, contact by contact, as long as the other bodies are equal.
      *
-     * @param from the first contact here, and likewise there
-     * @param to the one after the last here, and likewise there
-     * @return how many contacts are the same
+     * @param from first contact here; earlierFrom there
+     * @param to index after the last contact here; earlierTo there
+     * @return the number of equal contacts
      */
     int inheritWhileAlike(int from, int to, Contacts earlier, int earlierFrom, int earlierTo) {
         int most = Math.min(to - from, earlierTo - earlierFrom);
@@ -104,7 +102,7 @@ final class Contacts {
         return alike;
     }
 
-    /** Says that a contact is one of a body that has just woken. */
+    /** Lists a contact of a body that has just woken. */
     void addUnbalanced(int contact) {
         if (unbalancedCount == unbalanced.length) {
             unbalanced = Arrays.copyOf(unbalanced, Math.max(LEAST_ROOM, 2 * unbalancedCount));
@@ -113,7 +111,7 @@ final class Contacts {
         unbalancedCount++;
     }
 
-    /** Keeps those of the pairs from one on whose other body is wanted. */
+    /** Keeps only those pairs from {@code from} on whose other body is wanted. */
     void keep(int from, IntPredicate wanted) {
         int kept = from;
         for (int contact = from; contact < count; contact++) {
@@ -126,15 +124,15 @@ final class Contacts {
     }
 
     /**
-     * Keeps the pairs from one on that are smallest by a measure, at most that number, in their present order.
+     * Keeps at most {@code most} of the pairs from {@code from} on, those with the smallest measure, in their order.
      *
-     * @param measure of the other body, at least 0
+     * @param measure a value of the other body, at least 0
      */
     void keepLeast(int from, int most, IntToDoubleFunction measure) {
         long[] least = new long[count - from];
         for (int index = 0; index < least.length; index++) {
             float size = (float) measure.applyAsDouble(second[from + index]);
-            // Floats that are not below 0 sort as their bits do.
+            // Non-negative floats sort like their bits.
             least[index] = (long) Float.floatToRawIntBits(size) << Integer.SIZE | index;
         }
         Arrays.sort(least);

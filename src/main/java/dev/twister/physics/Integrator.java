@@ -3,15 +3,15 @@ package dev.twister.physics;
 import dev.twister.scene.Vector3;
 
 /**
- * Störmer's and Verlet's method, with the drag in the middle of the step: {@code x[n+1] = x[n] + (1 - c h / 2) / (1 + c
- * h / 2) (x[n] - x[n-1]) + a h^2 / (1 + c h / 2)}, of second order, exact without drag (Hairer, Lubich and Wanner,
- * "Geometric numerical integration illustrated by the Störmer-Verlet method", 2003).
+ * The Störmer-Verlet method with drag in the middle of the step: {@code x[n+1] = x[n] + (1 - c h / 2) / (1 + c h / 2)
+ * (x[n] - x[n-1]) + a h^2 / (1 + c h / 2)}. It has order 2 and is exact in free fall without drag (Hairer, Lubich and
+ * Wanner, "Geometric numerical integration illustrated by the Störmer-Verlet method", 2003).
  */
 final class Integrator {
     /**
-     * The most that a body's contacts may carry of it into the next sub-step, in its weights: at rest they carry one. A
-     * small sphere between a heavy one and the ground has thousands of weights on both sides; where one side's impulse
-     * comes late, the difference would shoot it away.
+     * Limit of a body's warm-started contact impulses, in its weights; at rest they are 1. A small sphere between a
+     * heavy one and the ground has thousands of weights on both sides; if one side's impulse came late, the difference
+     * would eject it.
      */
     private static final double MOST_SUPPORT = 64;
 
@@ -38,7 +38,7 @@ final class Integrator {
         upZ = up.z();
     }
 
-    /** Says how long the sub-steps are from now on, in seconds. */
+    /** Sets the length of the sub-steps, in seconds. */
     void setSubstep(double newSeconds) {
         seconds = newSeconds;
         double half = surroundings.damping() * seconds / 2;
@@ -53,20 +53,20 @@ final class Integrator {
         mostSupport = MOST_SUPPORT * weight;
     }
 
-    /** What a body moves before its first sub-step so that it starts with a velocity, on one axis. */
+    /** Component of a body's displacement before its first sub-step, for a start velocity along one axis. */
     double moveBefore(double velocity, double gravity) {
         return velocity * seconds - gravity * seconds * seconds / 2;
     }
 
     /**
-     * Turns the moves of sub-steps of another length into those of the present one.
+     * Converts the moves from an earlier length of the sub-steps to the current one.
      *
-     * @param old that length, in seconds
+     * @param old the earlier length in seconds
      */
     void rescale(int from, int to, double old) {
         double ratio = seconds / old;
         Vector3 gravity = surroundings.gravity();
-        // A move is the velocity half a sub-step ago; with other sub-steps that was at another time.
+        // A move is the velocity half a sub-step ago, so its time depends on the length of the sub-steps.
         double later = (old - seconds) / 2 * seconds;
         for (int body = from; body < to; body++) {
             int at = BodyStore.STRIDE * body;
@@ -81,7 +81,7 @@ final class Integrator {
         }
     }
 
-    /** The first half of a sub-step: the moves to come, before any contact has a say. */
+    /** First half of a sub-step: computes the moves without new contact impulses. */
     void accelerate(int from, int to) {
         double[] n = bodies.numbers;
         for (int body = from; body < to; body++) {
@@ -94,7 +94,7 @@ final class Integrator {
                 n[at - BodyStore.MOVE + BodyStore.CARRIED] = length;
                 boolean held = Backing.holdsUp(n[by] * upX + n[by + 1] * upY + n[by + 2] * upZ, length, weight);
                 bodies.held[body] = (byte) (held ? Backing.MOMENT : Math.max(0, bodies.held[body] - 1));
-                // What has just woken is braced at once.
+                // Woken bodies are braced right away.
                 double carried = length > mostSupport && !bodies.isJustWoken(body) ? mostSupport / length : 1;
                 double x = kept * n[at] + gravityX + carried * n[by];
                 double y = kept * n[at + 1] + gravityY + carried * n[by + 1];
@@ -122,7 +122,7 @@ final class Integrator {
         }
     }
 
-    /** The second half of a sub-step. */
+    /** Second half of a sub-step: applies the moves. */
     void move(int from, int to) {
         double[] n = bodies.numbers;
         for (int body = from; body < to; body++) {

@@ -14,44 +14,42 @@ import java.util.Arrays;
 import java.util.function.IntConsumer;
 
 /**
- * Triangles that do not move and that bodies touch from both sides.
+ * Fixed triangles that bodies can touch from both sides.
  *
- * <p>A body touches a triangle where the surface is nearest to its center. At a border that two triangles share, the
- * nearest point of one is not the surface's where the other comes nearer; there only that one is touched, so that a
- * body which rolls over flat ground does not stumble over the borders in it.
+ * <p>A body touches a triangle at the surface point nearest to its center. At an edge that two triangles share, one
+ * triangle's nearest point is not the surface's if the other triangle comes nearer. Then only the other one is touched,
+ * so that a body rolling over flat ground is not deflected by interior edges.
  */
 final class MeshCollider {
-    /** Of no triangles. */
+    /** A collider without triangles. */
     static final MeshCollider EMPTY = new MeshCollider(new double[0]);
 
     private static final int NOTHING = -1;
 
-    /** In all meshes together, those that are shown several times as often. */
+    /** Limit for all meshes together, counting each instance. */
     private static final int MOST_TRIANGLES = 50_000_000;
 
-    /** The most triangles of a leaf. */
+    /** Most triangles per leaf. */
     private static final int LEAF = 4;
 
-    /** Least and largest x, y and z. */
+    /** Doubles per box: minimum and maximum of x, y and z. */
     private static final int BOX = 6;
 
     /** {@code double[9 * triangles]}: three corners of x, y, z each, in meters. */
     private final double[] corners;
 
-    /**
-     * {@code int[3 * triangles]}: the triangle across the border from corner k to the next one, or {@link #NOTHING}.
-     */
+    /** {@code int[3 * triangles]}: the triangle across the edge from corner k to the next one, or {@link #NOTHING}. */
     private final int[] neighbors;
 
-    /** {@code int[triangles]}: those of a node side by side. */
+    /** {@code int[triangles]}: triangle numbers, contiguous per node. */
     private final int[] order;
 
-    /** {@code double[6 * nodes]} of a complete binary tree: node k's children are 2 k + 1 and 2 k + 2. */
+    /** {@code double[6 * nodes]}: boxes of a complete binary tree; node k has the children 2 k + 1 and 2 k + 2. */
     private final double[] boxes;
 
     /**
-     * @param corners {@code double[9 * triangles]}: three corners of x, y, z each, in meters; no triangle is without an
-     *     area
+     * @param corners {@code double[9 * triangles]}: three corners with x, y and z each, in meters; no triangle may be
+     *     degenerate
      */
     MeshCollider(double[] corners) {
         this.corners = corners;
@@ -65,10 +63,10 @@ final class MeshCollider {
     }
 
     /**
-     * The meshes of a scene, where they are.
+     * The meshes of a scene in world coordinates.
      *
-     * @throws IllegalArgumentException where one of them is not among those that were read
-     * @throws MeshException where they show more triangles than an array holds
+     * @throws IllegalArgumentException if one of the scene's meshes has not been read
+     * @throws MeshException if they have more than {@value #MOST_TRIANGLES} triangles in total
      */
     static MeshCollider of(Scene scene, SceneMeshes meshes) {
         long triangles = scene.meshes().stream()
@@ -90,7 +88,7 @@ final class MeshCollider {
         return end == 0 ? EMPTY : new MeshCollider(Arrays.copyOf(corners, end));
     }
 
-    /** Writes the triangles that have an area there; returns where they end. */
+    /** Writes the placed triangles except degenerate ones; returns the end. */
     private static int place(TriangleMesh mesh, Affine placement, double[] corners, int start) {
         float[] positions = mesh.positions();
         int end = start;
@@ -112,7 +110,7 @@ final class MeshCollider {
         return order.length;
     }
 
-    /** The largest coordinate's size, in meters. */
+    /** The largest absolute coordinate, in meters. */
     double largestCoordinate() {
         double largest = 0;
         for (double coordinate : corners) {
@@ -121,23 +119,22 @@ final class MeshCollider {
         return largest;
     }
 
-    /** Calls back for each triangle whose box a ball meets. */
+    /** Calls back for each triangle in the leaves whose boxes the ball overlaps. */
     void near(double x, double y, double z, double reach, IntConsumer found) {
         if (order.length > 0) {
             near(0, 0, order.length, x, y, z, reach, found);
         }
     }
 
-    /** Where a body touches a triangle, or may; see {@link TriangleContact#meet}. */
+    /** The contact data of a triangle; see {@link TriangleContact#meet}. */
     TriangleContact contact(int triangle) {
         return new TriangleContact(corners, triangle);
     }
 
     /**
-     * Whether another triangle comes nearer to a point than a border of this one, where this one's nearest point is on
-     * that border.
+     * Whether the triangle's nearest point is on an edge and the neighbor across it is nearer to the point.
      *
-     * @param contact the triangle's, which has met the point
+     * @param contact the triangle's contact, after {@code meet} with the point
      */
     boolean isNearerAcross(int triangle, TriangleContact contact) {
         return isNearerAcross(triangle, contact, 0)
@@ -181,7 +178,7 @@ final class MeshCollider {
         return BOX * (2 * node + 2) < boxes.length;
     }
 
-    /** Puts the triangles before the middle whose centers come first along an axis (Hoare's selection). */
+    /** Partitions the triangles around the middle by their centers along an axis (Hoare's selection). */
     private void split(int from, int to, int middle, int axis) {
         int low = from;
         int high = to - 1;

@@ -3,14 +3,14 @@ package dev.twister.physics;
 import java.util.Arrays;
 
 /**
- * A hashed grid in levels: each body is in the level whose cells are just wider than twice its reach, so that whatever
- * it may touch is, in that level and in all coarser ones, in its own cell or in one beside it (Ericson, "Real-Time
- * Collision Detection", 7.2). Cells side by side along x are side by side in memory, and their neighbors not far.
+ * A hashed hierarchical grid. Each body is in the finest level whose cells are at least twice as wide as its reach, so
+ * that its possible contacts in that level and in all coarser ones are in its own cell or an adjacent one (Ericson,
+ * "Real-Time Collision Detection", 7.2). Cells adjacent along x are adjacent in memory, and their neighbors close.
  *
- * <p>Bodies are in the cells in the order of their numbers, so that nothing depends on how many threads work.
+ * <p>Bodies are in the cells in the order of their numbers, so the result does not depend on the number of threads.
  */
 final class NeighborGrid {
-    /** Odd numbers without a pattern: no two cells near each other have one key. */
+    /** Odd hash factors: no two nearby cells have equal keys. */
     private static final int Y_FACTOR = 0x9E3779B1;
 
     private static final int Z_FACTOR = 0x85EBCA77;
@@ -20,12 +20,10 @@ final class NeighborGrid {
     private static final int MIN_BUCKETS = 1 << 10;
     private static final int BUCKETS_FOR_A_BODY = 4;
 
-    /** More than any bucket holds, but where bodies lie in one another. */
+    /** More slots than a bucket has, unless bodies overlap. */
     private static final int SLOTS_AT_ONCE = 1024;
 
-    /**
-     * What floats may lose of a reach, of coordinates and of squares of both: more is added, so that no pair is lost.
-     */
+    /** Margins for the rounding of reach, coordinates and squares in floats, so that no pair is lost. */
     private static final double ROUNDED_REACH = 1 + 0x1p-20;
 
     private static final double ROUNDED_COORDINATE = 0x1p-23;
@@ -41,16 +39,18 @@ final class NeighborGrid {
     private final int[] inLevel = new int[LEVELS];
     private int[] starts = {};
 
-    /** By bucket: 1 where a body of that level is in the cell or beside it. Most cells of coarse levels have none. */
+    /**
+     * Per bucket: 1 if a body of that level is in the cell or an adjacent one. Most cells of coarse levels have none.
+     */
     private byte[] near = {};
 
-    /** The same of bodies that are awake. */
+    /** The same for awake bodies. */
     private byte[] awakeNear = {};
 
     private int finestLevel;
     private int mask;
 
-    /** Buckets from a cell to the one above it, and to the one behind it. */
+    /** Distance in buckets to the cell above and to the cell behind. */
     private int rowStride = 1;
 
     private int layerStride = 1;
@@ -58,8 +58,8 @@ final class NeighborGrid {
     private double largestRounding;
 
     /**
-     * By slot, which is the order of the cells: the body, its cell's key, its center, its reach (below 0 asleep). As
-     * few bits as do, for a search waits for memory.
+     * Per slot, in the order of the cells: the body, its cell's key, its center, and its reach (negative while asleep).
+     * Small types, because the search is limited by memory bandwidth.
      */
     final int[] body;
 
@@ -71,12 +71,12 @@ final class NeighborGrid {
     int from;
     int slots;
 
-    /** The bits of a slot that are all set where the scan for it is a wide one: 0 where all are, -1 where none is. */
+    /** Mask of slot bits that must all be set for a wide scan: 0 for every slot, -1 for none. */
     private int wideSlots;
 
     private int wideSearches;
 
-    /** The coarsest level whose bodies are many; those above it are giants, whose pairs are sought one by one. */
+    /** The coarsest level with many bodies. Bodies above it are giants, whose pairs are searched one by one. */
     int topLevel;
 
     NeighborGrid(BodyStore bodies, double typicalReach) {
@@ -89,7 +89,7 @@ final class NeighborGrid {
         keyOfBody = new int[room];
         bucketOfBody = new int[room];
         levelOfBody = new byte[room];
-        // The last slots too may be read by whole vectors.
+        // Padding: the last slots may be read by whole vectors.
         body = new int[room + WideScan.LANES];
         key = new int[room + WideScan.LANES];
         x = new float[room + WideScan.LANES];
@@ -97,12 +97,12 @@ final class NeighborGrid {
         z = new float[room + WideScan.LANES];
         reach = new float[room + WideScan.LANES];
         if (room > WideScan.MIN_SLOTS && WIDE) {
-            // Loads the classes now: within a step that would be felt.
+            // Loads the classes now, because it would be noticeable within a step.
             WideScan.scan(this, 0, 0, WideScan.LANES, 0, -1, new Contacts());
         }
     }
 
-    /** How far the two bodies of a pair without a giant are apart at most, along an axis, in meters. */
+    /** Largest distance along an axis between the bodies of a pair without a giant, in meters. */
     double farthestPair() {
         return cells[topLevel] * ROUNDED_REACH * ROUNDED_REACH + 4 * largestRounding;
     }
@@ -112,9 +112,9 @@ final class NeighborGrid {
     }
 
     /**
-     * Lays the buckets out for bodies within some bounds; others are found too, but share buckets with them.
+     * Lays out the buckets for bodies within the bounds. Bodies outside are found too, but share buckets with others.
      *
-     * @param bounds least and largest x, y, z, in meters
+     * @param bounds minimum and maximum of x, y and z, in meters
      */
     void layOut(double[] bounds) {
         int buckets = Math.max(MIN_BUCKETS, Integer.highestOneBit(Math.max(1, bodies.count)) * BUCKETS_FOR_A_BODY);
@@ -124,14 +124,14 @@ final class NeighborGrid {
             awakeNear = new byte[buckets];
         }
         mask = buckets - 1;
-        // The base level has most of the bodies.
+        // Most bodies are in the base level.
         rowStride = (int) Math.clamp((bounds[1] - bounds[0]) / baseCell + 2, 3, buckets / 3.0);
         layerStride = (int) Math.clamp(rowStride * ((bounds[3] - bounds[2]) / baseCell + 2), rowStride, buckets);
         largestRounding = rounding(
                 farthest(bounds[0], bounds[1]), farthest(bounds[2], bounds[3]), farthest(bounds[4], bounds[5]));
     }
 
-    // From 0, also where there is nothing within the bounds.
+    // At least 0, even if nothing is within the bounds.
     private static double farthest(double least, double largest) {
         return Math.max(0, Math.max(-least, largest));
     }
@@ -140,7 +140,7 @@ final class NeighborGrid {
         return (Math.abs(px) + Math.abs(py) + Math.abs(pz)) * ROUNDED_COORDINATE;
     }
 
-    /** Finds a body's level and cell; its reach and its position must stand. */
+    /** Computes a body's level and cell from its reach and position. */
     void locate(int number) {
         int at = BodyStore.STRIDE * number;
         double ratio = 2 * bodies.reach[number] / baseCell;
@@ -158,8 +158,8 @@ final class NeighborGrid {
     /**
      * Sorts the bodies into the cells.
      *
-     * @param first the first body that counts
-     * @param giants how many bodies may be looked after one by one
+     * @param first the first body to include
+     * @param giants how many bodies may be treated as giants
      */
     void sort(int first, int giants) {
         from = first;
@@ -177,7 +177,7 @@ final class NeighborGrid {
         for (int bucket = 0; bucket < buckets; bucket++) {
             starts[bucket + 1] += starts[bucket];
         }
-        // Filled from the end, so that afterwards each start is where it belongs, and the order is kept.
+        // Filled from the end, so that each start ends up in place and the order is stable.
         for (int number = bodies.count - 1; number >= first; number--) {
             body[--starts[bucketOfBody[number] + 1]] = number;
         }
@@ -195,7 +195,7 @@ final class NeighborGrid {
         }
     }
 
-    /** A JVM that was started without the Vector API has no such lanes. */
+    /** False in a JVM without the Vector API. */
     private static boolean canScanWide() {
         try {
             return WideScan.SUITS;
@@ -204,7 +204,7 @@ final class NeighborGrid {
         }
     }
 
-    // A few slots' wide scans let the compiler get ready: until then each takes 10 to 40 microseconds.
+    // At first only a few slots use wide scans, while each takes 10 to 40 microseconds until it is compiled.
     private int wideSlots() {
         if (slots < WideScan.MIN_SLOTS || !WIDE) {
             return -1;
@@ -217,10 +217,10 @@ final class NeighborGrid {
         return 0;
     }
 
-    /** Copies what a search reads of the bodies of some slots. */
+    /** Copies the data that a search reads to a range of slots. */
     void gather(int fromSlot, int toSlot) {
         double[] numbers = bodies.numbers;
-        // The bodies of a bucket follow each other.
+        // The bodies of a bucket are contiguous.
         int announced = -1;
         int announcedAwake = -1;
         for (int slot = fromSlot; slot < toSlot; slot++) {
@@ -248,7 +248,7 @@ final class NeighborGrid {
         }
     }
 
-    // Threads may write one place at once, but all write the same.
+    // Threads may write the same element concurrently, but all write the same value.
     private void announce(byte[] marks, int bucket) {
         for (int dz = -1; dz <= 1; dz++) {
             for (int dy = -1; dy <= 1; dy++) {
@@ -265,8 +265,8 @@ final class NeighborGrid {
     }
 
     /**
-     * Adds the pairs of a slot's body with bodies that come after it in its own level, and with all in coarser levels
-     * up to the top one.
+     * Adds the pairs of a slot's body with later bodies of its own level, and with all bodies of coarser levels up to
+     * the top one.
      */
     void addPairs(int slot, Contacts contacts) {
         if (reach[slot] > 0 || awakeNear[bucketOfBody[body[slot]]] != 0) {
@@ -283,7 +283,7 @@ final class NeighborGrid {
         int own = key[slot];
         int bucket = bucketOfBody[body[slot]];
         if (bucket < mask) {
-            // The rest of its own cell, and the next one.
+            // The rest of its own cell, and the next cell.
             scan(slot, slot + 1, starts[bucket + 2], own, 1, contacts);
         } else {
             scan(slot, slot + 1, starts[bucket + 1], own, 0, contacts);
@@ -314,10 +314,10 @@ final class NeighborGrid {
         }
     }
 
-    /** Adds the pairs of a giant with everything, other giants after it only. */
+    /** Adds the pairs of a giant with all bodies, but only with later giants. */
     void addGiantsPairs(int slot, Contacts contacts) {
         int start = contacts.count;
-        // Every key is within that span.
+        // This span includes all keys.
         scan(slot, 0, slots, 0, -1, contacts);
         contacts.keep(start, other -> other != body[slot] && (levelOfBody[other] <= topLevel || other > body[slot]));
     }
@@ -348,8 +348,9 @@ final class NeighborGrid {
         }
     }
 
-    // Buckets hold other cells' bodies too: the keys tell. Without a branch for the distance, which nothing could
-    // predict.
+    // A bucket may hold bodies of other cells, so keys are compared. The distance test has no branch, because it would
+    // be
+    // unpredictable.
     private void scanSome(int slot, int start, int end, int firstKey, int span, Contacts contacts) {
         if ((slot & wideSlots) == wideSlots) {
             WideScan.scan(this, slot, start, end, firstKey, span, contacts);
@@ -369,7 +370,7 @@ final class NeighborGrid {
                 float dz = pz - z[other];
                 float sum = own + Math.abs(reach[other]);
                 found[count] = body[other];
-                // The sign, as a number.
+                // The sign bit as 0 or -1.
                 int apart = Float.floatToRawIntBits(sum * sum - (dx * dx + dy * dy + dz * dz)) >> (Integer.SIZE - 1);
                 count += 1 + apart;
             }
@@ -389,7 +390,7 @@ final class NeighborGrid {
         return linear & mask;
     }
 
-    // Its last bits, where a world is as large as that.
+    // The lowest bits, in case the world is that large.
     private static int index(double place, double cell) {
         return (int) (long) Math.floor(place / cell);
     }

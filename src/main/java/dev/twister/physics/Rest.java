@@ -1,37 +1,37 @@
 package dev.twister.physics;
 
-/** When bodies count as resting: all by the strength of gravity, so that a scene of another size behaves alike. */
+/** Thresholds of rest, relative to the strength of gravity, so that scenes of different size behave alike. */
 final class Rest {
-    /** The seconds of fall that an impact is faster than; what is slower does not bounce. */
+    /** Duration of a fall in seconds whose speed is the slowest impact; slower contacts do not bounce. */
     private static final double IMPACT_SECONDS = 0.01;
 
-    /** Of the speed of a fall through a radius: slower than that is calm. */
+    /** Largest speed that is calm, relative to that of a fall through the radius. */
     private static final double CALM_SHARE = 0.02;
 
-    /** How many times faster than calm a neighbor has to be to wake a body. */
+    /** How many times faster than calm a neighbor must be to wake a body. */
     private static final double WAKE_FACTOR = 4;
 
-    /** How long a body has to be calm before it sleeps. */
+    /** How long a body must be calm before it sleeps. */
     static final double CALM_SECONDS = 0.5;
 
     private Rest() {}
 
-    /** In m/s. */
+    /** Slowest impact, in m/s. */
     static double impactSpeed(double gravity) {
         return IMPACT_SECONDS * gravity;
     }
 
-    /** For each meter of radius, in m^2/s^2. */
+    /** Squared speed limit of calm per meter of radius, in m^2/s^2. */
     static double calmSpeedSquared(double gravity) {
         return CALM_SHARE * CALM_SHARE * gravity;
     }
 
-    /** For each meter of radius, in m^2/s^2. */
+    /** Squared speed limit for waking per meter of radius, in m^2/s^2. */
     static double wakeSpeedSquared(double gravity) {
         return WAKE_FACTOR * WAKE_FACTOR * calmSpeedSquared(gravity);
     }
 
-    /** After a step of that many seconds, lets bodies sleep that have been calm on others for long enough. */
+    /** After a step of the given length, puts bodies to sleep that have been calm on others for long enough. */
     static void settle(BodyStore bodies, int from, int to, double gravity, double seconds) {
         double[] n = bodies.numbers;
         double calm = calmSpeedSquared(gravity) * seconds * seconds;

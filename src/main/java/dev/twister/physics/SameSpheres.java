@@ -8,17 +8,16 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Which sphere of an edited scene is which one of the scene before the edits: the one with the same center, whatever
- * its number is now. Where there are as many as before, one that is nowhere to be found is the one of its number, put
- * elsewhere.
+ * Matches the spheres of an edited scene with those before the edit by their centers. If the number of spheres is
+ * unchanged, a sphere without a match is the moved one with the same number.
  */
 public final class SameSpheres {
-    /** There was none. */
+    /** No match. */
     public static final int NONE = -1;
 
     private SameSpheres() {}
 
-    /** For each edited sphere, the index of the same one before the edits, or {@link #NONE}. */
+    /** For each edited sphere, the index of the same sphere before the edit, or {@link #NONE}. */
     public static int[] of(List<Sphere> before, List<Sphere> edited) {
         int[] same = byPlace(before, edited);
         if (before.size() == edited.size()) {
@@ -27,7 +26,7 @@ public final class SameSpheres {
         return same;
     }
 
-    /** The same where as many may have come as have gone: each is told by its center alone. */
+    /** As above, but by the centers alone, for edits that may add and remove equally many spheres. */
     public static int[] byPlace(List<Sphere> before, List<Sphere> edited) {
         int[] same = new int[edited.size()];
         Arrays.fill(same, NONE);
@@ -47,13 +46,12 @@ public final class SameSpheres {
         return same;
     }
 
-    /** Finds what is neither at the lists' beginnings nor at their ends, where both have any left. */
+    /** Matches the spheres between the lists' common beginnings and ends. */
     private static void findBetween(List<Sphere> before, List<Sphere> edited, int head, int[] same) {
         if (before.isEmpty() || edited.isEmpty()) {
             return;
         }
-        // The first of each place, and the next one there of each: with a list for each place, it took twice as long
-        // and more.
+        // A linked list per place in two flat structures, which is twice as fast as a list object per place.
         Map<Vector3, Integer> first = HashMap.newHashMap(before.size());
         int[] next = new int[before.size()];
         for (int k = before.size() - 1; k >= 0; k--) {

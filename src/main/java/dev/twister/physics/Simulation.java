@@ -13,37 +13,38 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * A scene's spheres in motion, in steps of a fixed length whatever the frames' rate. The same scene gives the same bits
- * after the same number of steps, on every run and with every number of threads. Used by one thread at a time.
+ * Simulates a scene's spheres in steps of fixed length, independent of the frame rate. The same scene gives bitwise
+ * identical results after the same number of steps, in every run and with any number of threads. Only one thread at a
+ * time may use it.
  *
- * <p>No sphere passes through the ground or a wall at any speed. Spheres do not pass through each other up to
- * {@value #MAX_SPEED} m/s, which is the speed limit; a sphere that is hit and itself flies more than its diameter in a
- * {@value #MAX_PARTS}th of a step may pass through a third one within that step. A sphere that falls off the plane
+ * <p>No sphere passes through the ground or a wall at any speed. Spheres do not pass through each other up to the speed
+ * limit of {@value #MAX_SPEED} m/s; a sphere that is hit and then moves more than its diameter in one
+ * {@value #MAX_PARTS}th of a step may pass through a third sphere within that step. A sphere that falls off the plane
  * stops {@value #DEPTH} meters away from everything that the scene started with.
  */
 public final class Simulation implements AutoCloseable {
-    /** The length of a step. */
+    /** Length of a step in seconds. */
     public static final double STEP_SECONDS = 1.0 / 120;
 
-    /** In m/s; nothing becomes faster. */
+    /** Speed limit in m/s. */
     public static final double MAX_SPEED = 500;
 
-    /** Contacts are looked for once in each part of a step; fast scenes have more parts. */
+    /** Most parts of a step; fast scenes have more parts, and each part has one search for contacts. */
     static final int MAX_PARTS = 8;
 
     static final int SUBSTEPS = 4;
     private static final double DEPTH = 1000;
-    /** Below it threads cost more than they give. */
+    /** With fewer bodies, threads cost more than they save. */
     private static final int MIN_BODIES_FOR_THREADS = 2500;
 
     private static final int REORDER_STEPS = 16;
 
-    /** How much further than its radius a body at rest is looked around for neighbors. */
+    /** Relative distance beyond its radius within which a resting body's neighbors are searched. */
     private static final double MARGIN = 0.05;
 
     private static final double TYPICAL_SHARE = 0.99;
 
-    /** Elapsed seconds are sums of fractions: so much short of a step is one. */
+    /** Elapsed times are rounded sums: a time short of a step by less than this counts as a full step. */
     private static final double ROUNDING = 1e-9;
 
     private final BodyStore bodies;
@@ -91,7 +92,7 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** The scene at time 0, to be moved by all of the machine's cores. */
+    /** The scene at time 0, simulated on all cores. */
     public static Simulation of(Scene scene, SceneMeshes meshes) {
         return of(scene, meshes, Runtime.getRuntime().availableProcessors());
     }
@@ -99,7 +100,7 @@ public final class Simulation implements AutoCloseable {
     /**
      * A scene without meshes at time 0.
      *
-     * @throws IllegalArgumentException where it has some
+     * @throws IllegalArgumentException if the scene has meshes
      */
     public static Simulation of(Scene scene) {
         return of(scene, SceneMeshes.NONE);
@@ -108,9 +109,9 @@ public final class Simulation implements AutoCloseable {
     /**
      * The scene at time 0.
      *
-     * @param meshes that the scene names
-     * @param threads how many work, 1 or more; small scenes are moved by one
-     * @throws IllegalArgumentException where one of the scene's meshes is not among them
+     * @param meshes the meshes that the scene refers to
+     * @param threads number of threads, at least 1; small scenes use only one
+     * @throws IllegalArgumentException if one of the scene's meshes is missing
      */
     public static Simulation of(Scene scene, SceneMeshes meshes, int threads) {
         return new Simulation(scene, MeshCollider.of(scene, meshes), threads);
@@ -121,19 +122,18 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * The simulation to go on with after an edit of the scene: this one where the edit changes nothing of the motion,
-     * and otherwise another one, and this one is closed. A sphere that is in both scenes ({@link SameSpheres}) and was
-     * not put elsewhere by the edit keeps its place and its speed, and so does what was poured, where the pour is the
-     * same one. A sphere that is new or was put elsewhere starts there at rest. Those that slept wake: what they rest
-     * on may be gone.
+     * Continues after an edit of the scene. Returns this simulation if the edit does not affect the motion; otherwise
+     * closes it and returns a new one. A sphere that is in both scenes ({@link SameSpheres}) and that the edit did not
+     * move keeps its position and velocity, and so do poured spheres if the pour is the same. New and moved spheres
+     * start at rest. Sleeping spheres wake up, because their support may be gone.
      *
-     * @param meshes that the edited scene names
+     * @param meshes the meshes that the edited scene refers to
      */
     public Simulation goOnIn(Scene edited, SceneMeshes meshes) {
         boolean sameMeshes = haveMeshesAlike(scene, edited);
         if (sameMeshes && movesAlike(scene, edited)) {
             scene = edited;
-            // Where it is not solid it may be elsewhere, and nothing moves otherwise for that.
+            // A light that is not solid may have moved, without effect on the motion.
             bodies.putLight(edited.light());
             return this;
         }
@@ -144,7 +144,7 @@ public final class Simulation implements AutoCloseable {
         return next;
     }
 
-    /** Whatever they are made of. */
+    /** Whether the meshes are the same, apart from their materials. */
     private static boolean haveMeshesAlike(Scene one, Scene other) {
         return places(one).equals(places(other));
     }
@@ -205,20 +205,20 @@ public final class Simulation implements AutoCloseable {
                 integrator.moveBefore(old.velocity(from, 2), gravity.z()));
     }
 
-    /** About how many steps that time takes. */
+    /** The approximate number of steps for a duration. */
     public static int stepsIn(double seconds) {
         return (int) Math.round(seconds / STEP_SECONDS);
     }
 
-    /** Lets time pass, 0 seconds or more: takes as many steps as fit, and keeps the rest for the next call. */
+    /** Simulates a duration of 0 or more seconds: takes as many steps as fit, and keeps the rest for the next call. */
     public void advance(double seconds) {
         advance(seconds, () -> {});
     }
 
     /**
-     * The same where that may take minutes.
+     * As above, for calls that may take minutes.
      *
-     * @param stepped hears of each step when it is done: about {@link #stepsIn} times
+     * @param stepped called after each step, about {@link #stepsIn} times
      */
     public void advance(double seconds, Runnable stepped) {
         ahead += seconds;
@@ -229,19 +229,16 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /**
-     * Moves everything by one step, so that {@link #positions} are a step further too; time that passes goes on from
-     * there.
-     */
+    /** Takes one step, and advances {@link #positions} by one step too; later calls continue from there. */
     public void stepOnce() {
         step();
         if (ahead == 0) {
-            // Between the last two steps that would be where the first of them was.
+            // Otherwise positions() would return the start of the new step.
             ahead = STEP_SECONDS;
         }
     }
 
-    /** Moves everything by one step. */
+    /** Takes one step. */
     public void step() {
         double longest = survey.begin(limit);
         double now = steps * STEP_SECONDS;
@@ -261,29 +258,28 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** The simulated time, in seconds: that of the whole steps. */
+    /** The simulated time of all steps, in seconds. */
     public double seconds() {
         return steps * STEP_SECONDS;
     }
 
-    /** The bodies that are there, light and plane included: those that are not poured yet are not. */
+    /** Number of present bodies, including light and plane; spheres that are not poured yet do not count. */
     public int bodies() {
         return bodies.count - BodyStore.FIRST_SPHERE + Layout.FIRST_SPHERE;
     }
 
     /**
-     * Where the bodies are, a new array each time: between the last two steps, by the time that is ahead of a step; so
-     * the picture is less than a step behind.
+     * The bodies' positions in a new array, interpolated between the last two steps by the remaining time; the picture
+     * is less than a step behind.
      *
-     * @return {@code float[3 * room]}, as {@link World#setBodyPositions} takes it for a world that begins where the
-     *     scene does
+     * @return {@code float[3 * room]}, as {@link World#setBodyPositions} takes it, for a world with the scene's origin
      */
     public float[] positions() {
         return positions(new Vector3(0, 0, 0));
     }
 
     /**
-     * The same, seen from another place than the scene's own origin.
+     * As above, relative to another origin.
      *
      * @param origin in the scene's coordinates, in meters; {@link World#origin} for a world's bodies
      */
@@ -303,12 +299,12 @@ public final class Simulation implements AutoCloseable {
         return positions;
     }
 
-    /** Moves a world's bodies to where they are here; it must be of the same scene. */
+    /** Moves the bodies of a world of the same scene to their positions here. */
     public void place(World world) {
         world.setBodyPositions(positions(world.origin()), bodies());
     }
 
-    /** Lets the threads go. */
+    /** Stops the threads. */
     @Override
     public void close() {
         team.close();
@@ -318,7 +314,7 @@ public final class Simulation implements AutoCloseable {
         return bodies;
     }
 
-    /** A sphere's velocity along an axis at the end of the last step, in m/s, where nothing but gravity acts on it. */
+    /** A body's velocity along an axis at the end of the last step, in m/s, if only gravity acts on it. */
     double velocity(int body, int axis) {
         Vector3 gravity = surroundings.gravity();
         double pull = axis == 0 ? gravity.x() : axis == 1 ? gravity.y() : gravity.z();
@@ -350,7 +346,7 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    // A chunk's bodies are still in the cache.
+    // Both while the chunk's bodies are cached.
     private void moveAndAccelerate(int from, int to) {
         integrator.move(from, to);
         integrator.accelerate(from, to);
@@ -368,7 +364,7 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    // Powers of two, so that a speed that wavers changes the sub-steps seldom.
+    // Powers of two, so that a fluctuating speed rarely changes the sub-steps.
     private int parts(double speed) {
         double diameters = speed * STEP_SECONDS / (2 * bodies.smallestRadius());
         int parts = 1;
@@ -406,7 +402,10 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** Nearly all spheres are no larger: a few that are would make the cells of all others too wide. */
+    /**
+     * A radius that nearly all spheres do not exceed: cells sized for a few larger ones would be too wide for the
+     * others.
+     */
     private static double typicalRadius(List<Sphere> spheres) {
         double[] radii = spheres.stream().mapToDouble(Sphere::radius).sorted().toArray();
         return radii.length == 0 ? 1 : radii[(int) (TYPICAL_SHARE * (radii.length - 1))];

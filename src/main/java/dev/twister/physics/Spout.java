@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 
-/** Lets a pour's spheres out, each at its time, falling a little to one side or the other. */
+/** Releases the spheres of a pour, each at its time, with a small random sideways velocity. */
 final class Spout {
-    /** Of the speed at the spout, at most: without it spheres would pile up in towers under it. */
+    /** Largest sideways speed relative to the spout's; without it, spheres would pile up in towers. */
     private static final double SPREAD = 0.04;
 
     private final double rate;
@@ -29,13 +29,15 @@ final class Spout {
         }
     }
 
-    /** Lets these spheres out as the pour says; without one there are none. */
+    /** A spout for the spheres of a pour; without a pour it has none. */
     static Spout of(Optional<Pour> pour, List<Sphere> spheres) {
         return pour.map(known -> new Spout(known.rate(), known.speed(), known.seed(), spheres))
                 .orElseGet(() -> new Spout(1, 0, 0, List.of()));
     }
 
-    /** Adds the spheres that come out before a time, as far above the spout at the other as they are early. */
+    /**
+     * Adds the spheres due between the times {@code now} and {@code end}, placed above the spout by the time until due.
+     */
     void open(double now, double end, BodyStore bodies, Integrator integrator, Vector3 gravity) {
         while (out < spheres.size() && out / rate < end) {
             double early = out / rate - now;
@@ -55,7 +57,7 @@ final class Spout {
         }
     }
 
-    /** Adds the first spheres at once, to be put elsewhere. */
+    /** Adds the first {@code number} spheres at once, to be placed by the caller. */
     void skip(int number, BodyStore bodies) {
         for (Sphere sphere : spheres.subList(out, out + number)) {
             bodies.add(sphere.position(), sphere.radius());
@@ -63,7 +65,7 @@ final class Spout {
         out += number;
     }
 
-    /** Whether more are to come. */
+    /** Whether more spheres will follow. */
     boolean isOpen() {
         return out < spheres.size();
     }

@@ -6,10 +6,10 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 
 /**
- * What does not move: the plane's square, which is met from above, from below and at its border, and four walls on the
+ * All fixed obstacles: the plane's square, which is touched from above, from below and at its border; four walls on the
  * border; and meshes.
  *
- * @param halfSide of the square, in meters
+ * @param halfSide half side of the square, in meters
  * @param height the plane's y, in meters
  * @param gravity in m/s^2
  */
@@ -24,10 +24,10 @@ record Surroundings(
     static final int GROUND = 0;
     static final int FIRST_WALL = 1;
 
-    /** At the largest x, the least x, the largest z, the least z. */
+    /** In the order: at maximum x, minimum x, maximum z, minimum z. */
     static final int WALLS = 4;
 
-    /** After the walls: for each triangle of the mesh one surface for each of its two sides. */
+    /** After the walls: two surfaces per triangle of the mesh, one per side. */
     static final int FIRST_TRIANGLE = FIRST_WALL + WALLS;
 
     static Surroundings of(Scene scene, MeshCollider mesh) {
@@ -47,7 +47,7 @@ record Surroundings(
         return Math.sqrt(gravity.x() * gravity.x() + gravity.y() * gravity.y() + gravity.z() * gravity.z());
     }
 
-    /** The unit vector against gravity; 0 where there is none. */
+    /** The unit vector against gravity; zero without gravity. */
     Vector3 up() {
         double strength = gravityStrength();
         return strength == 0
@@ -59,12 +59,12 @@ record Surroundings(
         return Math.abs(x) <= halfSide && Math.abs(z) <= halfSide;
     }
 
-    /** x of the square's point that is nearest to one with that x; its z alike. */
+    /** x (or z) of the square's point nearest to a point with that x (or z). */
     double nearest(double coordinate) {
         return Math.max(-halfSide, Math.min(halfSide, coordinate));
     }
 
-    /** How far a point is from the y axis towards a wall, in meters. */
+    /** Distance of a point from the y axis toward a wall, in meters. */
     double towardsWall(int wall, double x, double z) {
         double along = wall < 2 ? x : z;
         return wall % 2 == 0 ? along : -along;

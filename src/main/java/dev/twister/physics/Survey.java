@@ -1,13 +1,13 @@
 package dev.twister.physics;
 
-/** What a look at all bodies tells, chunk by chunk, so that threads can look side by side. */
+/** Passes over all bodies, in chunks for parallel threads, with reduction of the results. */
 final class Survey {
     static final int BODIES_AT_ONCE = 4096;
 
     private static final int FACTS = 7;
     private static final int LONGEST_MOVE_SQUARED = 6;
 
-    /** In the same place, for they are told by different looks: above 0 where one has just woken. */
+    /** At the same index, because it is the result of another pass: positive if a body has just woken. */
     private static final int WOKEN = 6;
 
     private final BodyStore bodies;
@@ -24,10 +24,10 @@ final class Survey {
     }
 
     /**
-     * Remembers where the bodies are, before a step, and lets those that were hit in the last one be awake.
+     * Stores the bodies' positions before a step, and stops bodies at the limit of the world.
      *
-     * @param limit the largest coordinate of the world: what gets there stays there
-     * @return the square of the longest move of a sub-step, in meters squared; below 0 where all bodies sleep
+     * @param limit the largest coordinate of the world; bodies that get there stay there
+     * @return the largest squared move per sub-step, in m^2; negative if all bodies sleep
      */
     double begin(double limit) {
         double[] longest = look((from, to, at) -> {
@@ -41,12 +41,12 @@ final class Survey {
     }
 
     /**
-     * Sets how far the bodies may get before the next search.
+     * Wakes roused bodies, and sets the reach of all bodies until the next search.
      *
-     * @param margin of each body, in its radii
-     * @param moves how many sub-steps there are until then
-     * @param fall what gravity adds until then, in meters
-     * @return where the centers are: least and largest x, y, z; overwritten by the next call
+     * @param margin margin of each body, in its radii
+     * @param moves number of sub-steps until then
+     * @param fall distance added by gravity until then, in meters
+     * @return bounds of the centers: minimum and maximum of x, y and z; overwritten by the next call
      */
     double[] reach(double margin, double moves, double fall) {
         double[] found = look((from, to, at) -> setReach(from, to, at, margin, moves, fall));
@@ -65,7 +65,7 @@ final class Survey {
         return bounds;
     }
 
-    /** Whether a body has just woken ({@link BodyStore#isJustWoken}), by the last call of {@link #reach}. */
+    /** Whether any body has just woken ({@link BodyStore#isJustWoken}), as of the last call of {@link #reach}. */
     boolean anyJustWoken() {
         return anyJustWoken;
     }

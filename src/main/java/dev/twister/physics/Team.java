@@ -4,9 +4,9 @@ import dev.twister.threads.Crew;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntConsumer;
 
-/** Does many small tasks on all threads; which thread does which is left open, so no task may depend on another. */
+/** Runs many small tasks on all threads. The assignment to threads varies, so tasks must be independent. */
 final class Team implements AutoCloseable {
-    /** Works on some bodies, the last one excluded. */
+    /** Work on the bodies from {@code from} to before {@code to}. */
     interface Range {
         void work(int from, int to);
     }
@@ -22,7 +22,7 @@ final class Team implements AutoCloseable {
         crew = new Crew("physics", threads, _ -> takeTasks());
     }
 
-    /** Calls the task with 0 to count - 1; returns when all are done. */
+    /** Runs the task with 0 to count - 1; returns when all are done. */
     void each(int count, IntConsumer newTask) {
         if (threads == 1 || count < 2) {
             for (int index = 0; index < count; index++) {
@@ -37,7 +37,7 @@ final class Team implements AutoCloseable {
         task = Team::rest;
     }
 
-    /** Cuts the numbers from one to another, the last one excluded, into chunks of a size. */
+    /** Splits the range from {@code from} to before {@code to} into chunks of the given size. */
     void inChunks(int from, int to, int size, Range work) {
         each(Math.ceilDiv(to - from, size), chunk -> {
             int start = from + chunk * size;

@@ -3,7 +3,7 @@ package dev.twister.physics;
 import java.util.Arrays;
 import java.util.function.IntUnaryOperator;
 
-/** Which triangles share borders: those whose corners are at the same places. */
+/** Finds triangles that share edges: the positions of their corners are equal. */
 final class TriangleBorders {
     private static final int NOTHING = -1;
 
@@ -17,15 +17,15 @@ final class TriangleBorders {
      * The neighbors of all triangles.
      *
      * @param corners {@code double[9 * triangles]}
-     * @return {@code int[3 * triangles]}: the triangle across the border from corner k to the next one; -1 where there
-     *     is none, or more than one
+     * @return {@code int[3 * triangles]}: the triangle across the edge from corner k to the next one; -1 if there is
+     *     none or more than one
      */
     static int[] neighbors(double[] corners) {
         int count = corners.length / 3;
         int[] vertex = firstAlike(
                 count,
                 corner -> Arrays.hashCode(new double[] {
-                    // Adding 0 makes one place of 0 and -0.
+                    // Adding 0 turns -0 into 0.
                     corners[3 * corner] + 0.0, corners[3 * corner + 1] + 0.0, corners[3 * corner + 2] + 0.0
                 }),
                 (one, other) -> corners[3 * one] == corners[3 * other]
@@ -57,7 +57,7 @@ final class TriangleBorders {
         return corner % 3 == 2 ? corner - 2 : corner + 1;
     }
 
-    /** For each item the first one that is the same, by a table with open addressing. */
+    /** For each item, the first equal one; uses a hash table with open addressing. */
     private static int[] firstAlike(int count, IntUnaryOperator hash, Sameness same) {
         int[] table = new int[Integer.highestOneBit(Math.max(1, count)) << 2];
         Arrays.fill(table, NOTHING);

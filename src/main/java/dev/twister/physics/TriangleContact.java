@@ -1,8 +1,8 @@
 package dev.twister.physics;
 
-/** How a body lies to a triangle; used by one thread. */
+/** Contact of a body with a triangle; for use by one thread. */
 final class TriangleContact {
-    /** Borders of length 1 that lean over a neighbor by less than this count as level with it. */
+    /** For unit vectors: a neighbor that rises by less than this counts as coplanar. */
     private static final double ROUNDING = 1e-9;
 
     private final double[] corners;
@@ -11,20 +11,20 @@ final class TriangleContact {
     private final double normalY;
     private final double normalZ;
 
-    /** The unit vector from the triangle's nearest point to the body, and how far the body's center is from there. */
+    /** Unit vector from the triangle's nearest point to the body's center, and the distance between both. */
     double x;
 
     double y;
     double z;
     double distance;
 
-    /** The share of each corner in the nearest point; 0 where that is on the border that is opposite. */
+    /** Barycentric weights of the nearest point; 0 if it is on the edge opposite the corner. */
     private double first;
 
     private double second;
     private double third;
 
-    /** From the nearest point to the body's center. */
+    /** Vector from the nearest point to the body's center. */
     private double awayX;
 
     private double awayY;
@@ -48,7 +48,7 @@ final class TriangleContact {
         normalZ = crossZ * inverse;
     }
 
-    /** Whether the triangle whose corners begin there has an area; placed flat, it may have none. */
+    /** Whether the triangle whose corners start at {@code at} has an area; flattening placements may remove it. */
     static boolean hasArea(double[] corners, int at) {
         double abX = corners[at + 3] - corners[at];
         double abY = corners[at + 4] - corners[at + 1];
@@ -67,35 +67,35 @@ final class TriangleContact {
     }
 
     /**
-     * How far a point is from the triangle's plane, in meters; above 0 where the corners turn to the left, seen from
-     * there.
+     * Signed distance of a point from the triangle's plane, in meters; positive where the corners appear
+     * counterclockwise.
      */
     double height(double px, double py, double pz) {
         return (px - corners[at]) * normalX + (py - corners[at + 1]) * normalY + (pz - corners[at + 2]) * normalZ;
     }
 
-    /** How far the body's center is from the triangle, in meters. */
+    /** Distance of the body's center from the triangle, in meters. */
     double away() {
         return Math.sqrt(awayX * awayX + awayY * awayY + awayZ * awayZ);
     }
 
-    /** Whether the nearest point to a point is not on a border. */
+    /** Whether the nearest point is inside the triangle, on no edge. */
     boolean isOver() {
         return first > 0 && second > 0 && third > 0;
     }
 
-    /** Whether the nearest point is on the border from that corner to the next one. */
+    /** Whether the nearest point is on the edge from that corner to the next one. */
     boolean isOn(int border) {
         return border == 0 ? third == 0 : border == 1 ? first == 0 : second == 0;
     }
 
     /**
-     * Finds the nearest point to a body's center (Ericson, "Real-Time Collision Detection", 2005, 5.1.5), and the
-     * direction in which the triangle holds the body. Over the triangle, and on a path that goes through it, that is
-     * the normal on the body's side; the distance is below 0 beyond the plane.
+     * Finds the point nearest to a body's center (Ericson, "Real-Time Collision Detection", 2005, 5.1.5), and the
+     * direction in which the triangle pushes the body. Over the triangle, and if the move leads through it, that is the
+     * normal on the body's side; then the distance is negative beyond the plane.
      *
-     * @param side where the body belongs: 0 where the corners turn to the left, seen from there, else 1
-     * @param moveX and the other two: what it is about to move
+     * @param side the side that the body belongs to: 0 where the corners appear counterclockwise, else 1
+     * @param moveX with moveY and moveZ: the body's next move
      */
     void meet(double px, double py, double pz, int side, double moveX, double moveY, double moveZ) {
         double sign = side == 0 ? 1 : -1;
@@ -138,7 +138,7 @@ final class TriangleContact {
         }
     }
 
-    /** Whether a neighbor, across a border that has the nearest point, comes nearer to the body's center. */
+    /** Whether the neighbor across the edge of the nearest point is nearer to the body's center. */
     boolean leansOver(double[] all, int triangle, int border, int other) {
         int from = 9 * triangle + 3 * border;
         int to = 9 * triangle + 3 * ((border + 1) % 3);

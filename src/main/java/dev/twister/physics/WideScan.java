@@ -7,36 +7,37 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The scan of a {@link NeighborGrid} with eight neighbors at once, by the Vector API. It finds the same in the same
- * order; its lanes are no wider than what the grid's arrays have to spare at their ends.
+ * {@link NeighborGrid}'s scan with eight neighbors at a time, by the Vector API. It finds the same pairs in the same
+ * order. The grid's arrays have padding for its lanes.
  */
 final class WideScan {
-    /** Neighbors at once. */
+    /** Number of neighbors at a time. */
     static final int LANES = 8;
 
-    /** With fewer there is little to gain. */
+    /** With fewer slots there is little to gain. */
     static final int MIN_SLOTS = 2500;
 
-    /** So many searches, which are two seconds or less, use it for few slots only, while it is being compiled. */
+    /** Number of searches, two seconds or less, during which only some slots use it, while it is being compiled. */
     static final int FIRST_SEARCHES = 240;
 
-    /** After this number of them it is used for twice as many slots; for one in the first. */
+    /** Number of searches after which the number of these slots doubles, starting with 1. */
     static final int SEARCHES_TO_DOUBLE = 20;
 
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
     private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
 
-    /** Whether the processor has such lanes; only those that have them can pack some of them together. */
+    /** Whether the CPU has 512-bit vectors; only these CPUs can compress lanes. */
     static final boolean SUITS = FloatVector.SPECIES_PREFERRED.equals(FloatVector.SPECIES_512);
 
     private WideScan() {}
 
     /**
-     * Adds the pairs of a slot's body with those of other slots; their first body is to be set.
+     * Adds the pairs of a slot's body with those of other slots; the caller must set their first body.
      *
-     * @param start the first of the others
-     * @param end the one after the last
-     * @param firstKey the least key of a cell that counts, and how many more do
+     * @param start first of the other slots
+     * @param end index after the last one
+     * @param firstKey smallest key of an accepted cell
+     * @param span number of further keys that are accepted
      */
     static void scan(NeighborGrid grid, int slot, int start, int end, int firstKey, int span, Contacts contacts) {
         float own = Math.abs(grid.reach[slot]);

@@ -1,6 +1,6 @@
 /**
- * Bodies that move: position Verlet in small steps, contacts solved by accumulated impulses, a grid for the pairs, all
- * on every core with the same bits whatever their number. Leans on the scene, which it starts from, on the world, which
- * it moves, on the kernel's layout constants, and on {@code threads}.
+ * Moving bodies: position Verlet in small steps, contacts solved by accumulated impulses, and a grid for the broad
+ * phase. It runs on all cores with bitwise identical results for any number of them. Depends on the scene, the world,
+ * the kernel's layout constants, and {@code threads}.
  */
 package dev.twister.physics;

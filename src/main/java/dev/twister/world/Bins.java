@@ -3,39 +3,41 @@ package dev.twister.world;
 import dev.twister.kernel.Layout;
 import java.util.Arrays;
 
-/** Equal bins along one axis over the centers of some spheres: how many are in each, and the box about them. */
+/**
+ * Equal bins along one axis over the centers of spheres, with the number of spheres and the bounding box of each bin.
+ */
 final class Bins {
     private static final int MOST = 16;
 
-    /** So few are spread over half as many bins. */
+    /** With fewer items, half as many bins are used. */
     private static final int FEW_ITEMS = 32;
 
     private static final float NOWHERE = Float.MAX_VALUE;
 
-    /** The last center must not fall beyond the last bin. */
+    /** Keeps the last center within the last bin. */
     private static final float INSIDE = 0.99999f;
 
     private final int[] counts = new int[MOST];
 
-    /** Low x, y, z and high x, y, z of each bin. */
+    /** Minimum x, y, z and maximum x, y, z of each bin. */
     private final float[] boxes = new float[6 * MOST];
 
-    /** What the spheres in the bins after each border cost. */
+    /** Cost of the spheres in the bins from each index on. */
     private final float[] costsAbove = new float[MOST];
 
     private int count;
     private float start;
     private float scale;
 
-    /** After {@link #findBorder}: how many spheres are before the border. */
+    /** Number of spheres before the border; a result of {@link #findBorder}. */
     int before;
 
     /**
-     * Empties the bins.
+     * Clears the bins.
      *
-     * @param items how many are to be sorted
-     * @param low the least coordinate of a center
-     * @param high the greatest, above it
+     * @param items number of items to sort
+     * @param low smallest coordinate of a center
+     * @param high largest coordinate of a center, greater than {@code low}
      */
     void start(int items, float low, float high) {
         count = items < FEW_ITEMS ? MOST / 2 : MOST;
@@ -56,7 +58,7 @@ final class Bins {
     /**
      * Sorts spheres into the bins.
      *
-     * @param along 0 for x, 1 for y, 2 for z
+     * @param along axis: 0 for x, 1 for y, 2 for z
      */
     void fill(float[] hierarchy, int from, int to, int along) {
         for (int at = from; at < to; at += Layout.SPHERE_STRIDE) {
@@ -69,7 +71,7 @@ final class Bins {
         }
     }
 
-    /** Adds some spheres to a bin, with the box about them: low x, y, z and high x, y, z. */
+    /** Adds spheres to a bin by their number and bounding box: minimum x, y, z and maximum x, y, z. */
     void add(int bin, int spheres, float[] sides, int at) {
         counts[bin] += spheres;
         widen(6 * bin, sides[at], sides[at + 3]);
@@ -82,12 +84,12 @@ final class Bins {
         boxes[at + 3] = Math.max(boxes[at + 3], high);
     }
 
-    /** The bin of a center there. */
+    /** The bin of a coordinate. */
     int bin(float coordinate) {
         return (int) ((coordinate - start) * scale);
     }
 
-    /** The first bin after the border where a split costs least: the sum over both sides of area times spheres. */
+    /** The bin at which a split costs least: the sum over both sides of surface area times number of spheres. */
     int findBorder() {
         float lowX = NOWHERE;
         float lowY = NOWHERE;
@@ -136,12 +138,12 @@ final class Bins {
         return best;
     }
 
-    /** In proportion; an empty side's box is inside out. */
+    /** Relative cost; 0 for an empty side, whose box is inverted. */
     private static float cost(float x, float y, float z, int spheres) {
         return spheres == 0 ? 0 : spheres * (x * y + y * z + z * x);
     }
 
-    /** Puts the spheres before the border before the others. */
+    /** Moves the spheres before the border to the front. */
     void part(float[] hierarchy, int from, int to, int axis, int border) {
         int head = from;
         int tail = to - Layout.SPHERE_STRIDE;

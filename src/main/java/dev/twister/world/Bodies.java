@@ -6,22 +6,22 @@ import dev.twister.scene.Vector3;
 import java.util.Arrays;
 
 /**
- * The bodies as the kernel reads them; {@link Layout} has the places in the arrays, none of which changes. They have
- * room for all bodies that a scene may come to have; {@link FrameInput#bodyCount} tells how many of them are there.
+ * The bodies as the kernel reads them. {@link Layout} describes the arrays, which are immutable. They have room for all
+ * bodies that the scene may have; {@link FrameInput#bodyCount} is the number of present ones.
  *
- * @param places four floats a body: each one's center, seen from the origin, and radius; the plane's is its square's
- *     center and side; a mesh's that of a sphere around it
- * @param looks eight floats a body: each body's color (albedo; the light's radiance; the plane's first color),
- *     reflectivity in [0, 128], roughness, transmission, index of refraction and texture
- * @param hierarchy over the spheres that are there: see {@link SphereHierarchy}, and over the meshes; its length
- *     depends on the room and the meshes alone
- * @param meshes the meshes that bodies show, each once
- * @param room how many bodies there may come to be without meshes, which come after them
- * @param firstMesh the room, or {@link Layout#NO_MESHES} where no mesh is seen
- * @param materials {@link Material#PLAIN} where no body, there or not, has more looks than color and reflectivity, else
+ * @param places four floats per body: center relative to the origin, and radius; for the plane, its square's center and
+ *     side; for a mesh, its bounding sphere
+ * @param looks eight floats per body: color (albedo; the light's radiance; the plane's first color), reflectivity in
+ *     [0, 128], roughness, transmission, index of refraction and texture
+ * @param hierarchy hierarchies over the present spheres, see {@link SphereHierarchy}, and over the meshes; its length
+ *     depends only on the room and the meshes
+ * @param meshes the distinct meshes of the bodies
+ * @param room maximum number of bodies without meshes; meshes are numbered from here
+ * @param firstMesh the room, or {@link Layout#NO_MESHES} if no mesh is visible
+ * @param materials {@link Material#PLAIN} if all bodies, present or not, have only color and reflectivity, else
  *     {@link Material#ANY}
- * @param origin where all coordinates of the input begin, in the scene's own: near the camera, as floats lose digits
- *     far away
+ * @param origin origin of all coordinates of the input, in the scene's coordinates; near the camera, because floats
+ *     lose precision far away
  */
 @SuppressWarnings("ArrayRecordComponent") // identity is what counts, see FrameInput
 public record Bodies(
@@ -33,12 +33,12 @@ public record Bodies(
         int firstMesh,
         int materials,
         Vector3 origin) {
-    /** A coordinate of a body's center, in meters: 0 for x, 1 for y, 2 for z. */
+    /** One coordinate of a body's center, in meters: axis 0 for x, 1 for y, 2 for z. */
     public float center(int body, int axis) {
         return places[Layout.PLACE_STRIDE * body + axis];
     }
 
-    /** The light's or a sphere's radius, the plane's side, in meters. */
+    /** The radius of the light or a sphere, or the plane's side, in meters. */
     public float size(int body) {
         return places[Layout.PLACE_STRIDE * body + Layout.PLACE_SIZE];
     }
@@ -53,7 +53,7 @@ public record Bodies(
         return Material.PLAIN;
     }
 
-    /** A place of the scene, seen from the origin. */
+    /** A point of the scene relative to the origin. */
     public Vector3 seen(Vector3 place) {
         return new Vector3(place.x() - origin.x(), place.y() - origin.y(), place.z() - origin.z());
     }

@@ -2,11 +2,13 @@ package dev.twister.world;
 
 import dev.twister.kernel.Layout;
 
-/** The boxes about some spheres and about their centers alone; grows with each sphere added. */
+/** Bounding boxes of spheres and of their centers. */
 final class Bounds {
     private static final float NOWHERE = Float.MAX_VALUE;
 
-    /** Of its extent and place, far above the rounding of centers and sides and of what the kernel does with them. */
+    /**
+     * Margins relative to position and extent, well above the rounding of centers, sides and the kernel's box tests.
+     */
     private static final float PLACE_MARGIN = 3.0e-7f;
 
     private static final float SIZE_MARGIN = 4.0e-6f;
@@ -18,7 +20,7 @@ final class Bounds {
     float highY;
     float highZ;
 
-    /** The centers'. */
+    /** Box of the centers. */
     float firstX;
 
     float firstY;
@@ -27,7 +29,7 @@ final class Bounds {
     float lastY;
     float lastZ;
 
-    /** The boxes about the spheres at those places of the hierarchy. */
+    /** Computes the boxes of a range of spheres in the hierarchy. */
     void hold(float[] hierarchy, int from, int to) {
         float minX = NOWHERE;
         float minY = NOWHERE;
@@ -73,7 +75,7 @@ final class Bounds {
         lastZ = z1;
     }
 
-    /** Begins anew, with nothing. */
+    /** Resets to empty boxes. */
     void clear() {
         lowX = NOWHERE;
         lowY = NOWHERE;
@@ -89,7 +91,7 @@ final class Bounds {
         lastZ = -NOWHERE;
     }
 
-    /** Adds a box of low x, y, z and high x, y, z; its middle counts as the center. */
+    /** Adds a box given by minimum x, y, z and maximum x, y, z; its midpoint counts as the center. */
     void add(float[] sides, int at) {
         lowX = Math.min(lowX, sides[at]);
         lowY = Math.min(lowY, sides[at + 1]);
@@ -108,12 +110,12 @@ final class Bounds {
         lastZ = Math.max(lastZ, z);
     }
 
-    /** The middle between a low side and its high one. */
+    /** Midpoint of a low side and its high side. */
     static float middle(float[] sides, int at) {
         return 0.5f * (sides[at] + sides[at + 3]);
     }
 
-    /** Along which the centers lie farthest apart: 0 for x, 1 for y, 2 for z. */
+    /** Axis along which the centers are spread farthest: 0 for x, 1 for y, 2 for z. */
     int longestAxis() {
         float x = lastX - firstX;
         float y = lastY - firstY;
@@ -121,22 +123,22 @@ final class Bounds {
         return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
     }
 
-    /** The least coordinate of a center along that axis. */
+    /** Smallest coordinate of a center along an axis. */
     float first(int axis) {
         return axis == 0 ? firstX : axis == 1 ? firstY : firstZ;
     }
 
-    /** The greatest. */
+    /** Largest coordinate of a center along an axis. */
     float last(int axis) {
         return axis == 0 ? lastX : axis == 1 ? lastY : lastZ;
     }
 
-    /** Whether bins or cells between these coordinates tell anything apart. */
+    /** Whether the range is wide enough to be divided into bins or cells. */
     static boolean areApart(float low, float high) {
         return high - low > 1e-6f * Math.max(Math.abs(low), Math.abs(high)) && high - low > 1e-30f;
     }
 
-    /** Writes the box about the spheres as a node's. */
+    /** Writes the box of the spheres to a node. */
     void write(float[] hierarchy, int node) {
         writeSides(hierarchy, node, lowX, highX);
         writeSides(hierarchy, node + 1, lowY, highY);

@@ -5,15 +5,15 @@ import java.util.Arrays;
 import java.util.concurrent.RecursiveAction;
 
 /**
- * Builds a bounding volume hierarchy over boxes as {@link SphereHierarchy} does over spheres: split where the surface
- * area heuristic says, tried at the borders of equal bins, on all cores. Links are numbers of nodes and of boxes.
+ * Builds a bounding volume hierarchy over boxes, as {@link SphereHierarchy} does over spheres: by the surface area
+ * heuristic, evaluated at the borders of equal bins, on all cores. Links are numbers of nodes and boxes.
  */
 final class BoxTree extends RecursiveAction {
     private static final long serialVersionUID = 1;
 
     private static final int FEWEST_FOR_A_THREAD = 8192;
 
-    /** With more ancestors, boxes are split in the middle: 2^24 of them stay within the kernel's stack. */
+    /** With more ancestors, boxes are split at the median; then 2^24 boxes stay within the kernel's stack. */
     private static final int MOST_UNEVEN_ANCESTORS = Layout.MOST_ANCESTORS - 24;
 
     @SuppressWarnings("serial") // never written
@@ -54,11 +54,12 @@ final class BoxTree extends RecursiveAction {
     }
 
     /**
-     * The nodes, the root first.
+     * Builds the nodes, with the root first.
      *
-     * @param boxes {@code float[6 * boxes]}, at least one: low x, y, z and high x, y, z; ordered as the leaves are
-     * @param order {@code int[boxes]}: filled with the boxes' numbers in the order of the leaves
-     * @param mostInLeaf at least 1
+     * @param boxes {@code float[6 * boxes]}, at least one box: minimum x, y, z and maximum x, y, z; reordered like the
+     *     leaves
+     * @param order {@code int[boxes]}: receives the boxes' numbers in the order of the leaves
+     * @param mostInLeaf largest number of boxes per leaf, at least 1
      */
     static float[] nodes(float[] boxes, int[] order, int mostInLeaf) {
         Arrays.setAll(order, box -> box);
@@ -70,7 +71,7 @@ final class BoxTree extends RecursiveAction {
         return Arrays.copyOf(nodes, Layout.NODE_STRIDE * count);
     }
 
-    /** Copies what is below a node that was copied, without gaps; returns how many nodes there are then. */
+    /** Copies the descendants of a copied node without gaps; returns the new number of nodes. */
     private static int gather(float[] spread, int node, float[] nodes, int copy, int count) {
         if (spread[Layout.NODE_STRIDE * node + Layout.NODE_SPHERES] >= 0) {
             return count;
@@ -88,7 +89,8 @@ final class BoxTree extends RecursiveAction {
     }
 
     /**
-     * The nodes over the boxes at {@code [start, end)}: the topmost one, and behind {@code free} room for the others.
+     * Builds the nodes over the boxes at {@code [start, end)}: the topmost one at {@code at}, the others from
+     * {@code free} on.
      */
     private void grow(int at, int free, int start, int end, int above) {
         bounds.clear();
@@ -119,7 +121,7 @@ final class BoxTree extends RecursiveAction {
         }
     }
 
-    /** Orders the boxes in two parts; returns where the second begins. */
+    /** Partitions the boxes; returns the start of the second part. */
     private int split(int start, int end, int above) {
         int axis = bounds.longestAxis();
         float low = bounds.first(axis);

@@ -3,11 +3,14 @@ package dev.twister.world;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 
-/** Turns a camera's angles into the kernel's {@code float[] camera}, so that no pixel needs trigonometry. */
+/** Converts a camera's angles to the kernel's {@code float[] camera}, so that no pixel needs trigonometry. */
 final class CameraBasis {
     private CameraBasis() {}
 
-    /** Position, then right, up and forward: the axes turned by pitch about x, then by yaw about y; then the eye. */
+    /**
+     * Position; right, up and forward, which are the axes turned by pitch about x, then by yaw about y; lens and eye
+     * distance.
+     */
     static float[] of(Camera camera) {
         double yaw = Math.toRadians(camera.yawDegrees());
         double pitch = Math.toRadians(camera.pitchDegrees());

@@ -5,7 +5,7 @@ import dev.twister.scene.Plane;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Vector3;
 
-/** How a person moves the camera; the same at any frame rate. */
+/** Interactive camera movement, independent of the frame rate. */
 public final class CameraMotion {
     public static final double WALK_METERS_PER_SECOND = 5;
     public static final double RUN_METERS_PER_SECOND = 20;
@@ -13,10 +13,10 @@ public final class CameraMotion {
     public static final double TURN_DEGREES_PER_SECOND = 45;
     public static final double FAST_TURN_DEGREES_PER_SECOND = 135;
 
-    /** The camera stays this far above the plane, in meters. */
+    /** Minimum height of the camera above the plane, in meters. */
     public static final double CLEARANCE_METERS = 0.1;
 
-    /** Field of view that one notch of the wheel leaves of it. */
+    /** Factor for the field of view per notch of the wheel. */
     public static final double ZOOM_OF_A_NOTCH = 0.95;
 
     private static final double FULL_TURN_DEGREES = 360;
@@ -24,10 +24,10 @@ public final class CameraMotion {
     private CameraMotion() {}
 
     /**
-     * Moves over the ground the way the camera looks, and straight up or down; slantwise not faster than straight on,
-     * and never below the plane.
+     * Moves horizontally relative to the view direction, and vertically. Diagonal moves are not faster. The camera
+     * stays above the plane.
      *
-     * @param seconds since the last step, 0 or more
+     * @param seconds time since the last step, at least 0
      */
     public static Camera walk(Camera camera, Walk walk, double seconds, Plane plane) {
         if (walk.isStill()) {
@@ -46,9 +46,9 @@ public final class CameraMotion {
     }
 
     /**
-     * Turns as long as a person wants it to.
+     * Turns the camera.
      *
-     * @param seconds since the last step, 0 or more
+     * @param seconds time since the last step, at least 0
      */
     public static Camera turn(Camera camera, Turn turn, double seconds) {
         double degrees = (turn.fast() ? FAST_TURN_DEGREES_PER_SECOND : TURN_DEGREES_PER_SECOND) * seconds;
@@ -57,7 +57,7 @@ public final class CameraMotion {
                 : look(camera, degrees * turn.right(), degrees * turn.down());
     }
 
-    /** Turns; yaw comes out in [-180, 180), pitch in [-90, 90]. */
+    /** Turns the camera by angles in degrees; yaw ends in [-180, 180), pitch in [-90, 90]. */
     public static Camera look(Camera camera, double rightDegrees, double downDegrees) {
         double yaw = camera.yawDegrees() + rightDegrees;
         return camera.withYaw(yaw - FULL_TURN_DEGREES * Math.floor(yaw / FULL_TURN_DEGREES + 0.5))
@@ -65,16 +65,16 @@ public final class CameraMotion {
     }
 
     /**
-     * Narrows the field of view, or widens it.
+     * Narrows or widens the field of view.
      *
-     * @param notches of the mouse's wheel, turned away from the hand; may be a fraction, and negative
+     * @param notches of the mouse wheel, positive away from the user; may be fractional
      */
     public static Camera zoom(Camera camera, double notches) {
         return camera.withFieldOfView(
                 SceneLimits.FIELD_OF_VIEW.clamp(camera.fieldOfViewDegrees() * Math.pow(ZOOM_OF_A_NOTCH, notches)));
     }
 
-    /** The camera, lifted over the plane where it is below. */
+    /** The camera, raised above the plane if it is below. */
     public static Camera above(Camera camera, Plane plane) {
         double lowest = plane.height() + CLEARANCE_METERS;
         Vector3 position = camera.position();

@@ -9,18 +9,17 @@ import dev.twister.scene.Vector3;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 
-/** Where the camera is at a time of a film. */
+/** Position of the camera at a time of a film. */
 public final class CameraPath {
     private static final double FULL_TURN_DEGREES = 360;
 
     private CameraPath() {}
 
     /**
-     * The camera on the way through its keyframes: cubic Hermite curves with Catmull-Rom's tangents, which go through
-     * every keyframe without a jump in speed. Before the first keyframe and after the last it stands still; without any
-     * it is as it was.
+     * The camera on its path through the keyframes: cubic Hermite curves with Catmull-Rom tangents, with continuous
+     * speed. It rests before the first and after the last keyframe; without keyframes it does not move.
      *
-     * @param seconds since the film's beginning
+     * @param seconds time since the start of the film
      */
     public static Camera at(Camera camera, double seconds) {
         List<CameraKeyframe> keyframes = camera.keyframes();
@@ -42,10 +41,10 @@ public final class CameraPath {
     }
 
     /**
-     * The camera on a circle about the spheres' middle, turned as the circle goes on, so that it keeps looking at what
-     * it sees; about the y axis where there are no spheres.
+     * The camera on a circle around the spheres' center, or around the y axis if there are no spheres. It turns so that
+     * it keeps the same view of the center.
      *
-     * @param turns whole turns, and parts of one; positive goes to the left, and looks further right
+     * @param turns number of turns; positive moves to the left and turns the view to the right
      */
     public static Camera onCircle(Camera camera, List<Sphere> spheres, double turns) {
         double x = spheres.stream()
@@ -70,10 +69,10 @@ public final class CameraPath {
     }
 
     /**
-     * A part of the way, between two keyframes.
+     * A segment of the path, between two keyframes.
      *
-     * @param index of the keyframe that it begins with
-     * @param part of the time to the next one, in [0, 1]
+     * @param index index of its first keyframe
+     * @param part part of the time to the next keyframe, in [0, 1]
      */
     private record Curve(List<CameraKeyframe> keyframes, int index, double part) {
         static Curve at(List<CameraKeyframe> keyframes, double seconds) {
@@ -106,7 +105,7 @@ public final class CameraPath {
             return range.clamp(curve);
         }
 
-        // One-sided at the ends of the way.
+        // One-sided at both ends of the path.
         private double slope(ToDoubleFunction<CameraKeyframe> of, int at) {
             CameraKeyframe before = keyframes.get(Math.max(0, at - 1));
             CameraKeyframe after = keyframes.get(Math.min(keyframes.size() - 1, at + 1));

@@ -5,17 +5,17 @@ import java.util.concurrent.RecursiveAction;
 import java.util.stream.IntStream;
 
 /**
- * Builds the nodes over some of the cells, splitting between cells while there are many spheres and between spheres
- * from then on; large ones let another thread build one of their halves.
+ * Builds the nodes over some cells. It partitions cells while there are many spheres, then single spheres. For large
+ * parts another thread builds one of the halves.
  */
 final class CellTree extends RecursiveAction {
     private static final long serialVersionUID = 1;
 
-    /** Cells of fewer spheres together are no help: their spheres are split one by one. */
+    /** Cells with fewer spheres in total are split by single spheres. */
     private static final int FEWEST_SPHERES = 48;
 
     /**
-     * From this number of ancestors on, cells are split in the middle: {@link SphereCells#MOST} of them end where
+     * With more ancestors, cells are split at the median; then {@link SphereCells#MOST} cells end at the depth where
      * {@link Subtree} does the same.
      */
     private static final int MOST_UNEVEN_ANCESTORS =
@@ -91,7 +91,7 @@ final class CellTree extends RecursiveAction {
         grow(node, room, firstCell, lastCell, from, ancestors);
     }
 
-    /** The nodes over cells, whose spheres go to {@code place} on. */
+    /** Builds the nodes over some cells, whose spheres are written from {@code place} on. */
     private void grow(int at, int free, int start, int end, int place, int above) {
         int spheres = 0;
         for (int i = start; i < end; i++) {
@@ -136,7 +136,7 @@ final class CellTree extends RecursiveAction {
         }
     }
 
-    /** Orders the cells in two parts, and holds the box about them all; returns where the second part begins. */
+    /** Partitions the cells and computes the box around all of them; returns the start of the second part. */
     private int part(int start, int end, int above) {
         bounds.clear();
         for (int i = start; i < end; i++) {

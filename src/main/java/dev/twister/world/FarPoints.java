@@ -7,15 +7,12 @@ import dev.twister.scene.Vector3;
 import java.util.ArrayList;
 import java.util.List;
 
-/**
- * Those vertices of a mesh file that lie farthest out, each in one of many directions: few points that tell its
- * outline.
- */
+/** The vertices of a mesh file that are farthest out in many directions: few points that describe its outline. */
 final class FarPoints {
     private static final int AXES = 6;
     private static final int DIRECTIONS = AXES + 240;
 
-    /** Of a file of more parts, each is known by the sides of its box alone. */
+    /** With more parts, each part contributes only the vertices at the sides of its bounding box. */
     private static final int MOST_PARTS = 1000;
 
     private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
@@ -23,7 +20,7 @@ final class FarPoints {
 
     private FarPoints() {}
 
-    /** In the file's coordinates, each once. */
+    /** The points in the file's coordinates, without duplicates. */
     static List<Vector3> of(MeshFile file) {
         int directions = file.parts().size() > MOST_PARTS ? AXES : DIRECTIONS;
         List<List<Vector3>> pointsByMesh = file.meshes().stream()
@@ -47,7 +44,7 @@ final class FarPoints {
         return farthest(positions, DIRECTIONS);
     }
 
-    /** @param directions how many, of which the axes come first */
+    /** @param directions number of directions; the axes are the first ones */
     private static List<Vector3> farthest(float[] positions, int directions) {
         List<Vector3> points = new ArrayList<>();
         for (int i = 0; i < directions; i++) {
@@ -68,7 +65,7 @@ final class FarPoints {
         return points.stream().distinct().toList();
     }
 
-    /** Both ways of the axes, which lead to the bounding box's sides, and a spiral over the sphere. */
+    /** Both directions of each axis, which give the bounding box, then a spiral over the sphere. */
     private static double[][] spread() {
         double[][] directions = new double[DIRECTIONS][3];
         for (int side = 0; side < AXES; side++) {

@@ -11,11 +11,11 @@ import java.util.Map;
 import java.util.WeakHashMap;
 
 /**
- * Tells pictures apart before they are drawn: two snapshots with the same digest give the same picture. Goes by every
- * array and number that a snapshot has, whatever records it is made of. Used by one thread.
+ * A digest of a picture before it is rendered: equal digests mean equal pictures. It covers every array and number of a
+ * snapshot, whatever records it consists of. For use by one thread.
  */
 public final class FrameDigest {
-    /** A sky is hashed once, not for every frame. */
+    /** Arrays of this size, such as skies, are hashed once and not per frame. */
     private static final int LARGE = 1 << 20;
 
     private static final int FLOATS_AT_ONCE = 1 << 14;
@@ -25,7 +25,7 @@ public final class FrameDigest {
     /**
      * SHA-256 of a snapshot, in hexadecimal.
      *
-     * @param more what else the picture depends on
+     * @param more anything else that the picture depends on
      */
     public String of(FrameInput input, String more) {
         MessageDigest digest = sha256();

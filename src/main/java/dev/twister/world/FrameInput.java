@@ -6,8 +6,8 @@ import dev.twister.kernel.Layout;
 /**
  * A snapshot of the world as the flat arrays that the kernel reads.
  *
- * <p>No array changes once it is in a snapshot: a world that moves on makes new ones and keeps those that still hold.
- * So an engine may know by the array's identity that what it holds (on a device, say) is still right.
+ * <p>The arrays of a snapshot are immutable: a changing world creates new arrays and reuses those that are still valid.
+ * An engine can therefore recognize by identity that its copy of an array, such as one on a device, is still valid.
  */
 public record FrameInput(View view, Bodies bodies, Panorama panorama) {
 
@@ -27,12 +27,12 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
         return view.dimensions()[Layout.ROWS];
     }
 
-    /** Light, plane and spheres together, as many as are there now, without meshes. */
+    /** Number of present bodies without meshes: light, plane and spheres. */
     public int bodyCount() {
         return view.dimensions()[Layout.BODIES];
     }
 
-    /** One more than the highest number of a body that is there, meshes included. */
+    /** One more than the highest number of a present body, including meshes. */
     public int bodyEnd() {
         return bodies.firstMesh() == Layout.NO_MESHES ? bodyCount() : bodies.places().length / Layout.PLACE_STRIDE;
     }
@@ -49,7 +49,7 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
         return (int) view.properties()[Layout.PIXEL_SAMPLES];
     }
 
-    /** What of the picture is drawn: one of {@link Aspect}'s numbers. */
+    /** Which aspect of the picture is rendered: a constant of {@link Aspect}. */
     public int aspect() {
         return view.aspect();
     }
@@ -60,9 +60,9 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
     }
 
     /**
-     * The same picture by way of another hierarchy over the same spheres, such as one of a single leaf.
+     * The same picture with another hierarchy over the same spheres, such as one with a single leaf.
      *
-     * @throws IllegalArgumentException where it has another length
+     * @throws IllegalArgumentException if its length differs
      */
     public FrameInput withHierarchy(float[] hierarchy) {
         if (hierarchy.length != bodies.hierarchy().length) {
@@ -72,9 +72,9 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
     }
 
     /**
-     * The same picture, of which only some rows are drawn.
+     * A band of the picture: only some rows are rendered.
      *
-     * @throws IllegalArgumentException where the rows are not rows of the picture
+     * @throws IllegalArgumentException if the rows are not in the picture
      */
     public FrameInput band(int firstRow, int rows) {
         if (firstRow < 0 || rows < 1 || firstRow > height() - rows) {
@@ -84,9 +84,9 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
     }
 
     /**
-     * The same view in other pixels, all of whose rows are drawn.
+     * The same view in another size, with all rows.
      *
-     * @throws IllegalArgumentException where a side is below 1
+     * @throws IllegalArgumentException if a side is below 1
      */
     public FrameInput withSize(int width, int height) {
         if (width < 1 || height < 1) {
@@ -96,11 +96,10 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
     }
 
     /**
-     * The same picture by other samples: as many of the sequence that a pixel's samples are taken from, beginning with
-     * that one; number 0 is the pixel's center. Runs that follow each other, each weighed by its samples, come to one
-     * run of as many.
+     * The same picture with a run of consecutive samples from the sequence of pixel samples; number 0 is the pixel's
+     * center. The mean of adjacent runs, weighted by their samples, equals one long run.
      *
-     * @throws IllegalArgumentException where there is no sample, or a place below 0
+     * @throws IllegalArgumentException if {@code first} is negative or {@code samples} below 1
      */
     public FrameInput withSamples(int first, int samples) {
         if (first < 0 || samples < 1) {
@@ -110,8 +109,8 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
     }
 
     /**
-     * A stage or a view of the picture that this one draws. Pixels of 8 bits show colors as ever, and numbers as if
-     * they were colors; linear frames have the numbers themselves.
+     * A stage or view of this picture. 8-bit frames show the values as if they were colors; linear frames hold the
+     * values themselves.
      */
     public FrameInput showing(Picture picture) {
         return with(view.showing(picture));
@@ -122,16 +121,16 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
     }
 
     /**
-     * The same, but what is the same as in an earlier snapshot (looks, the sky's size) in that one's arrays, so that an
-     * engine that knows arrays by their identity has nothing new to send.
+     * The same snapshot, but with an earlier snapshot's arrays where they are equal (looks, the sky's size), so that an
+     * engine that compares arrays by identity transfers nothing.
      */
     public FrameInput withLooksOf(FrameInput earlier) {
         return new FrameInput(view, bodies.withLooksOf(earlier.bodies), panorama.withDimensionsOf(earlier.panorama));
     }
 
     /**
-     * Whether the hierarchy is a single leaf, as it is for few spheres, and stays one however many come: what is
-     * compiled for few is not compiled anew in the middle of a pour.
+     * Whether the hierarchy is a single leaf, and stays one during a pour, so that code compiled for few spheres stays
+     * valid.
      */
     public boolean hasFewSpheres() {
         return bodies.hierarchy()[Layout.root(bodyCount()) + Layout.NODE_SPHERES] >= 0

@@ -6,23 +6,23 @@ import dev.twister.scene.Vector3;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The meshes' part of the hierarchy, see {@link Layout}: the nodes over them, and where each is. */
+/** The meshes' part of the hierarchy, see {@link Layout}: the nodes and the instances. */
 final class InstanceTable {
     private final float[] meshes;
     private final List<Integer> bodies = new ArrayList<>();
     private final List<MeshBody> shown = new ArrayList<>();
     private final List<Affine> inverses = new ArrayList<>();
 
-    /** @param meshes {@link SceneMeshes#floats} */
+    /** @param meshes the array of {@link SceneMeshes#floats} */
     private InstanceTable(float[] meshes) {
         this.meshes = meshes;
     }
 
     /**
-     * The table of the bodies that can be seen: a mesh that its placement makes flat has no inside and no inverse.
-     * Empty where there are none.
+     * The table of the visible bodies; empty if there are none. A mesh that its placement flattens has no inverse
+     * transform and is invisible.
      *
-     * @param firstMesh the first one's body
+     * @param firstMesh body number of the first mesh
      */
     static float[] of(List<MeshBody> bodies, float[] meshes, int firstMesh) {
         InstanceTable table = new InstanceTable(meshes);

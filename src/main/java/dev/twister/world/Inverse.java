@@ -3,11 +3,11 @@ package dev.twister.world;
 import dev.twister.mesh.Affine;
 import dev.twister.scene.Vector3;
 
-/** The way back from a placement. */
+/** The inverse of a placement. */
 final class Inverse {
     private Inverse() {}
 
-    /** Not finite where there is none. */
+    /** The inverse; not finite if there is none. */
     static Affine of(Affine placement) {
         Vector3 x = placement.axisX();
         Vector3 y = placement.axisY();
@@ -29,7 +29,7 @@ final class Inverse {
         return new Vector3(a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x());
     }
 
-    /** Whether all of it is, as floats. */
+    /** Whether all components are finite as floats. */
     static boolean isFinite(Affine affine) {
         return isFinite(affine.axisX())
                 && isFinite(affine.axisY())

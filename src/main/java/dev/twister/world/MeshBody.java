@@ -12,12 +12,12 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A part of a mesh file in the scene: one body.
+ * A part of a mesh file in the scene; each is one body.
  *
- * @param placement from the mesh's coordinates to the world's
+ * @param placement transform from the mesh's coordinates to the world's
  */
 record MeshBody(Affine placement, Material material, MeshPlace place) {
-    /** All of a scene, in its meshes' order, each mesh's parts in its file's. */
+    /** All mesh bodies of a scene, in the order of its meshes and their files' parts. */
     static List<MeshBody> of(Scene scene, SceneMeshes meshes, Vector3 origin) {
         List<MeshBody> bodies = new ArrayList<>();
         for (Mesh mesh : scene.meshes()) {

@@ -3,11 +3,11 @@ package dev.twister.world;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Vector3;
 
-/** The box about a mesh body, along the world's axes. */
+/** The axis-aligned bounding box of a mesh body in world coordinates. */
 record MeshBox(Vector3 low, Vector3 high) {
     private static final int CORNERS = 8;
 
-    /** About the placed corners of the box that the mesh has in its own coordinates. */
+    /** The box around the transformed corners of the mesh's own bounding box. */
     static MeshBox of(MeshBody body, float[] meshes) {
         Vector3 low = new Vector3(Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE);
         Vector3 high = new Vector3(-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE);
@@ -43,7 +43,7 @@ record MeshBox(Vector3 low, Vector3 high) {
         return new Vector3((low.x() + high.x()) / 2, (low.y() + high.y()) / 2, (low.z() + high.z()) / 2);
     }
 
-    /** Of the sphere around it. */
+    /** Radius of the sphere around the box. */
     double radius() {
         return Math.sqrt(square(high.x() - low.x()) + square(high.y() - low.y()) + square(high.z() - low.z())) / 2;
     }

@@ -6,15 +6,15 @@ import dev.twister.mesh.TriangleMesh;
 /**
  * A mesh as the kernel reads it, see {@link Layout}.
  *
- * @param nodes how many
- * @param triangles how many
- * @param normals how many vertices have one: all or none
- * @param texturePlaces how many vertices have one: all or none
- * @param floats a multiple of {@link Layout#MESH_ALIGNMENT}
+ * @param nodes number of nodes
+ * @param triangles number of triangles
+ * @param normals number of vertex normals: one per vertex or none
+ * @param texturePlaces number of texture coordinates: one pair per vertex or none
+ * @param floats the data; its length is a multiple of {@link Layout#MESH_ALIGNMENT}
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
 record MeshGeometry(int nodes, int triangles, int normals, int texturePlaces, float[] floats) {
-    /** Testing this number of triangles takes about as long as testing two boxes and what is left in them. */
+    /** Testing this many triangles takes about as long as testing two boxes and their content. */
     private static final int MOST_IN_LEAF = 4;
 
     static MeshGeometry of(TriangleMesh mesh) {
@@ -22,9 +22,9 @@ record MeshGeometry(int nodes, int triangles, int normals, int texturePlaces, fl
     }
 
     /**
-     * The same, with leaves of another size.
+     * As above, with another size of the leaves.
      *
-     * @param mesh of at least one triangle
+     * @param mesh a mesh with at least one triangle
      */
     static MeshGeometry of(TriangleMesh mesh, int mostInLeaf) {
         float[] boxes = boxes(mesh);

@@ -4,10 +4,10 @@ import dev.twister.kernel.Layout;
 import java.util.Arrays;
 
 /**
- * Where a mesh is among all, see {@link Layout}.
+ * Location of a mesh in the array of all meshes, see {@link Layout}.
  *
- * @param start its first float
- * @param length how many floats it has
+ * @param start index of its first float
+ * @param length number of floats
  */
 record MeshPlace(int start, int length, int nodes, int triangles, int normals, int texturePlaces) {
     static MeshPlace of(int start, MeshGeometry geometry) {

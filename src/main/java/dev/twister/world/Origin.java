@@ -2,16 +2,16 @@ package dev.twister.world;
 
 import dev.twister.scene.Vector3;
 
-/** Where a world's coordinates begin: floats lose digits far away from there. */
+/** Chooses the origin of a world's coordinates: floats lose precision far from it. */
 final class Origin {
-    /** Of the origin, in meters along each axis: so far floats keep a quarter of a millimeter. */
+    /** Largest distance along each axis, in meters, at which floats are still accurate to 0.25 mm. */
     private static final double NEAR = 4096;
 
     private Origin() {}
 
     /**
-     * The scene's own where the place is near it, else the even point next to the place: even, so that checks keep
-     * their colors.
+     * The scene's own origin if the point is near it, else the even integer point nearest to the point. Even, so that
+     * the checker keeps its colors.
      */
     static Vector3 near(Vector3 place) {
         Vector3 own = new Vector3(0, 0, 0);

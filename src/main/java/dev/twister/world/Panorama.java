@@ -3,11 +3,10 @@ package dev.twister.world;
 import java.util.Arrays;
 
 /**
- * The sky as the kernel reads it, and the textures after it.
+ * The sky and the textures as the kernel reads them.
  *
- * @param texels three floats each: the sky's linear radiance, row by row from the top, then the textures' colors
- *     likewise
- * @param dimensions the sky's width and height in texels; then each texture's first float, width and height
+ * @param texels three floats per texel: the sky's linear radiance, row by row from the top, then the textures' colors
+ * @param dimensions the sky's width and height in texels; then start, width and height of each texture
  */
 @SuppressWarnings("ArrayRecordComponent") // identity is what counts, see FrameInput
 public record Panorama(float[] texels, int[] dimensions) {

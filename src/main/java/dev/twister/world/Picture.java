@@ -5,23 +5,21 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 
-/**
- * What a frame shows: the picture, one of the stages that lead to it, or a view. {@link Aspect} has what each value is.
- */
+/** The content of a frame: the picture, one of its stages, or a view. {@link Aspect} defines the values. */
 public enum Picture {
-    /** Stages: the base color of the closest hit. */
+    /** First stage: the base color of the closest hit. */
     COLORS(Aspect.COLORS),
-    /** Shaded by the angle to the light, without shadows and highlights. */
+    /** Stage with shading by the angle to the light, without shadows and highlights. */
     DIFFUSE(Aspect.DIFFUSE),
-    /** With highlights. */
+    /** Stage with highlights. */
     HIGHLIGHTS(Aspect.HIGHLIGHTS),
-    /** With one shadow ray per surface, to the light's center. */
+    /** Stage with one shadow ray per surface, to the light's center. */
     HARD_SHADOWS(Aspect.FULL),
-    /** With as many shadow rays as the scene has. */
+    /** Stage with the scene's number of shadow rays. */
     SOFT_SHADOWS(Aspect.FULL),
-    /** With what mirrors and transparent bodies show: the picture itself. */
+    /** Last stage, with reflection and transmission: the picture itself. */
     REFLECTIONS(Aspect.FULL),
-    /** Views: the picture itself, as compositors call it. */
+    /** First view: the picture itself, by its name in compositing. */
     BEAUTY(Aspect.FULL),
     ALBEDO(Aspect.ALBEDO),
     NORMAL(Aspect.NORMAL),
@@ -37,12 +35,12 @@ public enum Picture {
         this.aspect = aspect;
     }
 
-    /** One of {@link Aspect}'s numbers. */
+    /** A constant of {@link Aspect}. */
     int aspect() {
         return aspect;
     }
 
-    /** In the order in which the picture comes about; each but the last without reflections and refractions. */
+    /** The stages in order; only the last one has reflections and refractions. */
     public static List<Picture> stages() {
         return Arrays.stream(values()).filter(Picture::isStage).toList();
     }
@@ -55,17 +53,17 @@ public enum Picture {
         return compareTo(REFLECTIONS) <= 0;
     }
 
-    /** Whether it is light or a color, which exposure and tone map apply to; else it is a number or a direction. */
+    /** Whether values are colors, to which exposure and tone map apply; otherwise they are numbers or directions. */
     public boolean isColor() {
         return isStage() || this == BEAUTY || this == ALBEDO;
     }
 
-    /** Whether its values are single numbers, the same in all three channels. */
+    /** Whether values are single numbers, equal in all three channels. */
     public boolean isNumber() {
         return compareTo(DEPTH) >= 0;
     }
 
-    /** The name that commands take, such as {@code hard-shadows}. */
+    /** The name for commands, such as {@code hard-shadows}. */
     public String id() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }

@@ -3,15 +3,15 @@ package dev.twister.world;
 import dev.twister.kernel.Layout;
 
 /**
- * The samples of a pixel. Their places: item 0 is the center; items 2k - 1 and 2k are point k of Roberts's R2 sequence
- * (2018) and its mirror image through the center. Their numbers for lens and surfaces are the Kronecker sequences of
- * square roots of primes, a prime each: no two depend on one another.
+ * The samples of a pixel. Positions: item 0 is the center; items 2k - 1 and 2k are point k of Roberts's R2 sequence
+ * (2018) and its mirror image through the center. The numbers for lens and surfaces are Kronecker sequences of square
+ * roots of different primes, which makes them independent.
  */
 final class PixelSamples {
     /** The plastic number, the real root of x^3 = x + 1. */
     private static final double PLASTIC = 1.324717957244746;
 
-    /** Places are whole multiples of it, so that floats hold a point and its mirror image without rounding. */
+    /** Positions are integer multiples of it, so that floats hold a point and its mirror image exactly. */
     private static final double STEP = 0x1p-24;
 
     private static final int[] PRIMES = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43};
@@ -19,14 +19,14 @@ final class PixelSamples {
     private PixelSamples() {}
 
     /**
-     * {@code SAMPLE_STRIDE * count} floats, see {@link Layout}. The places' mean is the pixel's center: an even number
-     * are whole pairs, an odd number the center besides.
+     * {@code SAMPLE_STRIDE * count} floats, see {@link Layout}. The mean of the positions is the pixel's center: an
+     * even count consists of mirrored pairs, an odd count also has the center.
      */
     static float[] of(int count) {
         return of(count % 2 == 0 ? 1 : 0, count);
     }
 
-    /** As many of the items, from that one on: runs that follow each other are those of one long run. */
+    /** The items from {@code first} on; adjacent runs equal one long run. */
     static float[] of(int first, int count) {
         float[] samples = new float[Layout.SAMPLE_STRIDE * count];
         for (int i = 0; i < count; i++) {
@@ -46,7 +46,7 @@ final class PixelSamples {
         return (float) (item % 2 == 0 ? 1 - place : place);
     }
 
-    /** A multiple of the step in [0, 1). */
+    /** The fractional part, rounded to a multiple of {@link #STEP} in [0, 1). */
     private static float fraction(double value) {
         return (float) Math.min(STEP * Math.rint((value - Math.floor(value)) / STEP), 1 - STEP);
     }

@@ -14,7 +14,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** Worlds that need no file: five spheres on the plane under a plain sky, or a crowd. */
+/** Worlds without files: five spheres on the plane under a plain sky, or a crowd. */
 public final class SampleWorld {
     private static final int SKY_WIDTH = 512;
     private static final int SKY_HEIGHT = 256;
@@ -25,7 +25,7 @@ public final class SampleWorld {
 
     private SampleWorld() {}
 
-    /** The five spheres, with the default shadow samples and bounces, at that size. */
+    /** Five spheres with the default shadow samples and bounces, in the given size in pixels. */
     public static World ofSize(int width, int height) {
         RenderSettings settings = RenderSettings.DEFAULT.withSize(width, height);
         Scene scene = Scene.under(Path.of(""))
@@ -39,7 +39,7 @@ public final class SampleWorld {
         return World.of(scene, new Skybox(SKY_WIDTH, SKY_HEIGHT, gradient()));
     }
 
-    /** A world of that number of spheres on and over a plane, under the same sky, at that size. */
+    /** A number of spheres on and above a plane, under the same sky, in the given size in pixels. */
     public static World crowd(int spheres, int width, int height) {
         World world = World.of(
                 SceneGenerator.spheres(spheres, 1, Path.of("")), new Skybox(SKY_WIDTH, SKY_HEIGHT, gradient()));
@@ -57,7 +57,7 @@ public final class SampleWorld {
                 .toList();
     }
 
-    /** Brighter towards the zenith, so that no two rows of texels are alike. */
+    /** Brighter toward the zenith, so that no two rows of texels are equal. */
     private static float[] gradient() {
         float[] radiance = new float[CHANNELS * SKY_WIDTH * SKY_HEIGHT];
         for (int i = 0; i < radiance.length; i++) {

@@ -12,9 +12,9 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
- * The pictures that a scene names.
+ * The images that a scene refers to.
  *
- * @param textureByFile the textures of its materials, by the path that a material has
+ * @param textureByFile textures by the path in their material
  */
 public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
     public SceneImages {
@@ -22,10 +22,10 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
     }
 
     /**
-     * Reads a scene's pictures, each file once.
+     * Reads a scene's images, each file once.
      *
-     * @param warnings told of what the files say and is not used; one line each
-     * @throws SkyException as {@link SkyboxReader#read} and {@link #textures}
+     * @param warnings receives one line for each unsupported feature of a file
+     * @throws SkyException as for {@link SkyboxReader#read} and {@link #textures}
      */
     public static SceneImages read(Scene scene, Consumer<String> warnings) {
         return new SceneImages(
@@ -34,18 +34,18 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
     }
 
     /**
-     * The same, of a scene with meshes.
+     * As above, for a scene with meshes.
      *
-     * @throws SkyException as {@link SkyboxReader#read} and {@link #textures}
+     * @throws SkyException as for {@link SkyboxReader#read} and {@link #textures}
      */
     public static SceneImages read(Scene scene, SceneMeshes meshes, Consumer<String> warnings) {
         return read(scene, SkyboxReader.read(scene.skybox(), warnings), meshes, warnings);
     }
 
     /**
-     * The same under a sky that is not the scene's own.
+     * As above, with another sky than the scene's own.
      *
-     * @throws SkyException as {@link #textures}
+     * @throws SkyException as for {@link #textures}
      */
     public static SceneImages read(Scene scene, Skybox sky, SceneMeshes meshes, Consumer<String> warnings) {
         return new SceneImages(
@@ -59,10 +59,10 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
     }
 
     /**
-     * The same, and those of the meshes' own materials, which may be inside a mesh's file.
+     * A scene's textures by file, including those of the meshes' own materials, which may be embedded in a mesh file.
      *
-     * @param reader reads one, as {@link TextureReader#read} does
-     * @throws SkyException where the reader does; the message says where the scene file names the texture, or the mesh
+     * @param reader reads a texture, like {@link TextureReader#read}
+     * @throws SkyException if the reader does; the message includes where the scene file refers to the texture or mesh
      */
     public static Map<Path, Skybox> textures(Scene scene, SceneMeshes meshes, Function<Path, Skybox> reader) {
         Map<Path, Skybox> textures = new HashMap<>(textures(scene, reader));
@@ -72,10 +72,10 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
     }
 
     /**
-     * A scene's textures by their files.
+     * A scene's textures by file.
      *
-     * @param reader reads one, as {@link TextureReader#read} does
-     * @throws SkyException where the reader does; the message says where the scene file names the texture
+     * @param reader reads a texture, like {@link TextureReader#read}
+     * @throws SkyException if the reader does; the message includes where the scene file refers to the texture
      */
     public static Map<Path, Skybox> textures(Scene scene, Function<Path, Skybox> reader) {
         Map<Path, Skybox> textures = new HashMap<>();
@@ -91,7 +91,7 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
         }
     }
 
-    /** Of a scene without textures. */
+    /** The images of a scene without textures. */
     public static SceneImages of(Skybox sky) {
         return new SceneImages(sky, Map.of());
     }

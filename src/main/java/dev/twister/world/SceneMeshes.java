@@ -22,17 +22,17 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
- * The meshes that a scene names, each file once, with a hierarchy over the triangles of each mesh in it. A world of the
- * same scene with its meshes elsewhere has the same ones.
+ * The mesh files that a scene refers to, each once, with a hierarchy over the triangles of each mesh. It is shared by
+ * worlds of the same scene whose meshes are placed differently.
  */
 public final class SceneMeshes {
-    /** Of a scene without meshes. */
+    /** For scenes without meshes. */
     public static final SceneMeshes NONE = new SceneMeshes(new float[1], Map.of());
 
     private final float[] floats;
     private final Map<Source, Loaded> loadedBySource;
 
-    /** What is read: normals that a file leaves out depend on the angle. */
+    /** A file and the angle on which generated normals depend. */
     public record Source(Path file, double smoothDegrees) {
         public static Source of(Mesh mesh) {
             return new Source(mesh.file(), mesh.smoothDegrees());
@@ -40,7 +40,7 @@ public final class SceneMeshes {
     }
 
     /**
-     * A file and where its meshes are.
+     * A file and the locations of its meshes.
      *
      * @param places one for each of the file's meshes
      * @param farPoints see {@link FarPoints}
@@ -53,16 +53,16 @@ public final class SceneMeshes {
     }
 
     /**
-     * Reads a scene's meshes, each file once.
+     * Reads a scene's mesh files, each once.
      *
-     * @param warnings told of what the files say and is not used; one line each
-     * @throws MeshException as {@link #of}
+     * @param warnings receives one line for each unsupported feature of a file
+     * @throws MeshException as for {@link #of}
      */
     public static SceneMeshes read(Scene scene, Consumer<String> warnings) {
         return of(scene, reader(warnings));
     }
 
-    /** Reads files by {@link MeshReader#read}. */
+    /** A reader that uses {@link MeshReader#read}. */
     public static Function<Source, MeshFile> reader(Consumer<String> warnings) {
         return source -> MeshReader.read(source.file(), source.smoothDegrees(), warnings);
     }
@@ -70,18 +70,18 @@ public final class SceneMeshes {
     /**
      * A scene's meshes.
      *
-     * @param reader reads a file, as {@link MeshReader#read} does
-     * @throws MeshException where the reader does; the message says where the scene file names the file; and where all
-     *     together are more than an array holds
+     * @param reader reads a file, like {@link MeshReader#read}
+     * @throws MeshException if the reader does, with where the scene file refers to the file in the message; or if all
+     *     meshes together exceed the length of an array
      */
     public static SceneMeshes of(Scene scene, Function<Source, MeshFile> reader) {
         return NONE.changedTo(scene.meshes(), reader);
     }
 
     /**
-     * These meshes, of another scene, say; those that are here already are not read again.
+     * The given meshes; files that are already present are not read again.
      *
-     * @throws MeshException as {@link #of} does
+     * @throws MeshException as for {@link #of}
      */
     public SceneMeshes changedTo(List<Mesh> meshes, Function<Source, MeshFile> reader) {
         Map<Source, MeshFile> files = new LinkedHashMap<>();
@@ -148,53 +148,53 @@ public final class SceneMeshes {
         return joined;
     }
 
-    /** All of them as {@link Layout} has them; the same array as long as they are the same. */
+    /** The data of all meshes, see {@link Layout}; the same array as long as the meshes are the same. */
     float[] floats() {
         return floats;
     }
 
-    /** The scene without the meshes that are not here. */
+    /** The scene without the meshes that are missing here. */
     public Scene shown(Scene scene) {
         return scene.meshes().stream().allMatch(this::holds)
                 ? scene
                 : scene.withMeshes(scene.meshes().stream().filter(this::holds).toList());
     }
 
-    /** Whether the mesh's file is here. */
+    /** Whether the mesh's file is present. */
     public boolean holds(Mesh mesh) {
         return loadedBySource.containsKey(Source.of(mesh));
     }
 
-    /** What a mesh's file holds. */
+    /** The content of a mesh's file. */
     public MeshFile file(Mesh mesh) {
         return loaded(mesh).file();
     }
 
     /**
-     * Vertices of a mesh that is here, where the scene has it: those that lie farthest out in many directions, so that
-     * its outline from anywhere is about that of these points.
+     * The vertices of a mesh that are farthest out in many directions, in the scene's coordinates. They approximate its
+     * outline from any direction.
      */
     public List<Vector3> farPoints(Mesh mesh) {
         Affine placement = MeshPlacement.of(mesh);
         return loaded(mesh).farPoints().stream().map(placement::point).toList();
     }
 
-    /** How many bodies of a picture a mesh that is here comes to: one for each part. */
+    /** The number of bodies that a mesh consists of: one per part. */
     public int parts(Mesh mesh) {
         return loaded(mesh).file().parts().size();
     }
 
-    /** What a mesh that is here is made of where the scene does not say: the material of its file's first part. */
+    /** The material of a mesh if the scene gives none: that of its file's first part. */
     public Material fileMaterial(Mesh mesh) {
         Material material = loaded(mesh).file().parts().getFirst().material();
         boolean embedded = material.texture().flatMap(this::embeddedImage).isPresent();
-        // No scene file can name what is inside another file.
+        // No scene file can refer to an embedded texture.
         return embedded ? material.withTexture(Optional.empty()) : material;
     }
 
     /**
-     * The textures that the files' own materials have, where a mesh of the scene shows them, and where it names the
-     * file.
+     * The textures of the files' own materials that meshes of the scene use, with where the scene file refers to the
+     * mesh.
      */
     Map<Path, String> textures(Scene scene) {
         Map<Path, String> placeByTexture = new LinkedHashMap<>();
@@ -210,7 +210,7 @@ public final class SceneMeshes {
         return placeByTexture;
     }
 
-    /** The PNG or JPEG file of a texture that is inside one of the files. */
+    /** The PNG or JPEG data of a texture that is embedded in one of the files. */
     public Optional<byte[]> embeddedImage(Path texture) {
         return loadedBySource.values().stream()
                 .map(loaded -> loaded.file().embeddedImages().get(texture))
@@ -218,7 +218,7 @@ public final class SceneMeshes {
                 .findFirst();
     }
 
-    /** Where a mesh of its file is. */
+    /** The location of one of the meshes of a mesh's file. */
     MeshPlace place(Mesh mesh, int number) {
         return loaded(mesh).places().get(number);
     }

@@ -4,29 +4,29 @@ import dev.twister.kernel.Layout;
 import java.util.stream.IntStream;
 
 /**
- * Spheres sorted into the cells of a grid over their centers, and the box about each cell's spheres: what is split in
- * the upper levels of a hierarchy in place of single spheres (Ganestam and others 2015 do so with small trees). All
- * cores work on it; the order is the same however many they are.
+ * Spheres sorted into the cells of a grid over their centers, with the bounding box of each cell. The upper levels of a
+ * hierarchy partition cells instead of single spheres (as Ganestam and others do with small trees, 2015). The work is
+ * parallel, and the order does not depend on the number of cores.
  */
 final class SphereCells {
-    /** So few that their splitting costs less than a pass over all spheres, enough for more than ten levels. */
+    /** Few enough that partitioning them costs less than a pass over all spheres; enough for more than ten levels. */
     static final int MOST = 4096;
 
     private static final int SPHERES_A_CELL = 16;
 
-    /** Runs of the spheres that threads take. */
+    /** Number of ranges of spheres for parallel work. */
     private static final int RUNS = 8;
 
-    /** The last center must not fall beyond the last cell. */
+    /** Keeps the last center within the last cell. */
     private static final float INSIDE = 0.99999f;
 
-    /** The spheres, cell by cell, as {@link Layout} has them. */
+    /** The spheres, cell by cell, laid out as in {@link Layout}. */
     final float[] spheres;
 
-    /** Where each cell's spheres begin, and at last where they end, counted in spheres. */
+    /** Start of each cell's spheres, and the total, in spheres. */
     final int[] firsts;
 
-    /** Low x, y, z and high x, y, z of the box about each cell's spheres; nothing of use where a cell has none. */
+    /** Minimum x, y, z and maximum x, y, z of each cell's spheres; meaningless for empty cells. */
     final float[] boxes;
 
     final int count;
@@ -38,7 +38,7 @@ final class SphereCells {
     private final float[] scale = new float[3];
     private final int[] along = new int[3];
 
-    /** Sorts the spheres of these bodies, whose array is {@link Bodies#places}. */
+    /** Sorts the spheres among these bodies, given {@link Bodies#places}. */
     SphereCells(float[] places, int bodies) {
         this.places = places;
         this.bodies = bodies;
@@ -69,7 +69,7 @@ final class SphereCells {
         return Layout.FIRST_SPHERE + (int) ((long) (bodies - Layout.FIRST_SPHERE) * run / RUNS);
     }
 
-    /** Cells as near to cubes as whole numbers of them allow. */
+    /** Chooses cells that are as close to cubes as integer counts allow. */
     private void shape(int all) {
         float[] low = new float[3];
         float[] extent = new float[3];

@@ -3,47 +3,47 @@ package dev.twister.world;
 import dev.twister.kernel.Layout;
 
 /**
- * Builds bounding volume hierarchies over the spheres: binary trees of boxes, split where the surface area heuristic
- * says (Goldsmith and Salmon 1987), tried at the borders of equal bins (Wald 2007), on all cores.
+ * Builds bounding volume hierarchies over the spheres: binary trees of boxes, split by the surface area heuristic
+ * (Goldsmith and Salmon 1987), which is evaluated at the borders of equal bins (Wald 2007), on all cores.
  *
- * <p>A hierarchy is one array, laid out as {@link Layout} says: the spheres in the order of the leaves, then the nodes,
- * the root first. A node over n spheres has room for the 2 n - 2 nodes below it right behind its children or its elder
- * sibling's room, so that its place does not depend on which thread came first; leaves of more than one sphere leave
- * gaps of zeros. The length depends on the room for bodies alone, not on how many are there yet.
+ * <p>A hierarchy is one array, see {@link Layout}: the spheres in the order of the leaves, then the nodes, the root
+ * first. A node over n spheres reserves room for its 2 n - 2 descendants directly after its children or its elder
+ * sibling's room. Its location therefore does not depend on the order in which threads finish; leaves of several
+ * spheres leave gaps of zeros. The length depends only on the room for bodies, not on the number of present ones.
  */
 public final class SphereHierarchy {
-    /** With fewer spheres the plain loop is as fast or faster: {@code docs/decisions/010}. */
+    /** With fewer spheres a loop over all is at least as fast; see {@code docs/decisions/010}. */
     static final int FEWEST_SPHERES = 32;
 
-    /** Eight spheres are tested about as fast as two boxes and what is left in them. */
+    /** Testing eight spheres takes about as long as testing two boxes and their content. */
     private static final int MOST_IN_LEAF = 8;
 
-    /** From this number of spheres on, the upper levels are split by cells, each of many spheres. */
+    /** From this number of spheres on, the upper levels are split by cells. */
     private static final int FEWEST_FOR_CELLS = 4096;
 
     private SphereHierarchy() {}
 
-    /** How many floats a hierarchy with room for that number of bodies has. */
+    /** Number of floats of a hierarchy with room for that number of bodies. */
     public static int length(int room) {
         return Layout.spheresLength(room);
     }
 
     /**
-     * A new hierarchy over the first spheres of these bodies; where they are few it is a single leaf, and walking it is
-     * the plain loop over all spheres.
+     * A new hierarchy over the present spheres. For few spheres it is a single leaf, and its traversal is a loop over
+     * all spheres.
      *
      * @param places {@link Bodies#places}
-     * @param bodies how many are there now, light and plane included
+     * @param bodies number of present bodies, including light and plane
      */
     public static float[] of(float[] places, int bodies) {
         return of(places, bodies, places.length / Layout.PLACE_STRIDE, new float[0]);
     }
 
     /**
-     * The same, and the meshes' part after it.
+     * As above, followed by the meshes' part.
      *
-     * @param room how many of the bodies there may come to be without meshes
-     * @param instances {@link InstanceTable}'s
+     * @param room maximum number of bodies without meshes
+     * @param instances the array of {@link InstanceTable}
      */
     static float[] of(float[] places, int bodies, int room, float[] instances) {
         int spheres = bodies - Layout.FIRST_SPHERE;
@@ -54,9 +54,9 @@ public final class SphereHierarchy {
     }
 
     /**
-     * The same, with leaves of another size.
+     * As above, with another size of the leaves.
      *
-     * @param mostInLeaf at least 1
+     * @param mostInLeaf largest number of spheres per leaf, at least 1
      */
     public static float[] of(float[] places, int bodies, int mostInLeaf) {
         float[] hierarchy = new float[Layout.spheresLength(places.length / Layout.PLACE_STRIDE)];
@@ -78,7 +78,7 @@ public final class SphereHierarchy {
         }
     }
 
-    /** Writes a sphere as {@link Layout} has it. */
+    /** Writes a sphere, laid out as in {@link Layout}. */
     static void writeSphere(float[] to, int at, float[] places, int body) {
         System.arraycopy(places, Layout.PLACE_STRIDE * body, to, at, Layout.PLACE_STRIDE);
         to[at + Layout.SPHERE_BODY] = body;

@@ -3,14 +3,14 @@ package dev.twister.world;
 import dev.twister.kernel.Layout;
 import java.util.concurrent.RecursiveAction;
 
-/** Builds the nodes over some of the spheres; large ones let another thread build one of their halves. */
+/** Builds the nodes over some spheres; for large parts another thread builds one of the halves. */
 final class Subtree extends RecursiveAction {
     private static final long serialVersionUID = 1;
 
-    /** Halves of fewer spheres are not worth another thread. */
+    /** Halves with fewer spheres are not worth another thread. */
     static final int FEWEST_FOR_A_THREAD = 2048;
 
-    /** From this number of ancestors on, a node is split in the middle, so that the depth of all trees is bounded. */
+    /** With more ancestors, a node is split at the median, which bounds the depth of all trees. */
     static final int MOST_UNEVEN_ANCESTORS = 28;
 
     @SuppressWarnings("serial") // never written
@@ -30,9 +30,9 @@ final class Subtree extends RecursiveAction {
     /**
      * The nodes over the spheres at {@code [from, to)} of the hierarchy.
      *
-     * @param node where the topmost goes
-     * @param room where there is room for the others
-     * @param ancestors how many nodes are above
+     * @param node place of the topmost node
+     * @param room place of the reserved room for the others
+     * @param ancestors number of nodes above
      */
     Subtree(float[] hierarchy, int node, int room, int from, int to, int ancestors, int mostInLeaf) {
         this.hierarchy = hierarchy;
@@ -49,9 +49,7 @@ final class Subtree extends RecursiveAction {
         grow(node, room, from, to, ancestors);
     }
 
-    /**
-     * The nodes over the spheres at {@code [start, end)}, from the topmost on; the parameters are the constructor's.
-     */
+    /** Builds the nodes over the spheres at {@code [start, end)}; the parameters are like the constructor's. */
     void grow(int at, int free, int start, int end, int above) {
         bounds.hold(hierarchy, start, end);
         int spheres = (end - start) / Layout.SPHERE_STRIDE;
@@ -79,7 +77,7 @@ final class Subtree extends RecursiveAction {
         }
     }
 
-    /** Orders the spheres in two parts; returns how many are in the first. */
+    /** Partitions the spheres; returns the number in the first part. */
     private int split(int start, int end, int above) {
         int axis = bounds.longestAxis();
         float low = bounds.first(axis);

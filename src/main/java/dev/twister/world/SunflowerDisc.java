@@ -1,7 +1,7 @@
 package dev.twister.world;
 
 /**
- * Vogel's sunflower: points spread evenly over the unit disc (Vogel 1979), scaled by the kernel to the light's disc.
+ * Vogel's sunflower: points spread evenly over the unit disc (Vogel 1979), which the kernel scales to the light's disc.
  */
 final class SunflowerDisc {
     private static final double GOLDEN_ANGLE_RADIANS = Math.PI * (3 - Math.sqrt(5));
@@ -9,8 +9,8 @@ final class SunflowerDisc {
     private SunflowerDisc() {}
 
     /**
-     * {@code 2 * count} floats: x and y of {@code sqrt(i / n) * (cos, sin)(i * golden angle)}, i from 0. The first is
-     * the center, so that one sample is the hard shadow.
+     * {@code 2 * count} floats: x and y of {@code sqrt(i / n) * (cos, sin)(i * golden angle)}, i from 0. The first
+     * point is the center, so one sample gives a hard shadow.
      */
     static float[] points(int count) {
         float[] points = new float[2 * count];

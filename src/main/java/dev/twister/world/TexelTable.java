@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The panorama and the textures in use, one after the other in one array, as the kernel reads them. */
+/** The panorama and the used textures in one array, as the kernel reads them. */
 final class TexelTable {
     private final SceneImages images;
     private final List<Path> textures = new ArrayList<>();
@@ -17,9 +17,9 @@ final class TexelTable {
     }
 
     /**
-     * The texture's number, from 1 on; 0 where the material has none.
+     * The texture's number, from 1 on; 0 if the material has none.
      *
-     * @throws IllegalArgumentException where its texture is not among the images
+     * @throws IllegalArgumentException if the texture is not among the images
      */
     int number(Material material) {
         return material.texture().map(this::number).orElse(0);
@@ -35,7 +35,7 @@ final class TexelTable {
         return 1 + textures.indexOf(texture);
     }
 
-    /** @throws IllegalArgumentException where all texels together are more than an array holds */
+    /** @throws IllegalArgumentException if all texels together exceed the length of an array */
     Panorama panorama() {
         Skybox sky = images.sky();
         int[] dimensions = new int[Layout.SKY_DIMENSIONS_LENGTH + Layout.TEXTURE_STRIDE * textures.size()];

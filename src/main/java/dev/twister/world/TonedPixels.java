@@ -4,17 +4,17 @@ import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import dev.twister.scene.RenderSettings;
 
-/** Makes radiance that was kept into pixels, as the kernel does. */
+/** Converts stored radiance to pixels, like the kernel. */
 public final class TonedPixels {
     private static final int CHANNELS = 3;
 
     private TonedPixels() {}
 
     /**
-     * Pixels of 0xAARRGGBB.
+     * Pixels as 0xAARRGGBB.
      *
-     * @param radiance three floats a pixel: linear red, green and blue
-     * @param settings exposure, tone map and curve
+     * @param radiance three floats per pixel: linear red, green and blue
+     * @param settings exposure, tone map and transfer function
      */
     public static int[] of(float[] radiance, RenderSettings settings) {
         float[] properties = new float[Layout.PROPERTIES_LENGTH];

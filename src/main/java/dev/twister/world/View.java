@@ -4,16 +4,16 @@ import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 
 /**
- * How a picture is taken, as the kernel reads it; {@link Layout} has the places in the arrays, none of which changes.
+ * Camera and settings of a picture as the kernel reads them. {@link Layout} describes the arrays, which are immutable.
  *
- * @param dimensions {@code int[5]}: width and height of the picture in pixels, first row and number of rows to draw,
- *     bodies that are there
+ * @param dimensions {@code int[5]}: width and height of the picture in pixels, first row and number of rows to render,
+ *     number of present bodies
  * @param camera {@code float[15]}: position, right, up, forward, eye distance, aperture, focus distance
  * @param properties {@code float[12]}
- * @param shadowDisc {@code float[2 * shadowSamples]}: the unit sunflower's points, {@code sqrt(i / n)} from the center
- * @param pixelSamples {@code float[16 * samplesPerPixel]}: the samples' places in a pixel, and numbers for lens and
- *     surfaces
- * @param aspect one of {@link Aspect}'s: what of the picture is drawn
+ * @param shadowDisc {@code float[2 * shadowSamples]}: points of the unit sunflower, {@code sqrt(i / n)} from the center
+ * @param pixelSamples {@code float[16 * samplesPerPixel]}: positions of the samples in a pixel, and random numbers for
+ *     lens and surfaces
+ * @param aspect what to render: a constant of {@link Aspect}
  */
 @SuppressWarnings("ArrayRecordComponent") // identity is what counts, see FrameInput
 public record View(

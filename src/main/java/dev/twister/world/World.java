@@ -14,7 +14,7 @@ import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
 import java.util.List;
 
-/** The living state between frames: what a scene said, as it is now. Used by one thread; engines see snapshots. */
+/** The mutable state between frames, initialized from a scene. For use by one thread; engines get snapshots. */
 public final class World {
     private static final double DEGREES_PER_TURN = 360;
 
@@ -81,20 +81,20 @@ public final class World {
         pixelSamples = PixelSamples.of(settings.samplesPerPixel());
     }
 
-    /** The world at the start, when nothing has been poured yet. */
+    /** The world at the start, before any sphere is poured. */
     public static World of(Scene scene, Skybox sky) {
         return of(scene, SceneImages.of(sky));
     }
 
-    /** The same, of a scene with textures. */
+    /** As above, for a scene with textures. */
     public static World of(Scene scene, SceneImages images) {
         return of(scene, images, SceneMeshes.NONE);
     }
 
     /**
-     * The same, of a scene with meshes.
+     * As above, for a scene with meshes.
      *
-     * @throws IllegalArgumentException where a texture or a mesh of the scene's is not among these
+     * @throws IllegalArgumentException if one of the scene's textures or meshes is missing
      */
     public static World of(Scene scene, SceneImages images, SceneMeshes meshes) {
         return new World(scene, images, meshes);
@@ -105,22 +105,24 @@ public final class World {
         return Origin.near(scene.camera().position());
     }
 
-    /** Where the coordinates of its snapshots begin, in the scene's own: near the scene's camera. */
+    /** Origin of the snapshots' coordinates, in the scene's coordinates; near the scene's camera. */
     public Vector3 origin() {
         return origin;
     }
 
-    /** Whether its coordinates begin near enough to that camera; else another world of the scene is drawn better. */
+    /**
+     * Whether the origin is near enough to a camera; otherwise a new world of the scene gives a more accurate picture.
+     */
     public boolean isNear(Camera other) {
         return Origin.isNear(origin, other.position());
     }
 
-    /** The pictures that it was made with. */
+    /** The images of this world. */
     public SceneImages images() {
         return images;
     }
 
-    /** The meshes that it was made with. */
+    /** The meshes of this world. */
     public SceneMeshes meshes() {
         return sceneMeshes;
     }
@@ -148,12 +150,12 @@ public final class World {
     }
 
     /**
-     * Moves the bodies, but not the meshes.
+     * Moves the bodies, except meshes.
      *
-     * @param positions {@code float[3 * room]}: the centers of the light, the plane and all spheres, poured or not,
-     *     seen from the {@link #origin}
-     * @param newBodies how many of them are there, light and plane included
-     * @throws IllegalArgumentException where the length is another one, or there is no room for that number of bodies
+     * @param positions {@code float[3 * room]}: the centers of the light, the plane and all spheres, including those
+     *     not poured yet, relative to the {@link #origin}, in meters
+     * @param newBodies number of present bodies, including light and plane
+     * @throws IllegalArgumentException if the length is wrong, or there is no room for that number of bodies
      */
     public void setBodyPositions(float[] positions, int newBodies) {
         if (positions.length != 3 * room) {
@@ -171,8 +173,8 @@ public final class World {
     }
 
     /**
-     * The world as it is now, for an engine to draw whole. Where bodies were moved, or poured, since the last one, the
-     * hierarchy over the spheres is built anew.
+     * The current state as an engine's input for the whole picture. If bodies have moved or been poured since the last
+     * snapshot, the hierarchy over the spheres is rebuilt.
      */
     public FrameInput snapshot() {
         if (!hierarchyHolds) {
@@ -197,7 +199,7 @@ public final class World {
         return dimensions;
     }
 
-    @SuppressWarnings("EnumOrdinal") // a test holds the kernel's numbers to the constants' order
+    @SuppressWarnings("EnumOrdinal") // a test checks that the kernel's numbers match the constants' order
     static void putTone(float[] properties, RenderSettings settings) {
         properties[Layout.EXPOSURE_SCALE] = (float) Math.pow(2, settings.exposure());
         properties[Layout.TONE_MAP] = settings.toneMap().ordinal();
@@ -240,7 +242,7 @@ public final class World {
         float transmission = (float) material.transmission();
         looks[look + Layout.LOOK_REFLECTIVITY] = reflectivity;
         looks[look + Layout.LOOK_TRANSMISSION] = transmission;
-        // What has no effect stays 0, so that the body counts as plain.
+        // Properties without effect stay 0, so that the body counts as plain.
         looks[look + Layout.LOOK_ROUGHNESS] = reflectivity > 0 || transmission > 0 ? (float) material.roughness() : 0;
         looks[look + Layout.LOOK_IOR] = transmission > 0 ? (float) material.ior() : 0;
         looks[look + Layout.LOOK_TEXTURE] = texture;

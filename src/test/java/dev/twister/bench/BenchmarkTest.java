@@ -312,7 +312,7 @@ class BenchmarkTest {
         return World.of(POURED, new Skybox(1, 1, new float[] {0.2f, 0.4f, 0.8f}));
     }
 
-    /** Tells what its frames show: bodies as they are at the start, or later; once for all that are alike. */
+    /** Records which start state its frames show (at rest or later), once per run of equal frames. */
     private record StartTeller(Engine engine, FrameInput start, List<String> heard) implements Engine {
         @Override
         public String id() {

@@ -44,7 +44,7 @@ class DeviceCheckTest {
     @TempDir
     private Path folder;
 
-    /** Draws what it must, the first frame half a second later. */
+    /** Renders correctly; its first frame takes half a second. */
     private record Device(Engine engine, AtomicInteger frames) implements Engine {
         Device() {
             this(Engines.open("sequential"), new AtomicInteger());

@@ -51,7 +51,7 @@ class EngineWarmUpTest {
                 .run(new AskedEngine(id, new CompiledLate(id, drawn)), new PictureSize(1280, 720), inputs);
     }
 
-    /** Says that each of its first frames took a tenth less than the one before, until it is compiled. */
+    /** Reports frame times that fall by a tenth from frame to frame until the engine counts as compiled. */
     private record CompiledLate(String id, List<PictureSize> drawn) implements Engine {
         private static final int SLOW_FRAMES = 40;
         private static final double FIRST_NANOS = 1e10;
@@ -70,7 +70,7 @@ class EngineWarmUpTest {
 
         @Override
         public void close() {
-            // Holds nothing.
+            // Nothing to release.
         }
     }
 }

@@ -4,7 +4,7 @@ import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 
-/** Has not the memory for pictures of a width. */
+/** Runs out of memory for pictures of one width. */
 record GreedyEngine(Engine engine, String id, int width) implements Engine {
     @Override
     public String device() {

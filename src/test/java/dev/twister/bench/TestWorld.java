@@ -6,7 +6,7 @@ import dev.twister.sky.Skybox;
 import dev.twister.world.World;
 import java.nio.file.Path;
 
-/** A world that is quickly drawn. */
+/** A small world that renders quickly. */
 final class TestWorld {
     private TestWorld() {}
 

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Whatever is wrong with a command line ends in exit code 2 and a line or two, never in a stack trace. */
+/** Every faulty command line ends with exit code 2 and one or two lines of text, never with a stack trace. */
 class BadInputTest {
     private static final int MOST_LINES = 3;
 
@@ -165,7 +165,8 @@ class BadInputTest {
     }
 
     /**
-     * On Linux only this character is in no file's name; Windows has more, and so has a JVM that takes names for ASCII.
+     * On Linux only this character is invalid in a file name; Windows forbids more, and so does a JVM whose file names
+     * are ASCII.
      */
     @Test
     void whatNamesNoFileIsTold() {

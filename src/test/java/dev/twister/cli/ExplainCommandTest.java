@@ -8,7 +8,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** One pixel's path from the command line. */
+/** Traces one pixel's path from the command line. */
 class ExplainCommandTest {
     @Test
     void tableHasAStepPerRay() {

@@ -13,7 +13,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The page of the paper's figures, and the commands that it gives. */
+/** The page with the paper's figures and the commands that it lists. */
 class FiguresCommandTest {
     private static final Pattern PICTURE =
             Pattern.compile("src=\"data:image/png;base64,([^\"]+)\">.*?<pre class=\"command\">([^<]+)</pre>");
@@ -70,7 +70,7 @@ class FiguresCommandTest {
         return pictures;
     }
 
-    /** What a command of the page writes, in Twister's folder as here. */
+    /** Runs a command of the page, with its output in a temporary folder, and returns the bytes that it writes. */
     private byte[] made(String command) throws IOException {
         List<String> words = new ArrayList<>(List.of(command.split(" ")));
         assertThat(words.removeFirst()).isEqualTo("scripts/twister");

@@ -18,7 +18,7 @@ import java.util.concurrent.Future;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A film from the simulation to its file. */
+/** Renders a film, from the simulation to the file. */
 class FilmTest {
     private static final String SCENE = "pour-1000";
 

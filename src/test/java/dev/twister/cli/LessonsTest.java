@@ -17,8 +17,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Runs the commands of the lessons: pictures are those beside the page, and the lines of the block of text that follows
- * a command are in what it prints, whatever the spaces between the words.
+ * Runs the commands of the lessons: pictures must equal the ones beside the page, and the output must contain the lines
+ * of the text block that follows the command; runs of spaces compare equal.
  */
 class LessonsTest {
     private static final Path FOLDER = Path.of("docs/lessons");

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 
-/** Starts Twister as a process of its own, as on a server. */
+/** Starts Twister as a separate process without a display, as on a server. */
 class NoDisplayTest {
     @Test
     @EnabledOnOs(OS.LINUX)

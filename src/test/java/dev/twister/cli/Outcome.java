@@ -3,7 +3,7 @@ package dev.twister.cli;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 
-/** What a command line came to. */
+/** Exit code and output of one command line. */
 record Outcome(int exitCode, String out, String err) {
     static Outcome of(String... arguments) {
         StringWriter out = new StringWriter();

@@ -239,7 +239,7 @@ class RenderCommandTest {
 
     @Test
     void bandsMakeTheSamePictureAsOneStroke() throws IOException {
-        // 200 rows at 64 view rays a pixel and 300 columns come to four bands, the last one shorter.
+        // At 64 view rays per pixel, 200 rows of 300 columns make four bands, the last one shorter.
         byte[] banded =
                 bytes("banded.png", "--size", "300x200", "--samples", "64", "--shadow-samples", "1", "--bounces", "0");
         byte[] sequential = bytes(

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Stages and views from the command line to the file. */
+/** Renders stages and views, from the command line to the file. */
 class RenderViewsTest {
     @TempDir
     private Path folder;
@@ -37,7 +37,7 @@ class RenderViewsTest {
         assertThat(pictures.get(3)).isEqualTo(pixels("picture.png", "--bounces", "0", "--shadow-samples", "1"));
     }
 
-    /** In the middle is a sphere, in the corner the sky. */
+    /** The center pixel shows a sphere, the corner the sky. */
     @ParameterizedTest
     @ValueSource(strings = {"albedo", "normal", "depth", "body", "bounces", "tests"})
     void viewsTellBodiesFromTheSky(String view) throws IOException {
@@ -49,7 +49,7 @@ class RenderViewsTest {
         }
     }
 
-    /** Numbers have a scale of their own; albedo is a color. */
+    /** Exposure does not apply to views of numbers, which have their own scale; albedo is a color. */
     @Test
     void exposureChangesColorsAlone() throws IOException {
         for (String view : List.of("normal", "depth", "body", "shadow", "bounces", "tests")) {

@@ -5,7 +5,7 @@ import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
 import java.util.Arrays;
 
-/** Fills pictures with one color, and says that it took so long. */
+/** Fills pictures with one color and reports fixed frame times. */
 public record FakeEngine(String id, int argb, FrameTimes times) implements Engine {
     @Override
     public String device() {
@@ -20,6 +20,6 @@ public record FakeEngine(String id, int argb, FrameTimes times) implements Engin
 
     @Override
     public void close() {
-        // Holds nothing.
+        // Nothing to release.
     }
 }

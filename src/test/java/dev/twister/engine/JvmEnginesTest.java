@@ -63,7 +63,7 @@ class JvmEnginesTest {
         }
     }
 
-    /** One leaf of all spheres is the plain loop. */
+    /** A hierarchy with all spheres in one leaf is the brute-force loop. */
     @Property(seed = "20261121", tries = 60, shrinking = ShrinkingMode.OFF)
     void hierarchyDrawsWhatThePlainLoopDrawsBitForBit(@ForAll("scenes") LitScene random) {
         FrameInput input = World.of(random.scene(), random.sky()).snapshot();

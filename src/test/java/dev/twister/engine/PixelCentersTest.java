@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A white sphere straight ahead in the dark is in the middle of the picture. */
+/** A white sphere straight ahead in the dark must appear in the center of the picture. */
 class PixelCentersTest {
     private static final int SIDE = 64;
     private static final Skybox BLACK = new Skybox(1, 1, new float[3]);

@@ -17,7 +17,7 @@ import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
 import dev.twister.world.World;
 
-/** The plain reference: the kernel's equations without any shortcut, on one thread. */
+/** The brute-force reference: the kernel's equations without any shortcut, on one thread. */
 public final class PlainPicture {
     private final FrameInput input;
     private final float[] properties;
@@ -28,7 +28,7 @@ public final class PlainPicture {
         properties = input.view().properties();
     }
 
-    /** The pixels as 0xAARRGGBB. */
+    /** Returns the pixels as 0xAARRGGBB. */
     public static int[] argb(Scene scene, Skybox sky) {
         FrameInput input = World.of(scene, sky).snapshot();
         Frame frame = Frame.ofPixels(input.width(), input.rows());

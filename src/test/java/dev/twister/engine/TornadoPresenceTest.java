@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import org.junit.jupiter.api.Test;
 
-/** Says plainly whether the TornadoVM engine's own tests are part of this build. */
+/** Reports whether this build includes the tests of the TornadoVM engine. */
 class TornadoPresenceTest {
     @Test
     void deviceTestsAreBuiltWhereTheEngineWorks() {

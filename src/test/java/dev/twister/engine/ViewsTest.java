@@ -28,7 +28,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Stages and views on the engines of the JVM, in bands and by several samples, and counts that are known by hand. */
+/** Stages and views on the JVM engines, in bands and with several samples, and counts known in closed form. */
 class ViewsTest {
     private static final double MATTE = 0;
     private static final Skybox SKY = new Skybox(1, 1, new float[] {0.25f, 0.5f, 0.75f});
@@ -104,14 +104,14 @@ class ViewsTest {
         assertThat(red(AHEAD, 3, MATTE, Picture.TESTS, beside(spheres))).isEqualTo(2 + spheres);
     }
 
-    /** One look at each sphere more, as none comes near the light's disc. */
+    /** Each sphere adds one shadow test, as none comes near the light's disc. */
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 5})
     void litGroundLooksAtEachSphereOnce(int spheres) {
         assertThat(red(DOWN, 0, MATTE, Picture.TESTS, beside(spheres))).isEqualTo(2 + 2 * spheres);
     }
 
-    /** A small sphere high above blocks a part of the disc: each shadow ray is tested against it. */
+    /** A small sphere high above covers part of the disc, so each shadow ray is tested against it. */
     @Test
     void penumbraTestsEachShadowRay() {
         assertThat(red(DOWN, 0, MATTE, Picture.TESTS, sphere(0.25, 8, 0.25, 0.1, MATTE)))
@@ -125,7 +125,10 @@ class ViewsTest {
         assertThat(red(DOWN, 0, 128, Picture.BOUNCES)).isZero();
     }
 
-    /** Straight on, a ball of glass sends on two rays; the one inside sends on two again; the other of each leaves. */
+    /**
+     * At normal incidence a glass ball splits the ray in two; the inner ray splits again at each bounce, and the outer
+     * ones leave the scene.
+     */
     @ParameterizedTest
     @CsvSource({"0, 0", "1, 2", "2, 4"})
     void glassFollowsBothRays(int bounces, int followed) {
@@ -134,7 +137,7 @@ class ViewsTest {
         assertThat(red(AHEAD, bounces, MATTE, Picture.BOUNCES, glass)).isEqualTo(followed);
     }
 
-    /** The ball's upper side is nearer to the light, and its own body shades nothing. */
+    /** The ball's upper side is closer to the light, and a body does not shade itself. */
     @Test
     void shadowIsFoundWhereItChangesNothing() {
         Sphere ball = sphere(0.5, 5, 0, 1, MATTE);
@@ -160,7 +163,7 @@ class ViewsTest {
                 JvmEngines.SEQUENTIAL, World.of(scene, SKY).snapshot().showing(picture))[0];
     }
 
-    /** Far to the side of what the cameras see. */
+    /** Spheres far to the side, outside the view. */
     private static Sphere[] beside(int spheres) {
         Sphere[] beside = new Sphere[spheres];
         Arrays.setAll(beside, i -> sphere(-9, 1, 3 * i, 1, MATTE));

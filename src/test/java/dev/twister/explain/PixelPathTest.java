@@ -31,7 +31,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Paths against the pictures that the kernel draws, bit for bit, and paths that are known by hand. */
+/** Compares paths with the kernel's pictures bit for bit, and with paths known in closed form. */
 class PixelPathTest {
     private static final int COLUMNS = 6;
     private static final int ROWS = 3;
@@ -57,7 +57,7 @@ class PixelPathTest {
         }
     }
 
-    /** All samples of pixels here and there, added as the kernel adds them. */
+    /** Sums all samples of some pixels in the kernel's order. */
     private static void pathsAddUp(FrameInput input) {
         float[] picture = Pictures.radiance(JvmEngines.SEQUENTIAL, input);
         for (int i = 0; i < COLUMNS * ROWS; i++) {
@@ -84,10 +84,10 @@ class PixelPathTest {
         sum[2] += (float) adds.blue();
     }
 
-    /** The kernel has other ways to count; where a ray just touches a sphere, they may differ in it. */
+    /** The kernel counts by other methods, which may differ where a ray grazes a sphere. */
     private static void shadowIsTheMeanOfItsRays(Shading shading) {
         List<ShadowRay> rays = shading.shadowRays();
-        // Without rays a mesh whose face looks away from the light has 0, all else 1.
+        // Without rays, a mesh face turned away from the light has visibility 0, everything else 1.
         double mean = rays.stream().mapToDouble(ShadowRay::light).average().orElse(shading.visible() == 0 ? 0 : 1);
         double ray = rays.size() > 1 ? 1.0 / rays.size() : 0;
         assertThat(mean).isCloseTo(shading.visible(), within(ray + 1e-5));
@@ -105,7 +105,7 @@ class PixelPathTest {
         }
     }
 
-    /** Straight down onto a half mirror; what goes up again meets the sky. */
+    /** The ray goes straight down onto a half mirror; the reflected ray hits the sky. */
     @Test
     void mirrorShowsTheSky() {
         List<PathStep> steps =
@@ -179,7 +179,7 @@ class PixelPathTest {
 
     private static final Skybox SKY = new Skybox(1, 1, new float[] {0.25f, 0.5f, 0.75f});
 
-    /** A single pixel that looks straight down; a sphere hangs between the light and the plane's middle. */
+    /** One pixel that looks straight down, with a sphere between the light and the plane's center. */
     private static FrameInput one(double groundReflectivity, int bounces, Vector3 eye) {
         return World.of(scene(groundReflectivity, bounces).withCamera(above(eye)), SKY)
                 .snapshot();

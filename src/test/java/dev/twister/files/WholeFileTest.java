@@ -69,7 +69,7 @@ class WholeFileTest {
         assertThat(names()).containsExactly("unfinished.json");
     }
 
-    /** Never comes to the end of a file, and writes another one where it is ended. */
+    /** Writes a file endlessly, and writes another one in its shutdown hook. */
     static final class SlowMain {
         private SlowMain() {}
 
@@ -106,7 +106,7 @@ class WholeFileTest {
         assertThat(names()).isEmpty();
     }
 
-    /** Begins a file after its end has begun. */
+    /** Begins a file after shutdown has started. */
     static final class LateMain {
         private LateMain() {}
 

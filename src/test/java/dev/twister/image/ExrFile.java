@@ -23,7 +23,7 @@ import org.lwjgl.util.tinyexr.EXRHeader;
 import org.lwjgl.util.tinyexr.EXRImage;
 import org.lwjgl.util.tinyexr.EXRVersion;
 
-/** An OpenEXR file as TinyEXR reads it: each channel's floats, row by row from the top. */
+/** An OpenEXR file as read by TinyEXR: each channel's floats in row-major order from the top. */
 public record ExrFile(int width, int height, Map<String, float[]> channels) {
     public static ExrFile read(Path file) throws IOException {
         byte[] bytes = Files.readAllBytes(file);

@@ -14,13 +14,13 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Files read back by another program's reader. */
+/** Reads written files back with an independent reader. */
 @EnabledOnOs(value = OS.LINUX, architectures = "amd64")
 class ExrWriterTest {
     @TempDir
     private Path folder;
 
-    /** Odd counts of bytes and rows, a last chunk that is shorter, and noise that compression gains nothing on. */
+    /** Odd counts of bytes and rows, a shorter last chunk, and incompressible noise. */
     @ParameterizedTest
     @CsvSource({"1, 1", "1, 16", "17, 1", "31, 17", "5, 33", "64, 48"})
     void everyBitComesBack(int width, int height) throws IOException {

@@ -8,7 +8,7 @@ import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The sampled facets against the integral of the distribution that they are of. */
+/** Compares sampled facets with the integral of their distribution. */
 class FacetTest {
     private static final int FACETS = 100_000;
     private static final int BINS = 8;
@@ -38,7 +38,7 @@ class FacetTest {
             }
         }
         assertThat(chiSquare)
-                .as("chi square of %d degrees of freedom", degrees)
+                .as("chi-square with %d degrees of freedom", degrees)
                 .isLessThan(degrees + 5 * Math.sqrt(2.0 * degrees));
     }
 
@@ -57,7 +57,7 @@ class FacetTest {
                 .isCloseTo(new GgxIntegral(roughness, viewCosine).reflected(), within(2 / Math.sqrt(FACETS)));
     }
 
-    /** Seen at (sine, 0, cosine) from a surface that looks along z, as the basis there is x and y. */
+    /** Samples the view direction (sine, 0, cosine) on a surface with normal z, whose basis is x and y. */
     private static float[] sample(Random random, float roughness, float viewCosine) {
         float[] path = new float[Layout.PATH_LENGTH];
         path[Layout.DIRECTION] = -(float) Math.sqrt(1 - viewCosine * viewCosine);

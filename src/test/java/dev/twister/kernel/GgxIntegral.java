@@ -1,9 +1,9 @@
 package dev.twister.kernel;
 
 /**
- * GGX's distribution of visible normals by numerical integration, in a frame whose z is the surface's normal and whose
- * view direction has no y. Normals are counted by azimuth and by q = tan^2 / (alpha^2 + tan^2) of their angle, in which
- * the distribution of all normals is even.
+ * GGX's distribution of visible normals by numerical integration, in a frame whose z is the surface normal and whose
+ * view direction has y = 0. Normals are binned by azimuth and by q = tan^2 / (alpha^2 + tan^2) of their angle, in which
+ * the distribution of all normals is uniform.
  */
 final class GgxIntegral {
     private static final int HEIGHTS = 2000;
@@ -13,7 +13,7 @@ final class GgxIntegral {
     private final double viewX;
     private final double viewZ;
 
-    /** Takes a normal, and how much of the distribution it stands for. */
+    /** Receives a normal and its share of the distribution. */
     @FunctionalInterface
     interface Visitor {
         void visit(double x, double y, double z, double share);
@@ -25,11 +25,11 @@ final class GgxIntegral {
         viewZ = viewCosine;
     }
 
-    /** Visits normals that stand for all visible ones. */
+    /** Visits normals that cover all visible ones. */
     void visit(Visitor visitor) {
         double first = 1 / (1 + lambda(viewZ));
         for (int height = 0; height < HEIGHTS; height++) {
-            // Denser where normals lie flat and count for most: 1 - q is a square.
+            // Denser where normals are grazing and weigh most: 1 - q is a square.
             double root = 1 - (height + 0.5) / HEIGHTS;
             double q = 1 - root * root;
             double even = 2 * root * first / HEIGHTS / AZIMUTHS;
@@ -46,7 +46,7 @@ final class GgxIntegral {
         }
     }
 
-    /** What part of white light a mirror of these normals reflects: G2 / G1 over them, 0 where a ray would go below. */
+    /** Returns the reflected fraction of white light: the mean of G2 / G1, 0 for rays that would go below. */
     double reflected() {
         double[] sum = new double[1];
         visit((x, _, z, share) -> {
@@ -56,7 +56,7 @@ final class GgxIntegral {
         return sum[0];
     }
 
-    /** q in [0, 1) of a normal. */
+    /** Returns q in [0, 1) of a normal with this z. */
     double height(double z) {
         double tangentSquared = (1 - z * z) / (z * z);
         return Math.clamp(tangentSquared / (alpha * alpha + tangentSquared), 0, 1 - 1e-12);

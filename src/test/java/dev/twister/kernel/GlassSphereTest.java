@@ -6,17 +6,17 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The way of a ray through a sphere of glass, surface by surface. */
+/** Traces a ray through a glass sphere, surface by surface. */
 class GlassSphereTest {
-    /** Light and plane out of the way, and a sphere of radius 2 about (1, 2, 10). */
+    /** Light and plane out of the way, and a sphere of radius 2 at (1, 2, 10). */
     private static final float[] PLACES = {0, 0, -99, 1, 0, -99, 0, 1, 1, 2, 10, 2};
 
     private static final int BODIES = 3;
     private static final double RADIUS = 2;
 
     /**
-     * A ray along z that would pass the center at a distance b is turned twice by the difference of the angles whose
-     * sines are b / R and b / nR, and leaves as far from the center as it came.
+     * A ray along z that would pass the center at distance b is deflected twice by the difference of the angles with
+     * sines b / R and b / nR, and leaves at the same distance from the center.
      */
     @ParameterizedTest
     @CsvSource({"0.2, 1.5", "1, 1.5", "1.9, 1.5", "1.99, 1.5", "1, 1.333", "1.5, 2.42", "1.5, 4", "1.5, 1"})
@@ -39,11 +39,11 @@ class GlassSphereTest {
         double y = path[Layout.ORIGIN + 1] - 2.0;
         double z = path[Layout.ORIGIN + 2] - 10.0;
         assertThat(y * path[Layout.DIRECTION + 2] - z * path[Layout.DIRECTION + 1])
-                .as("the distance from the center")
+                .as("distance from the center")
                 .isCloseTo(b, within(2e-5));
     }
 
-    /** The refracted ray, whichever of the two branches waits. */
+    /** Continues with the refracted ray, whichever of the two branches is pending. */
     private static void passOn(float[] path, float[] looks, int bounce) {
         float[] scratch = new float[Layout.SCRATCH_LENGTH];
         float inside = path[Layout.INSIDE];

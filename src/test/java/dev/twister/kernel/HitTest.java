@@ -7,7 +7,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class HitTest {
-    /** The light behind, the ground below, and three spheres ahead, of which two are in one place. */
+    /** The light behind, the ground below, and three spheres ahead, two of them at the same place. */
     private static final float[] PLACES = {0, 0, -9, 1, 0, -3, 0, 100, 0, 0, 8, 1, 0, 0, 5, 1, 0, 0, 5, 1};
 
     private static final int BODIES = 5;

@@ -37,8 +37,7 @@ class IntersectionTest {
     }
 
     /**
-     * From the surface it is seen in all directions in which it lies, or in none, whichever rounding says of the
-     * origin.
+     * A sphere is hit from its own surface in all inward directions or in none, whichever way rounding puts the origin.
      */
     @Test
     void sphereFromItsSurfaceIsNotSpeckled() {

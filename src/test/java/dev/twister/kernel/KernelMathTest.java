@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The bounds that {@link KernelMath} states, against {@code StrictMath}. */
+/** Checks the error bounds stated in {@link KernelMath} against {@code StrictMath}. */
 class KernelMathTest {
     @ParameterizedTest
     @CsvSource({"0, 0", "-0.0, 0", "0.999, 0", "-0.001, -1", "-1, -1", "-1.5, -2", "7, 7", "-8, -8", "1e6, 1000000"})

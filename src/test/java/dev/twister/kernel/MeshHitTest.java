@@ -18,7 +18,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
-/** Rays against meshes: none passes between triangles, and the walk finds what the plain loop finds. */
+/** Rays against meshes: none slips between triangles, and traversal finds what brute force finds. */
 class MeshHitTest {
     private static final int MESHES = 40;
     private static final int RAYS = 400;
@@ -46,7 +46,7 @@ class MeshHitTest {
         }
     }
 
-    /** From the mesh's center, in the world, to a vertex or to a point of an edge. */
+    /** A ray from the mesh's center, in world space, to a vertex or a point on an edge. */
     private static float[] aim(TriangleMesh mesh, Random random) {
         int triangle = random.nextInt(mesh.triangles());
         int a = mesh.corners()[3 * triangle];
@@ -111,7 +111,7 @@ class MeshHitTest {
                 .withScale(Math.pow(10, between(random, 2)));
     }
 
-    /** To the mesh from anywhere around, or along an axis. */
+    /** A ray toward the mesh from a random point, or along an axis. */
     private static float[] ray(Random random, Mesh placed) {
         float[] direction = new float[3];
         float[] origin = new float[3];
@@ -143,7 +143,7 @@ class MeshHitTest {
                 .bodies();
     }
 
-    /** The mesh alone, without plane and light. */
+    /** Intersects the mesh alone, without plane and light. */
     private int find(float[] path, Bodies bodies) {
         path[Layout.DISTANCE] = Intersection.MISS;
         return MeshHit.find(

@@ -6,7 +6,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The hash over a picture of pixels. */
+/** Statistics of the hash over a picture. */
 class NoiseTest {
     private static final int SIDE = 256;
     private static final int PIXELS = SIDE * SIDE;
@@ -28,13 +28,13 @@ class NoiseTest {
         for (int count : counts) {
             chiSquare += (count - expected) * (count - expected) / expected;
         }
-        // Of random numbers: five standard deviations of each moment.
+        // Bounds are five standard deviations of each moment of uniform random numbers.
         assertThat(sum / PIXELS).isBetween(0.5 - 0.0057, 0.5 + 0.0057);
         assertThat(squares / PIXELS).isBetween(1 / 3.0 - 0.0059, 1 / 3.0 + 0.0059);
-        assertThat(chiSquare).as("chi square of 255 degrees of freedom").isLessThan(255 + 5 * Math.sqrt(2 * 255));
+        assertThat(chiSquare).as("chi-square with 255 degrees of freedom").isLessThan(255 + 5 * Math.sqrt(2 * 255));
     }
 
-    /** Neither with neighbors nor with the other numbers of a pixel. */
+    /** No correlation with neighbors or with the other numbers of the pixel. */
     @ParameterizedTest
     @CsvSource({
         "1, 0, 0",
@@ -63,11 +63,13 @@ class NoiseTest {
                         * (number(column + right, row + down, place + placesOn) - 0.5);
             }
             double correlation = 12 * sum / PIXELS;
-            assertThat(Math.abs(correlation)).as("of place %d", place).isLessThan(5 / Math.sqrt(PIXELS));
+            assertThat(Math.abs(correlation))
+                    .as("correlation at place %d", place)
+                    .isLessThan(5 / Math.sqrt(PIXELS));
         }
     }
 
-    /** Differences of neighbors are as even as those of random numbers: no stripes, no gradients. */
+    /** Differences of neighbors are distributed like those of random numbers: no stripes or gradients. */
     @ParameterizedTest
     @CsvSource({"1, 0", "0, 1", "1, 1", "1, -1"})
     void neighborsDifferEvenly(int right, int down) {
@@ -83,10 +85,10 @@ class NoiseTest {
         for (int count : counts) {
             chiSquare += (count - expected) * (count - expected) / expected;
         }
-        assertThat(chiSquare).as("chi square of 63 degrees of freedom").isLessThan(63 + 5 * Math.sqrt(2 * 63));
+        assertThat(chiSquare).as("chi-square with 63 degrees of freedom").isLessThan(63 + 5 * Math.sqrt(2 * 63));
     }
 
-    /** Sides of pictures end at 16,384, and the product must not overflow beyond either. */
+    /** Picture sides are at most 16,384, and the product must not overflow beyond that either. */
     @ParameterizedTest
     @CsvSource({"0, 0, 2", "16383, 16383, 15", "65535, 65535, 15", "65535, 0, 2", "42195, 1, 2"})
     void staysInItsRange(int column, int row, int place) {

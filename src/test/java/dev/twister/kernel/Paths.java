@@ -2,11 +2,11 @@ package dev.twister.kernel;
 
 import java.util.Arrays;
 
-/** Paths for tests of single steps. */
+/** Creates path arrays for tests of single steps. */
 final class Paths {
     private Paths() {}
 
-    /** A ray that leaves a body. */
+    /** A ray that leaves body {@code leaving}. */
     static float[] ray(float[] origin, float[] direction, int leaving) {
         float[] path = new float[Layout.PATH_LENGTH];
         System.arraycopy(origin, 0, path, Layout.ORIGIN, 3);
@@ -16,7 +16,7 @@ final class Paths {
         return path;
     }
 
-    /** A point that faces the light straight on. */
+    /** A point whose normal points straight at the light. */
     static float[] lit(float[] point, float[] toLight, float lightDistance) {
         float[] path = new float[Layout.PATH_LENGTH];
         System.arraycopy(point, 0, path, Layout.POINT, 3);
@@ -27,7 +27,7 @@ final class Paths {
         return path;
     }
 
-    /** Properties of a picture with so many shadow samples and no ambient light. */
+    /** Properties of a picture with this number of shadow samples and no ambient light. */
     static float[] properties(int shadowSamples) {
         float[] properties = new float[Layout.PROPERTIES_LENGTH];
         properties[Layout.SHADOW_SAMPLES] = shadowSamples;

@@ -1,8 +1,8 @@
 package dev.twister.kernel;
 
 /**
- * Soft shadows by the equations alone: every sample's place by sine and cosine, every sphere by its quadratic's near
- * root, the plane by the sides that point and sample are on. The shortcuts of {@link Shadow} are held to it.
+ * Soft shadows by the equations alone: sample positions by sine and cosine, spheres by the near root of the quadratic,
+ * the plane by the sides that point and sample are on. Reference for the shortcuts of {@link Shadow}.
  */
 public final class PlainShadow {
     /** {@code pi * (3 - sqrt 5)} radians. */
@@ -10,7 +10,7 @@ public final class PlainShadow {
 
     private PlainShadow() {}
 
-    /** S in [0, 1] at {@link Layout#POINT}: 1 - blocked / samples. */
+    /** Returns the visibility in [0, 1] at {@link Layout#POINT}: 1 - blocked / samples. */
     public static float visible(float[] path, int own, int samples, float[] places, int bodies) {
         float pointX = path[Layout.POINT];
         float pointY = path[Layout.POINT + 1];

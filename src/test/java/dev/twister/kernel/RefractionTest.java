@@ -7,7 +7,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Fresnel's and Snell's laws where the answer is known in closed form. */
+/** Checks Fresnel's and Snell's laws where a closed form is known. */
 class RefractionTest {
     @ParameterizedTest
     @ValueSource(floats = {1f, 1.1f, 1.333f, 1.5f, 2.42f, 4f})
@@ -24,8 +24,8 @@ class RefractionTest {
     }
 
     /**
-     * At Brewster's angle, tan = n, no light whose field lies in the plane of incidence is reflected: half of the rest
-     * is left.
+     * At Brewster's angle, tan = n, light polarized in the plane of incidence is not reflected, which leaves half of
+     * the other polarization.
      */
     @ParameterizedTest
     @ValueSource(floats = {1.1f, 1.333f, 1.5f, 2.42f, 4f})
@@ -45,7 +45,7 @@ class RefractionTest {
         assertThat(Refraction.reflectance((float) (critical / before), ior)).isLessThan(1f);
     }
 
-    /** However flat the ray, nothing is turned or reflected where there is nothing to pass into. */
+    /** At any grazing angle, an index of 1 neither refracts nor reflects. */
     @ParameterizedTest
     @ValueSource(floats = {1e-4f, 1e-3f, 0.01f, 0.1f, 0.7f, 1f})
     void indexOfOneChangesNothing(float cosine) {
@@ -59,7 +59,7 @@ class RefractionTest {
         double angle = Math.toRadians(degrees);
         double refracted = Math.asin(Math.sin(angle) / ior);
         float along = Refraction.along((float) Math.cos(angle), 1f / ior);
-        // The refracted ray's part against the normal: ratio * -cos + along.
+        // The refracted ray's component along the normal: ratio * -cos + along.
         assertThat(along - Math.cos(angle) / ior).isCloseTo(-Math.cos(refracted), within(1e-6));
     }
 }

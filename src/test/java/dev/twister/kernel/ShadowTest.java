@@ -14,7 +14,7 @@ class ShadowTest {
     private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
     private static final int SAMPLES = 300;
 
-    /** Light of radius 0.5 at height 10 over the origin, one sphere at height 4 straight below it. */
+    /** A light of radius 0.5 at height 10 above the origin, and a sphere at height 4 below its center. */
     @ParameterizedTest
     @ValueSource(floats = {0.01f, 0.1f, 0.2f, 0.3f, 0.39f, 0.45f, 3f})
     void sphereOnTheAxisHidesTheMiddleOfTheDisc(float radius) {
@@ -44,7 +44,7 @@ class ShadowTest {
         assertThat(plain(places, 0, 0, 0, Layout.PLANE, SAMPLES)).as(where).isEqualTo(visible);
     }
 
-    /** A point of a sphere far away; a light's center as high as the plane is lit. */
+    /** A point on a sphere far away, and the height of the light's center from which the plane is lit. */
     @ParameterizedTest
     @CsvSource({
         "light below, 0, 2, -10, 0",
@@ -126,8 +126,8 @@ class ShadowTest {
     }
 
     /**
-     * Up to two hundred small spheres in the way: far more than a point remembers. A sample at a rim may fall on either
-     * side.
+     * Up to two hundred small occluders, far more than a point's candidate list holds. A sample at a rim may fall on
+     * either side.
      */
     @Test
     void manySpheresHideWhatThePlainEquationsHide() {
@@ -157,7 +157,7 @@ class ShadowTest {
         assertThat(disagreeing).isLessThan(1e-4 * samples * points);
     }
 
-    /** By the plain loop over all spheres, to which the walk through a hierarchy is equal to the bit. */
+    /** Computes visibility by brute force over all spheres; traversal of a hierarchy gives the same bits. */
     private static float soft(float[] places, float x, float y, float z, int own, int samples) {
         float visible = soft(places, x, y, z, own, samples, bodies(places));
         for (int mostInLeaf = 1; mostInLeaf < 4; mostInLeaf++) {

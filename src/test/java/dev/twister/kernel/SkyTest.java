@@ -88,14 +88,12 @@ class SkyTest {
         float row = Sky.row(directionX, directionY, directionZ, size[1]);
         for (int channel = 0; channel < 3; channel++) {
             assertThat((double) Sky.radiance(sky, size[0], size[1], column, row, channel))
-                    .as("%s x %s towards (%s, %s, %s)", size[0], size[1], x, y, z)
+                    .as("%s x %s toward (%s, %s, %s)", size[0], size[1], x, y, z)
                     .isCloseTo(bilinear(sky, size, turn, directionX, directionY, directionZ, channel), within(1e-4));
         }
     }
 
-    /**
-     * Straight up the elevation is taken as an arc tangent, as a rounded unit vector's arc sine has lost its digits.
-     */
+    /** Near the zenith the elevation uses an arc tangent, as the arc sine of a rounded unit vector loses precision. */
     private static double bilinear(float[] sky, int[] size, float turn, double x, double y, double z, int channel) {
         double column = (0.5 + Math.atan2(x, z) / (2 * Math.PI) - turn) * size[0] - 0.5;
         double row = (0.5 - Math.atan2(y, Math.hypot(x, z)) / Math.PI) * size[1] - 0.5;

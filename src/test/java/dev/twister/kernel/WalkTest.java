@@ -13,7 +13,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.ShrinkingMode;
 
-/** The walk through hierarchies against the plain loops, bit for bit. */
+/** Compares traversal of hierarchies with brute force, bit for bit. */
 class WalkTest {
     private static final int RAYS = 300;
     private static final int SAMPLES = 6;
@@ -123,14 +123,14 @@ class WalkTest {
                     Layout.NO_MESHES,
                     materials,
                     Aspect.FULL);
-            // Products of the same factors in another order.
+            // The factors are the same, but multiplied in another order.
             assertThat(walked)
                     .as("point %d of seed %d", count, seed)
                     .isCloseTo(plain, within(materials == Material.PLAIN ? 0f : 1e-5f));
         }
     }
 
-    /** Where materials are of any kind, a half of the spheres transmits. */
+    /** With any materials allowed, half of the spheres transmit. */
     private static float[] looks(Random random, int bodies, int materials) {
         float[] looks = new float[Layout.LOOK_STRIDE * bodies];
         for (int body = Layout.FIRST_SPHERE; body < bodies && materials == Material.ANY; body++) {
@@ -139,7 +139,7 @@ class WalkTest {
         return looks;
     }
 
-    /** On the body that is left, inside a sphere, among them or far away. */
+    /** An origin on the body that the ray leaves, inside a sphere, among the spheres or far away. */
     private static float[] origin(Random random, RandomCrowds crowd, int leaving) {
         float[] away = direction(random);
         int body = leaving < Layout.FIRST_SPHERE ? Layout.LIGHT : leaving;
@@ -155,7 +155,7 @@ class WalkTest {
         return origin;
     }
 
-    /** Anywhere, along an axis, or at a body, often at its very rim. */
+    /** A direction at random, along an axis, or toward a body, often its very rim. */
     private static float[] direction(Random random, RandomCrowds crowd, float[] origin) {
         float[] direction = direction(random);
         int body = random.nextInt(crowd.bodies());

@@ -16,7 +16,7 @@ import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 
-/** Files with bytes changed, cut off or put in: read, or refused in one line, and never anything else. */
+/** Files with bytes changed, removed or inserted: read, or rejected with one line of text. */
 class DamagedMeshesTest {
     private static final int MOST_BYTES = 64 << 20;
     private static final List<String> NUMBERS =
@@ -85,7 +85,7 @@ class DamagedMeshesTest {
     private static byte[] damage(byte[] whole, Random random) {
         byte[] damaged = whole.clone();
         for (int times = random.nextInt(3); times >= 0; times--) {
-            // Half of the damage goes to the start, where sizes and codes are.
+            // Half of the damage is near the start, where sizes and codes are.
             int reach = random.nextBoolean() ? damaged.length : Math.min(damaged.length, 200);
             int at = random.nextInt(Math.max(1, reach));
             switch (random.nextInt(5)) {
@@ -102,7 +102,7 @@ class DamagedMeshesTest {
         return damaged;
     }
 
-    /** The number that is at a place, or after it, in text made another. */
+    /** Replaces the first number in the text at or after a position. */
     private static byte[] withNumber(byte[] bytes, int from, Random random) {
         int start = from;
         while (start < bytes.length && !isDigit(bytes[start])) {

@@ -15,7 +15,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What glTF files may do beyond a plain list of triangles. */
+/** Features of glTF files beyond a plain list of triangles. */
 class GltfReaderTest {
     private static final String START = "{\"asset\":{\"version\":\"2.0\"},";
     private static final byte[] PNG = {(byte) 0x89, 'P', 'N', 'G', 13, 10, 26, 10};
@@ -36,7 +36,7 @@ class GltfReaderTest {
             data.putShort((short) (65_535 * corner[0])).putShort((short) (65_535 * corner[1]));
         }
         data.put(new byte[] {0, 1, 2, 3, 0, 0, 0, 0});
-        // What sparse parts put in place of a position.
+        // The sparse accessor's replacement of a position.
         data.putFloat(0).putFloat(0).putFloat(5);
         return data.put(PNG).array();
     }
@@ -123,7 +123,7 @@ class GltfReaderTest {
                         + "{\"mesh\":0,\"matrix\":[0,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}],");
         assertThat(file.meshes()).hasSize(1);
         assertThat(file.parts()).extracting(MeshPart::name).containsExactly("", "two");
-        // A quarter turn about y to the left, as seen from above, takes x to the viewer's back.
+        // A quarter turn about y, counterclockwise seen from above, maps x to the back of the viewer.
         assertThat(file.parts().get(1).placement().axisX().z()).isBetween(0.999, 1.001);
         assertThat(warnings)
                 .anyMatch(warning -> warning.contains("several scenes"))

@@ -7,16 +7,14 @@ import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import java.util.Locale;
 
-/**
- * Files of the same shape in every format: a box of 12 triangles with corners at 0 and (2, 1, 3), in Twister's axes.
- */
+/** The same shape in every format: a box of 12 triangles with corners at 0 and (2, 1, 3), in Twister's axes. */
 final class MeshFiles {
-    /** In Twister's axes. */
+    /** Corner coordinates in Twister's axes. */
     static final float[][] CORNERS = {
         {0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}, {0, 0, 3}, {2, 0, 3}, {2, 1, 3}, {0, 1, 3}
     };
 
-    /** Their usual cross product points outward in Twister's axes. */
+    /** Their counterclockwise normals point outward in Twister's axes. */
     static final int[][] QUADS = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 4, 7, 3}, {1, 2, 6, 5}};
 
     private MeshFiles() {}
@@ -43,7 +41,7 @@ final class MeshFiles {
         text.append("vt 0.25 0.75\nusemtl red\n");
         for (int[] quad : QUADS) {
             text.append("f");
-            // A mirror turns the faces around.
+            // Mirroring reverses the winding.
             for (int i = 4; i > 0; i--) {
                 text.append(' ').append(quad[i % 4] + 1).append("/-1");
             }
@@ -105,7 +103,7 @@ final class MeshFiles {
         return bytes(text + "endsolid box\n");
     }
 
-    /** Begins with "solid", as text does. */
+    /** A binary file that begins with "solid", as text files do. */
     static byte[] stlBinary() {
         ByteBuffer file = ByteBuffer.allocate(84 + 50 * 12).order(ByteOrder.LITTLE_ENDIAN);
         file.put(0, bytes("solid but binary")).position(80).putInt(12);
@@ -120,7 +118,7 @@ final class MeshFiles {
         return used(file);
     }
 
-    /** With the buffer in the text. */
+    /** A file with the buffer embedded in the text. */
     static byte[] gltf() {
         return bytes(gltfText(",\"uri\":\"data:application/octet-stream;base64,"
                 + Base64.getEncoder().encodeToString(gltfBuffer()) + "\""));
@@ -140,7 +138,7 @@ final class MeshFiles {
         return file.array();
     }
 
-    /** Half as large and moved, which its node takes back. */
+    /** Positions at half size and moved; the node reverts both. */
     private static byte[] gltfBuffer() {
         ByteBuffer buffer = ByteBuffer.allocate(12 * 8 + 2 * 36).order(ByteOrder.LITTLE_ENDIAN);
         for (float[] corner : CORNERS) {

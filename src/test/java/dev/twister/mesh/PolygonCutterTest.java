@@ -8,7 +8,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
 
-/** Polygons cut into triangles that cover them, and nothing else. */
+/** Polygons cut into triangles that cover them exactly. */
 class PolygonCutterTest {
     private final FloatList positions = new FloatList();
     private final IntList corners = new IntList();
@@ -95,7 +95,7 @@ class PolygonCutterTest {
         return sum;
     }
 
-    /** More than 0 where the polygon runs counterclockwise. */
+    /** Positive where the polygon runs counterclockwise. */
     private double outline() {
         double sum = 0;
         for (int i = 0; i < corners.size(); i++) {

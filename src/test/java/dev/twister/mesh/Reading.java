@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 
-/** Reads files from bytes, and tells what they show. */
+/** Reads files from bytes and describes their contents. */
 final class Reading {
     private Reading() {}
 
@@ -33,7 +33,7 @@ final class Reading {
         return read(folder, name, content.getBytes(StandardCharsets.UTF_8), 0);
     }
 
-    /** All triangles, where they are shown, each from its least corner on. */
+    /** Returns all placed triangles, each starting from its smallest corner. */
     static Set<String> triangles(MeshFile file) {
         Set<String> triangles = new TreeSet<>();
         for (MeshPart part : file.parts()) {

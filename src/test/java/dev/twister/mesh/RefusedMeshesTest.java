@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Files that cannot be used, and what is said of them. */
+/** Rejected files and the messages for them. */
 class RefusedMeshesTest {
     private static final String TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     private static final String GLTF = "{\"asset\":{\"version\":\"2.0\"},";

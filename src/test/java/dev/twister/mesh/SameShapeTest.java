@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** A box from a file of each format. */
+/** Reads the same box from a file of each format. */
 class SameShapeTest {
     @TempDir
     Path folder;
@@ -68,7 +68,7 @@ class SameShapeTest {
         assertThat(round.vertices()).isEqualTo(8);
         float third = (float) Math.sqrt(1 / 3.0);
         for (int i = 0; i < round.normals().length; i++) {
-            // A box's corners are symmetric, whatever the diagonals of its sides are.
+            // The corners of a box are symmetric, however its sides are split.
             float outward = isLeast(round.positions(), i) ? -third : third;
             assertThat(round.normals()[i]).isCloseTo(outward, offset(1e-5f));
         }

@@ -11,7 +11,7 @@ import java.util.Map;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The meshes in scenes/meshes: closed bodies, whose triangles look outward. */
+/** The meshes in scenes/meshes must be closed bodies whose triangles face outward. */
 class ShippedMeshesTest {
     @ParameterizedTest(name = "{0}")
     @CsvSource({
@@ -36,7 +36,7 @@ class ShippedMeshesTest {
         assertThat(sum).isCloseTo(volume, offset(0.01 * volume));
     }
 
-    /** Each edge is one triangle's in one direction and another's in the other, positions alone considered. */
+    /** Each edge belongs to one triangle in each direction; only positions are compared. */
     private static void assertClosed(TriangleMesh mesh) {
         PositionIndex index = new PositionIndex(new FloatList());
         Map<Long, Integer> balances = new HashMap<>();
@@ -53,7 +53,7 @@ class ShippedMeshesTest {
         return index.of(mesh.positions()[at], mesh.positions()[at + 1], mesh.positions()[at + 2]);
     }
 
-    /** By the divergence theorem. */
+    /** Computes the volume by the divergence theorem. */
     private static double volume(TriangleMesh mesh) {
         double sum = 0;
         float[] p = mesh.positions();

@@ -172,7 +172,7 @@ class MotionFileTest {
         }
     }
 
-    /** Returns how many frames were there. */
+    /** Returns the number of frames that the file already held. */
     private int record(int first, int count) throws IOException {
         try (MotionRecording recording = MotionRecording.open(file, SCENE, first, 24)) {
             int there = recording.nextFrame() - first;

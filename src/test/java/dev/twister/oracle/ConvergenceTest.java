@@ -18,9 +18,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/**
- * Pictures that need many samples of a pixel come closer to the one of 1,024 at least as those of random samples would.
- */
+/** Pictures with more samples per pixel approach the one of 1,024 at least as fast as random sampling would. */
 class ConvergenceTest {
     private static final int[] SAMPLES = {4, 16, 64, 256};
     private static final int MOST_SAMPLES = 1024;

@@ -12,7 +12,7 @@ import java.util.Random;
 public final class Crowds {
     private Crowds() {}
 
-    /** The generator's scene of so many, with soft shadows and reflections of reflections. */
+    /** The generator's scene with this number of spheres, soft shadows and interreflections. */
     public static World world(int spheres, int width, int height) {
         Scene scene = SceneGenerator.spheres(spheres, 11, Path.of("none.hdr"));
         Skybox sky = RandomSkies.sky(new Random(11));

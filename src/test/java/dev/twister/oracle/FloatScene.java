@@ -10,8 +10,8 @@ import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 
 /**
- * Rounds a scene's numbers to floats. Every engine is given floats; an oracle that draws a sphere at 0.1 where they
- * were given 0.10000000149 would draw another scene, and differ at every edge for a reason that is no engine's.
+ * Rounds a scene's numbers to floats. Engines receive floats; an oracle with a sphere at 0.1 instead of 0.10000000149
+ * would render another scene and differ at every edge through no fault of the engine.
  */
 final class FloatScene {
     private FloatScene() {}
@@ -24,7 +24,7 @@ final class FloatScene {
                 .withAmbient((float) scene.ambient());
     }
 
-    /** The same with all spheres larger by a factor. */
+    /** Rounds as well, and scales all spheres by a factor. */
     static Scene grown(Scene scene, double factor) {
         return scene.withSpheres(scene.spheres().stream()
                 .map(sphere -> sphere.withRadius(factor * sphere.radius()))

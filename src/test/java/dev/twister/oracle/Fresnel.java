@@ -1,14 +1,14 @@
 package dev.twister.oracle;
 
-/** What happens at the surface between two media, of which a ray comes from the one. */
+/** Reflection and refraction at the surface between two media. */
 final class Fresnel {
     private Fresnel() {}
 
     /**
-     * The unpolarized reflectance.
+     * Returns the unpolarized reflectance.
      *
-     * @param cosine of the angle of incidence
-     * @param ratio index of refraction on the ray's side by that on the other
+     * @param cosine cosine of the angle of incidence
+     * @param ratio index of refraction on the incident side divided by the one on the other side
      */
     static double reflectance(double cosine, double ratio) {
         double sineSquared = ratio * ratio * (1 - cosine * cosine);
@@ -22,10 +22,10 @@ final class Fresnel {
     }
 
     /**
-     * The refracted direction, by Snell's law: the part along the surface times the ratio, and what is left against the
-     * normal.
+     * Returns the refracted direction by Snell's law: the tangential part times the ratio, and the remainder against
+     * the normal.
      *
-     * @param normal against the direction; both are unit vectors
+     * @param normal unit vector that points against the direction, which is a unit vector, too
      */
     static Vector refracted(Vector direction, Vector normal, double ratio) {
         Vector along = direction.minus(normal.times(direction.dot(normal))).times(ratio);

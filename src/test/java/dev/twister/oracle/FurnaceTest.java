@@ -24,8 +24,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Where light is the same from everywhere, what loses none cannot be seen; and what is as the air cannot be seen
- * anywhere.
+ * Furnace tests: under uniform light, a lossless body is invisible, and a body with the index of air is always
+ * invisible.
  */
 class FurnaceTest {
     private static final Rgb BLACK = new Rgb(0, 0, 0);
@@ -34,8 +34,8 @@ class FurnaceTest {
     private static final Material GLASS = Material.DEFAULT.withTransmission(1);
 
     /**
-     * Branches of less than 1/1024 end, so a little is lost; by bodies within bodies, whose rays split again and again,
-     * more than this.
+     * Branches below 1/1024 end, which loses a little energy. Nested bodies, whose rays split repeatedly, lose more
+     * than this.
      */
     @ParameterizedTest
     @CsvSource({"1.5, 1", "1.5, 4", "1.5, 8", "1.5, 64", "1, 8", "1.1, 8", "2.42, 8", "4, 8", "4, 64"})
@@ -83,7 +83,7 @@ class FurnaceTest {
         }
     }
 
-    /** Spheres of that material on white ground under a white sky, in linear radiance. */
+    /** Renders spheres of one material on white ground under a white sky, in linear radiance. */
     private static float[] furnace(Material material, int bounces) {
         Scene scene = Scene.under(Path.of("none.hdr"))
                 .withCamera(Camera.of(new Vector3(0, 1.5, -4), 0, 5, 60))

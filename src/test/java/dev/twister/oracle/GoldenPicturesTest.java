@@ -16,17 +16,17 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * The shipped scenes as they were when a person last looked at them, in {@code src/test/resources/golden}.
+ * The shipped scenes as last approved by a person, in {@code src/test/resources/golden}.
  *
- * <p>Where a picture changes on purpose, {@code ./mvnw -Dtest=GoldenPicturesTest -Dtwister.golden.update=true package}
- * makes it again; look at it before it is committed. On a failure the actual picture and the difference, eightfold, are
- * in {@code target/golden}.
+ * <p>After an intended change, {@code ./mvnw -Dtest=GoldenPicturesTest -Dtwister.golden.update=true package} updates a
+ * picture; look at it before committing. On failure, the actual picture and the difference times eight are in
+ * {@code target/golden}.
  */
 class GoldenPicturesTest {
     private static final Path GOLDEN = Path.of("src/test/resources/golden");
     private static final Path ACTUAL = Path.of("target/golden");
 
-    /** So that a person sees a difference of a few 255ths. */
+    /** Makes differences of a few 255ths visible. */
     private static final int DIFFERENCE_GAIN = 8;
 
     static List<String> names() {

@@ -10,17 +10,17 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Frames of linear radiance, which nothing clamps and no rounding to 8 bits smooths, against the oracle. */
+/** Compares linear radiance, which is neither clamped nor rounded to 8 bits, with the oracle. */
 class LinearFramesTest {
-    /** Of the radiance, however dark: what an 8-bit white can just tell apart. */
+    /** Relative tolerance at any brightness: about one 8-bit step at white. */
     private static final double RELATIVE_BOUND = 1 / 255.0;
 
-    /** Where there is hardly any light. */
+    /** Absolute tolerance for dark pixels. */
     private static final double ABSOLUTE_BOUND = 1e-5;
 
     /**
-     * One odd pixel in so many, where more than the design's: the bound is relative, so that a dark pixel's is far
-     * narrower than 1 of 255, and in these scenes most edges are seen in curved mirrors, which widen a rounding.
+     * One excused pixel in this many, more than the design allows: the relative bound is far tighter for dark pixels
+     * than 1 of 255, and most edges in these scenes appear in curved mirrors, which amplify rounding.
      */
     private static final Map<String, Integer> PIXELS_AN_ODD_ONE =
             Map.of("bokeh", 2000, "mirrors", 1000, "spheres-10000", 200);
@@ -51,7 +51,7 @@ class LinearFramesTest {
                 || isDifferent(actual[3 * pixel + 2], expected.blue());
     }
 
-    /** True of a NaN too. */
+    /** Also true for NaN. */
     private static boolean isDifferent(float actual, double expected) {
         return !(Math.abs(actual - expected) <= RELATIVE_BOUND * expected + ABSOLUTE_BOUND);
     }

@@ -6,14 +6,14 @@ import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 
-/** A scene with its sky, its textures and its meshes at hand, whatever files it names. */
+/** A scene with its sky, textures and meshes in memory, independent of the files that it names. */
 public record LitScene(Scene scene, SceneImages images, SceneMeshes meshes) {
-    /** Without meshes. */
+    /** Creates a scene without meshes. */
     public LitScene(Scene scene, SceneImages images) {
         this(scene, images, SceneMeshes.NONE);
     }
 
-    /** Without textures either. */
+    /** Creates a scene without textures and meshes. */
     public LitScene(Scene scene, Skybox sky) {
         this(scene, SceneImages.of(sky));
     }
@@ -22,7 +22,7 @@ public record LitScene(Scene scene, SceneImages images, SceneMeshes meshes) {
         return images.sky();
     }
 
-    /** At its start. */
+    /** Returns the frame at time 0. */
     public World world() {
         return World.of(scene, images, meshes);
     }

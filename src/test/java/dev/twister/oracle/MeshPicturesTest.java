@@ -30,7 +30,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Meshes against what they stand for: spheres, the plane, copies of themselves; and their views against the oracle. */
+/** Compares meshes with spheres, the plane and copies of themselves, and their views with the oracle. */
 class MeshPicturesTest {
     private static final int WIDTH = 90;
     private static final int HEIGHT = 60;

@@ -11,10 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 
-/**
- * Meshes that need no file, about the origin, all but the soup closed, their corners running so that faces look
- * outward.
- */
+/** Meshes without files, centered at the origin. All but the soup are closed, with outward faces. */
 public final class MeshShapes {
     private static final double GOLDEN = (1 + Math.sqrt(5)) / 2;
 
@@ -34,7 +31,7 @@ public final class MeshShapes {
 
     private MeshShapes() {}
 
-    /** A sphere of radius 1, 20 * 4^levels triangles, with normals and places in a texture. */
+    /** A sphere of radius 1 with 20 * 4^levels triangles, normals and texture coordinates. */
     public static TriangleMesh icosphere(int levels) {
         float[] positions = new float[ICOSAHEDRON.length];
         for (int i = 0; i < positions.length; i++) {
@@ -43,7 +40,7 @@ public final class MeshShapes {
         return sphere(positions, ICOSAHEDRON_CORNERS, levels);
     }
 
-    /** A sphere of radius 1 made from a cube, 12 * 4^levels triangles, with normals and places in a texture. */
+    /** A sphere of radius 1 from a cube, with 12 * 4^levels triangles, normals and texture coordinates. */
     public static TriangleMesh cubeSphere(int levels) {
         float[] positions = cube().positions().clone();
         for (int i = 0; i < positions.length; i++) {
@@ -72,7 +69,7 @@ public final class MeshShapes {
         return places;
     }
 
-    /** The cube of side 2, flat. */
+    /** A cube of side 2 with flat shading. */
     public static TriangleMesh cube() {
         float[] positions = new float[3 * 8];
         for (int i = 0; i < positions.length; i++) {
@@ -81,7 +78,7 @@ public final class MeshShapes {
         return new TriangleMesh(positions, new float[0], new float[0], CUBE_CORNERS);
     }
 
-    /** Two triangles at y = 0, their faces up, of side 2. */
+    /** Two triangles at y = 0 that face up, forming a square of side 2. */
     public static TriangleMesh square() {
         return new TriangleMesh(
                 new float[] {-1, 0, -1, 1, 0, -1, -1, 0, 1, 1, 0, 1},
@@ -90,7 +87,7 @@ public final class MeshShapes {
                 new int[] {0, 2, 1, 1, 2, 3});
     }
 
-    /** A sphere with dents and bumps, which its center sees all of. */
+    /** A sphere with dents and bumps, star-shaped about its center. */
     public static TriangleMesh blob(Random random, int levels) {
         TriangleMesh sphere = icosphere(levels);
         float[] positions = sphere.positions().clone();
@@ -103,7 +100,7 @@ public final class MeshShapes {
         return new TriangleMesh(positions, new float[0], sphere.textureCoordinates(), sphere.corners());
     }
 
-    /** Loose triangles that cross each other. */
+    /** Loose triangles that intersect each other. */
     public static TriangleMesh soup(Random random, int triangles) {
         float[] positions = new float[9 * triangles];
         for (int i = 0; i < positions.length; i++) {
@@ -114,7 +111,7 @@ public final class MeshShapes {
         return new TriangleMesh(positions, new float[0], new float[0], corners);
     }
 
-    /** A file of one part, not moved. */
+    /** A file with one untransformed part. */
     public static MeshFile file(TriangleMesh mesh) {
         return file(List.of(mesh), List.of(new MeshPart("", 0, Affine.IDENTITY, Material.DEFAULT)));
     }
@@ -123,7 +120,7 @@ public final class MeshShapes {
         return new MeshFile(meshes, parts, Map.of(), 0);
     }
 
-    /** Splits triangles in four, their new corners on the unit sphere. */
+    /** Splits each triangle into four, with the new corners on the unit sphere. */
     private static final class Halves {
         private final Map<Long, Integer> vertexByEdge = new HashMap<>();
         private float[] positions;

@@ -20,7 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A scene that is moved as a whole, by even numbers of meters for the checks' sake, looks as it did. */
+/** Translating a whole scene, by even meters to keep the checks, must not change the picture. */
 class MovedScenesTest {
     private static final double LARGEST_PLANE = 1e6;
     private static final int BLACK = 0xFF000000;

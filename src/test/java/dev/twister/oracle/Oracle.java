@@ -11,23 +11,23 @@ import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
 
-/** The picture of a scene, as the equations have it. */
+/** Renders scenes by evaluating the design's equations directly. */
 public final class Oracle {
-    /** The plastic number, the real root of x^3 = x + 1: of Roberts's R2 sequence. */
+    /** The plastic number, the real root of x^3 = x + 1, which generates Roberts's R2 sequence. */
     private static final double PLASTIC = 1.324717957244746;
 
-    /** None, and two, four and sixteen roundings of a float either way. */
+    /** Perturbations: zero, and two, four and sixteen float roundings in either direction. */
     private static final double[] GROWTHS = {
         1 - 0x1p-20, 1 - 0x1p-22, 1 - 0x1p-23, 1, 1 + 0x1p-23, 1 + 0x1p-22, 1 + 0x1p-20
     };
 
-    /** Two roundings inwards, none, two outwards. */
+    /** Radius perturbations: two roundings inward, none, two outward. */
     private static final double[] LIFTS = {-0x1p-23, 0, 0x1p-23};
 
-    /** How far facets of rough surfaces may be turned: the kernel's sines are within 4e-7. */
+    /** Largest tilt of rough surfaces' facets: the kernel's sines are within 4e-7. */
     private static final double TILT = 2e-7;
 
-    /** Of the throughput, how many roundings of a float a path of many surfaces has. */
+    /** Relative rounding error of the throughput of a path with many surfaces. */
     private static final double CUT = 0x1p-19;
 
     private final Scene rounded;
@@ -59,13 +59,13 @@ public final class Oracle {
         moves = new RayMoves();
     }
 
-    /** Linear color of a pixel, before exposure and tone map. */
+    /** Returns a pixel's linear color, before exposure and tone mapping. */
     public Rgb radiance(int column, int row) {
         Color average = average(column, row);
         return new Rgb(average.red(), average.green(), average.blue());
     }
 
-    /** The value of a stage without reflections, or of a view, in the scene's own shadows. */
+    /** Returns the value of a stage without reflections, or of a view, with the scene's own shadows. */
     Color value(int column, int row, Picture picture) {
         Color sum = Color.BLACK;
         for (ViewRay ray : viewRays(column, row, 0)) {
@@ -74,12 +74,12 @@ public final class Oracle {
         return sum.times(1.0 / samplesPerPixel);
     }
 
-    /** What a pixel shows, as 0xAARRGGBB. */
+    /** Returns a pixel as 0xAARRGGBB. */
     public int argb(int column, int row) {
         return tone.argb(average(column, row));
     }
 
-    /** All pixels as 0xAARRGGBB, row by row from the top. */
+    /** Returns all pixels as 0xAARRGGBB, in row-major order from the top. */
     public int[] picture() {
         return IntStream.range(0, width * height)
                 .parallel()
@@ -88,11 +88,11 @@ public final class Oracle {
     }
 
     /**
-     * Between what colors a pixel swings where its samples' places, its view rays or the spheres' radii are changed by
-     * a few roundings of a float: at an edge, or where mirrors amplify, far; elsewhere not at all. The radii count
-     * where a sphere is large as a planet: beside its surface, distances are small differences of large numbers. So do
-     * the points on it, and all of that at once: where a planet comes out of the plane, rounding may hit the planet
-     * just below the plane, and what is reflected there is the plane.
+     * Returns the range of a pixel's color under perturbations of sample positions, view rays and sphere radii by a few
+     * float roundings. The range is wide at edges or where mirrors amplify, and empty elsewhere. Radii matter for
+     * spheres as large as a planet: near their surface, distances are small differences of large numbers. So do points
+     * on them, and all perturbations combined: where a planet emerges from the plane, rounding may hit the planet just
+     * below the plane, which then reflects the plane.
      */
     PixelSpan span(int column, int row) {
         Color lowest = Color.BLACK;
@@ -147,9 +147,9 @@ public final class Oracle {
     }
 
     /**
-     * Points of the R2 sequence and their mirror images through the center, and the center where the number is odd.
+     * Returns points of the R2 sequence with their mirror images through the center, plus the center for odd numbers.
      *
-     * @param step how far all of them are moved, to the right and down
+     * @param step offset of all points, to the right and down
      */
     private List<ViewRay> viewRays(int column, int row, double step) {
         List<ViewRay> rays = new ArrayList<>();
@@ -169,7 +169,7 @@ public final class Oracle {
         return camera.ray(column + x, row + y, new SampleNumbers(column, row, item));
     }
 
-    /** The fraction, as engines are given it. */
+    /** Returns the fraction rounded to a float, as for engines. */
     private static double rounded(double value) {
         return Math.rint((value - Math.floor(value)) * 0x1p24) / 0x1p24;
     }

@@ -2,7 +2,7 @@ package dev.twister.oracle;
 
 import dev.twister.scene.Camera;
 
-/** The view ray through a place of the picture. */
+/** Creates view rays through positions in the picture. */
 final class OracleCamera {
     private final int width;
     private final int height;
@@ -15,9 +15,8 @@ final class OracleCamera {
     private final double focusDistance;
 
     /**
-     * The turned axes and the eye's distance are rounded to floats, as engines are given them: turning each direction
-     * in double precision instead would look elsewhere by up to 6e-8 radians, which at a field of view of 1 degree is
-     * seen at edges.
+     * The rotated axes and the eye's distance are rounded to floats, as for engines: rotating each direction in double
+     * precision instead would deviate by up to 6e-8 radians, which shows at edges with a field of view of 1 degree.
      */
     OracleCamera(Camera camera, int width, int height) {
         this.width = width;
@@ -35,8 +34,8 @@ final class OracleCamera {
     }
 
     /**
-     * The ray through (x, y) in pixels, (0, 0) the picture's top left corner: from the numbers' point of the lens to
-     * where the pinhole's ray meets the plane at the focus distance.
+     * Returns the ray through (x, y) in pixels from the top left corner: from the sampled point of the lens to where
+     * the pinhole ray hits the plane at the focus distance.
      */
     ViewRay ray(double x, double y, SampleNumbers numbers) {
         double u = width > height ? (x - width / 2.0 + height / 2.0) / height * 2 - 1 : x / width * 2 - 1;
@@ -55,7 +54,7 @@ final class OracleCamera {
         return new ViewRay(new Ray(start, focus.minus(start).normalized()), numbers);
     }
 
-    /** About x, what looks forward then looks down. */
+    /** Rotates about x, from forward to down. */
     private static Vector turnedDown(Vector vector, double pitch) {
         return new Vector(
                 vector.x(),
@@ -63,7 +62,7 @@ final class OracleCamera {
                 vector.y() * Math.sin(pitch) + vector.z() * Math.cos(pitch));
     }
 
-    /** About y, what looks forward then looks right. */
+    /** Rotates about y, from forward to right. */
     private static Vector turnedRight(Vector vector, double yaw) {
         return new Vector(
                 vector.x() * Math.cos(yaw) + vector.z() * Math.sin(yaw),

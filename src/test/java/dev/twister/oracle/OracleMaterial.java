@@ -4,7 +4,7 @@ import dev.twister.scene.Material;
 import dev.twister.world.SceneImages;
 import java.util.Optional;
 
-/** What a body is made of. */
+/** Material properties of a body. */
 record OracleMaterial(
         Color color,
         double reflectivity,
@@ -12,7 +12,7 @@ record OracleMaterial(
         double transmission,
         double ior,
         Optional<OracleTexture> texture) {
-    /** The same with its texture, from the scene's images. */
+    /** Attaches the texture from the scene's images. */
     static OracleMaterial of(Material material, SceneImages images) {
         return new OracleMaterial(
                 Color.of(material.color()),
@@ -28,7 +28,7 @@ record OracleMaterial(
         return transmission > 0;
     }
 
-    /** A color as it is at (u, v) of the texture, where there is one. */
+    /** Modulates a color by the texture at (u, v), if there is one. */
     Color textured(Color base, double u, double v) {
         return texture.map(picture -> base.times(picture.color(u, v))).orElse(base);
     }

@@ -4,7 +4,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 
-/** The visible part of the light: each of the sunflower's points, and what the bodies in its way let pass. */
+/** The visible part of the light over the points of the sunflower pattern, with transmitting occluders. */
 final class OracleShadow {
     private static final double GOLDEN_ANGLE_RADIANS = Math.PI * (3 - Math.sqrt(5));
 
@@ -18,7 +18,7 @@ final class OracleShadow {
         this.samples = samples;
     }
 
-    /** S in [0, 1] at a point that a ray has met. */
+    /** Returns the visibility in [0, 1] at a hit point. */
     double visible(Vector point, Body own, Ray ray) {
         Vector axis = light.center().minus(point).normalized();
         if (own instanceof TriangleBody triangle && triangle.facing(ray).dot(axis) <= 0) {
@@ -39,8 +39,8 @@ final class OracleShadow {
         return visible / samples;
     }
 
-    /** What part of the sample's light reaches the point past all bodies but its own. */
-    @SuppressWarnings("ReferenceEquality") // which body it is, not what it is like: two may be alike in one place
+    /** Returns the fraction of the sample's light that passes all bodies other than the point's own. */
+    @SuppressWarnings("ReferenceEquality") // identity: two bodies may be equal at the same place
     private double passed(Vector point, Vector sample, Body own) {
         Vector toSample = sample.minus(point);
         Ray shadowRay = new Ray(point, toSample.normalized());

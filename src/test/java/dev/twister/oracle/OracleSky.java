@@ -2,7 +2,7 @@ package dev.twister.oracle;
 
 import dev.twister.sky.Skybox;
 
-/** The panorama in a direction. */
+/** Looks up the panorama in a direction. */
 final class OracleSky {
     private final Skybox sky;
     private final double turn;
@@ -31,7 +31,7 @@ final class OracleSky {
                 .times(strength);
     }
 
-    /** Around the horizon it wraps, up and down it is clamped. */
+    /** Columns wrap around the horizon; rows are clamped. */
     private Color texel(double column, double row) {
         int wrapped = Math.floorMod((int) column, sky.width());
         int clamped = Math.clamp((int) row, 0, sky.height() - 1);

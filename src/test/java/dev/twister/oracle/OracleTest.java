@@ -21,8 +21,8 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 /**
- * The oracle itself, where the answer is known by hand: the one pixel of a picture, whose ray goes straight ahead, or
- * straight down, over a ground at y = 0 under a light at height 10.
+ * Checks the oracle itself against closed forms, with a picture of one pixel whose ray goes straight ahead, or straight
+ * down, over a ground at y = 0 under a light at height 10.
  */
 class OracleTest {
     private static final double MATTE = 0;
@@ -62,7 +62,7 @@ class OracleTest {
         assertThat(middle(DOWN, 1, 128).green()).isCloseTo(0.5 * cosine + highlight, within(1e-6));
     }
 
-    /** From below, the sphere's underside is in the plane's shadow; from beside the plane it is lit. */
+    /** Seen from below, the sphere's underside is in the plane's shadow; beyond the plane's border it is lit. */
     @Test
     void planeHidesALightOnTheOtherSide() {
         Camera down = Camera.of(new Vector3(0, 5, 0), 0, 90, 60);
@@ -90,9 +90,7 @@ class OracleTest {
         assertThat(middle(AHEAD, 0, MATTE, sphere(0.5, 5, -5, 2, MATTE))).isEqualTo(new Rgb(0.25, 0.5, 0.75));
     }
 
-    /**
-     * From the center of a ball of clear glass: straight through it, and F of the far wall, seen at the last bounce.
-     */
+    /** From the center of a clear glass ball: straight through, plus F from the far wall at the last bounce. */
     @Test
     void glassIsSeenFromInside() {
         double lit = 7 / Math.sqrt(0.5 * 0.5 + 5 * 5 + 7 * 7);
@@ -109,7 +107,7 @@ class OracleTest {
         assertThat(middle(DOWN, 0, MATTE, blocker).red()).isCloseTo(0.8 * cosine * 0.25, within(1e-7));
     }
 
-    /** A sheet of the plane reflects F and shows the sky below, straight on. */
+    /** At normal incidence, a transmitting plane reflects F and shows the sky below. */
     @Test
     void planeOfGlassIsASheet() {
         Scene scene = scene(DOWN, 1, MATTE);
@@ -120,7 +118,7 @@ class OracleTest {
                 .isCloseTo(0.75 * (1.0 / 25 + 24.0 / 25 * 0.8), within(1e-7));
     }
 
-    /** Ahead is the texture's middle, and its right half is on the right. */
+    /** The texture's center is straight ahead, with its right half on the right. */
     @Test
     void textureReadsFromOutside() {
         Path file = Path.of("halves.png");

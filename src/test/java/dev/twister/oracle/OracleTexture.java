@@ -2,9 +2,9 @@ package dev.twister.oracle;
 
 import dev.twister.sky.Skybox;
 
-/** A picture on a surface, bilinear, repeating both ways. */
+/** A picture on a surface, with bilinear filtering, repeating in both directions. */
 record OracleTexture(Skybox picture) {
-    /** At (u, v) = (0, 0) is the upper left corner of the first texel. */
+    /** (u, v) = (0, 0) is the upper left corner of the first texel. */
     Color color(double u, double v) {
         double column = u * picture.width() - 0.5;
         double row = v * picture.height() - 0.5;

@@ -2,7 +2,7 @@ package dev.twister.oracle;
 
 import dev.twister.scene.RenderSettings;
 
-/** From linear color to what a pixel shows. */
+/** Converts linear colors to pixels. */
 final class OracleTone {
     private final RenderSettings settings;
 
@@ -10,7 +10,7 @@ final class OracleTone {
         this.settings = settings;
     }
 
-    /** 0xAARRGGBB. */
+    /** Returns a color as 0xAARRGGBB. */
     int argb(Color linear) {
         return 0xFF000000 | quantized(linear.red()) << 16 | quantized(linear.green()) << 8 | quantized(linear.blue());
     }
@@ -28,7 +28,7 @@ final class OracleTone {
         };
     }
 
-    /** IEC 61966-2-1. */
+    /** The sRGB transfer function of IEC 61966-2-1. */
     private static double srgbEncoded(double c) {
         return c <= 0.0031308 ? 12.92 * c : 1.055 * Math.pow(c, 1 / 2.4) - 0.055;
     }

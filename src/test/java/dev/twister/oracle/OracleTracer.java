@@ -19,11 +19,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.LongAdder;
 
-/** The color that a ray sees, by recursion. */
+/** Traces the color along a ray, recursively. */
 final class OracleTracer {
     private static final double PERFECT_MIRROR = 128;
 
-    /** A branch that starts where light is transmitted ends where the pixel gets less of it. */
+    /** Paths that transmit light end below this throughput. */
     private static final double LEAST_THROUGHPUT = 1.0 / 1024;
 
     private static final Color ALL = new Color(1, 1, 1);
@@ -37,13 +37,13 @@ final class OracleTracer {
     private final Rounding rounding;
     private final LongAdder followed = new LongAdder();
 
-    /** What a ray sees, and what its branches share. */
+    /** A hit, shared by the branches of its ray. */
     private record Place(Ray ray, Body body, Vector point, Vector normal, boolean fromInside) {
         Vector toViewer() {
             return ray.direction().times(-1);
         }
 
-        /** The normal on the viewer's side; the plane's own always points up. */
+        /** The normal on the viewer's side; the plane's own normal always points up. */
         Vector facing() {
             return ray.direction().dot(normal) > 0 ? normal.times(-1) : normal;
         }
@@ -85,13 +85,13 @@ final class OracleTracer {
         bounceLimit = scene.settings().bounces();
     }
 
-    /** What a view ray sees. */
+    /** Traces a view ray. */
     Color color(ViewRay viewRay) {
         return color(viewRay.ray(), null, false, 0, ALL, viewRay.numbers());
     }
 
-    /** The value of a view, or of a stage at the first hit. Bounces are counted for one caller at a time. */
-    @SuppressWarnings("ReferenceEquality") // which body it is, not what it is like
+    /** Returns the value of a view, or of a stage at the first hit. Not thread-safe, as it counts bounces. */
+    @SuppressWarnings("ReferenceEquality") // compares identity of bodies
     Color value(ViewRay viewRay, Picture picture) {
         Ray ray = viewRay.ray();
         Body body = closest(ray, null, false);
@@ -127,11 +127,11 @@ final class OracleTracer {
     }
 
     /**
-     * What is seen along a ray that leaves a body, inside it or not; a view ray leaves none (null).
+     * Traces a ray that leaves a body, inside it or not; a view ray leaves none (null).
      *
-     * @param throughput what part of it the pixel gets
+     * @param throughput the ray's weight in the pixel
      */
-    @SuppressWarnings("ReferenceEquality") // which body it is, not what it is like
+    @SuppressWarnings("ReferenceEquality") // compares identity of bodies
     private Color color(Ray ray, Body leaving, boolean inside, int bounce, Color throughput, SampleNumbers numbers) {
         Body body = closest(ray, leaving, inside);
         if (body == null) {
@@ -175,7 +175,7 @@ final class OracleTracer {
         return color;
     }
 
-    /** What a ray that goes on from a surface adds to it. */
+    /** Returns the weighted contribution of a secondary ray. */
     private Color branch(
             Place place,
             Vector direction,
@@ -194,8 +194,8 @@ final class OracleTracer {
                 .times(part);
     }
 
-    /** The lower index on a tie, null where there is none. */
-    @SuppressWarnings("ReferenceEquality") // which body it is, not what it is like
+    /** Returns the closest hit, with the lower index on a tie, or null. */
+    @SuppressWarnings("ReferenceEquality") // compares identity of bodies
     private Body closest(Ray ray, Body leaving, boolean inside) {
         Body closest = null;
         double closestDistance = Body.MISS;
@@ -222,7 +222,7 @@ final class OracleTracer {
         return new Place(ray, body, point, turns ? outward.times(-1) : outward, fromInside);
     }
 
-    /** The normal that reflects and refracts. */
+    /** Returns the normal for reflection and refraction. */
     private Vector facet(Place place, int bounce, SampleNumbers numbers) {
         double roughness = place.body().material().roughness();
         return roughness == 0
@@ -238,9 +238,9 @@ final class OracleTracer {
     }
 
     /**
-     * What a rough surface passes on of the light from its facet.
+     * Returns the weight of light that a rough surface scatters at its facet.
      *
-     * @param side 1 where it is reflected, -1 where it passes
+     * @param side 1 for reflection, -1 for transmission
      */
     private static double weight(Place place, Vector direction, int side) {
         double roughness = place.body().material().roughness();
@@ -250,7 +250,7 @@ final class OracleTracer {
                         .weight(place.toViewer().dot(place.facing()), side * direction.dot(place.facing()));
     }
 
-    /** Blinn-Phong's, to be multiplied by the light's color. */
+    /** The Blinn-Phong term, to be multiplied by the light's color. */
     private static double highlight(Place place, Vector toLight, double visible) {
         double p = place.body().material().reflectivity();
         Vector half = toLight.plus(place.toViewer()).normalized();

@@ -4,15 +4,15 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
- * How two pictures of one size differ, in 255ths of a channel.
+ * The difference of two pictures of one size, in 255ths of a channel.
  *
- * @param pixels in each picture
- * @param differing the pixels that are more than 1 of 255 away in some channel, in order
+ * @param pixels number of pixels in each picture
+ * @param differing indices of pixels with a channel difference above 1 of 255, in ascending order
  * @param largest the largest difference of a channel
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
 public record PictureDifference(int pixels, int[] differing, int largest) {
-    /** The design's bound: at all but 1 pixel in this many, no channel is more than 1 of 255 away. */
+    /** The design's bound: at most 1 pixel in this many may differ by more than 1 of 255 in a channel. */
     public static final int PIXELS_AN_ODD_ONE = 5000;
 
     /** Compares 0xAARRGGBB pixels. */
@@ -30,12 +30,12 @@ public record PictureDifference(int pixels, int[] differing, int largest) {
                 Arrays.stream(differences).max().orElse(0));
     }
 
-    /** Whether the design's bound holds. */
+    /** Returns whether the design's bound holds. */
     public boolean isWithinBound() {
         return (long) differing.length * PIXELS_AN_ODD_ONE <= pixels;
     }
 
-    /** The largest difference of the four channels. */
+    /** Returns the largest difference of the four channels. */
     static int channelDifference(int argb, int other) {
         int largest = 0;
         for (int shift = 0; shift < 32; shift += 8) {

@@ -9,9 +9,9 @@ import dev.twister.world.FrameInput;
 import dev.twister.world.World;
 import java.util.Arrays;
 
-/** Whole pictures of scenes, by the name of an engine. */
+/** Renders whole pictures of scenes with an engine by name. */
 public final class Pictures {
-    /** No pixel is this transparent one: what an engine does not write shows. */
+    /** Transparent, so no rendered pixel equals it and unwritten pixels show. */
     private static final int POISON = 0x00BADBAD;
 
     private Pictures() {}
@@ -20,12 +20,12 @@ public final class Pictures {
         return argb(engine, World.of(scene, sky).snapshot());
     }
 
-    /** The same of a scene with textures. */
+    /** Renders a scene with textures. */
     public static int[] argb(String engine, LitScene scene) {
         return argb(engine, scene.world().snapshot());
     }
 
-    /** The band's pixels as 0xAARRGGBB. */
+    /** Renders the band as 0xAARRGGBB pixels. */
     public static int[] argb(String engine, FrameInput input) {
         Frame frame = Frame.ofPixels(input.width(), input.rows());
         Arrays.fill(frame.argb(), POISON);
@@ -35,17 +35,17 @@ public final class Pictures {
         return frame.argb();
     }
 
-    /** Linear radiance, three floats a pixel. */
+    /** Renders linear radiance, three floats per pixel. */
     public static float[] radiance(String engine, Scene scene, Skybox sky) {
         return radiance(engine, new LitScene(scene, sky));
     }
 
-    /** The same of a scene with textures. */
+    /** Renders linear radiance of a scene with textures. */
     public static float[] radiance(String engine, LitScene scene) {
         return radiance(engine, scene.world().snapshot());
     }
 
-    /** The band's linear radiance. */
+    /** Renders the band's linear radiance. */
     public static float[] radiance(String engine, FrameInput input) {
         Frame frame = Frame.ofRadiance(input.width(), input.rows());
         Arrays.fill(frame.radiance(), Float.NaN);

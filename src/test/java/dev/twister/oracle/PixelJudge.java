@@ -6,9 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Holds pictures to the oracle, pixel by pixel, and counts. A pixel that differs is excused only where the oracle
- * itself swings as far as the engine's value once the view ray is moved by a few roundings of a float; any other is a
- * bug.
+ * Compares pictures with the oracle pixel by pixel and counts. A differing pixel is excused only if the oracle itself
+ * reaches the engine's value when the view ray is perturbed by a few float roundings; any other is a bug.
  */
 public final class PixelJudge {
     private long pixels;
@@ -17,16 +16,16 @@ public final class PixelJudge {
     /**
      * Judges one picture of 0xAARRGGBB pixels.
      *
-     * @throws AssertionError where a pixel differs without an excuse
+     * @throws AssertionError if a pixel differs without an excuse
      */
     public void judge(int[] actual, Scene scene, Skybox sky) {
         judge(actual, new LitScene(scene, sky));
     }
 
     /**
-     * The same of a scene with textures.
+     * Judges one picture of a scene with textures.
      *
-     * @throws AssertionError where a pixel differs without an excuse
+     * @throws AssertionError if a pixel differs without an excuse
      */
     public void judge(int[] actual, LitScene scene) {
         Oracle oracle = new Oracle(scene);
@@ -34,9 +33,9 @@ public final class PixelJudge {
     }
 
     /**
-     * Judges one picture by another's pixels; the oracle is asked for excuses only.
+     * Judges one picture by reference pixels; the oracle is used for excuses only.
      *
-     * @throws AssertionError where a pixel differs without an excuse
+     * @throws AssertionError if a pixel differs without an excuse
      */
     public void judgeAgainst(int[] expected, int[] actual, Scene scene, Skybox sky) {
         judgeAgainst(expected, actual, scene, new Oracle(scene, sky));
@@ -68,20 +67,20 @@ public final class PixelJudge {
         }
     }
 
-    /** All pixels that were judged so far. */
+    /** Returns the number of pixels judged so far. */
     public long pixels() {
         return pixels;
     }
 
-    /** Those that differed and were excused. */
+    /** Returns the number of pixels that differed and were excused. */
     public long excused() {
         return excused;
     }
 
     /**
-     * Ends the count.
+     * Checks the rate of excused pixels.
      *
-     * @throws AssertionError where more than 1 pixel in so many had to be excused
+     * @throws AssertionError if more than 1 pixel in this many was excused
      */
     public void requireExcusedAtMostOneIn(long pixelsAnExcuse) {
         if (excused * pixelsAnExcuse > pixels) {

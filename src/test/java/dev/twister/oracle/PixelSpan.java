@@ -1,13 +1,13 @@
 package dev.twister.oracle;
 
 /**
- * Two colors that a pixel swings between, channel by channel.
+ * A range of colors, per channel.
  *
  * @param lowest as 0xAARRGGBB
  * @param highest as 0xAARRGGBB
  */
 record PixelSpan(int lowest, int highest) {
-    /** Whether a color lies between, or at most 1 of 255 outside, in every channel. */
+    /** Returns whether every channel of a color is in the range or at most 1 of 255 outside. */
     boolean holds(int argb) {
         boolean holds = true;
         for (int shift = 0; shift < 24; shift += 8) {

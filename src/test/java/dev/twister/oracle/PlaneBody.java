@@ -2,10 +2,10 @@ package dev.twister.oracle;
 
 /** The checkered square ground. */
 record PlaneBody(double size, double height, Color oddColor, OracleMaterial material) implements Body {
-    /** Keeps the checks' edges off round numbers, where rounding alone decides. */
+    /** Shifts the checks' edges off round numbers, where rounding alone would decide. */
     private static final double CHECKER_SHIFT = 0x1p-10;
 
-    /** Of the side, from the middle to the border; for the same reason a little more than the half. */
+    /** Half of the side, slightly enlarged for the same reason. */
     private static final double REACH = 0.5 + 0x1p-17;
 
     @Override
@@ -17,7 +17,7 @@ record PlaneBody(double size, double height, Color oddColor, OracleMaterial mate
         return distance > 0 && isInside(ray.at(distance)) ? distance : MISS;
     }
 
-    /** It has no inside. */
+    /** A plane has no inside. */
     @Override
     public double distanceInside(Ray ray) {
         return MISS;
@@ -28,7 +28,7 @@ record PlaneBody(double size, double height, Color oddColor, OracleMaterial mate
         return false;
     }
 
-    /** Whether two points are on different sides, and the way from the one to the other crosses the square. */
+    /** Returns whether the segment between two points crosses the square. */
     boolean separates(Vector from, Vector to) {
         double above = from.y() - height;
         double otherAbove = to.y() - height;

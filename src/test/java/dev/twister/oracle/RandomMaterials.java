@@ -19,24 +19,24 @@ import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 
 /**
- * {@link RandomScenes} of glass, rough surfaces and textures, through a lens: glass in glass, apart, touching and
- * overlapping, around the camera and halfway in the ground, indices of 1 and 4, crowds of it, every extreme of
+ * {@link RandomScenes} with glass, rough surfaces and textures, through a lens: nested, separate, touching and
+ * overlapping glass, also around the camera and halfway in the ground, indices of 1 and 4, crowds, and the extremes of
  * roughness and transmission.
  */
 public final class RandomMaterials {
-    /** What the oracle may need for one picture: rays times bodies times shadow rays, each ray with its branches. */
+    /** Limit of the oracle's work per picture: rays, including branches, times bodies times shadow rays. */
     private static final double MOST_TESTS = 4e6;
 
     private static final List<Path> TEXTURES = List.of(Path.of("a.png"), Path.of("b.png"));
 
     private RandomMaterials() {}
 
-    /** Scenes of between so many bounces. */
+    /** Scenes with a number of bounces in this range. */
     public static Arbitrary<LitScene> ofBounces(int least, int most) {
         return Arbitraries.randomValue(random -> scene(random, least + random.nextInt(most - least + 1)));
     }
 
-    /** Any scene, from one random source. */
+    /** Any scene, from one source of randomness. */
     public static LitScene scene(Random random, int bounces) {
         LitScene plain = RandomScenes.scene(random, bounces);
         Scene scene = plain.scene();
@@ -79,7 +79,7 @@ public final class RandomMaterials {
         return plain.withIor(RandomScenes.extremeOr(random, 1, 4, RandomScenes.between(random, 1, 2.5)));
     }
 
-    /** In the sphere's middle, touching it from inside, or across its surface. */
+    /** At the sphere's center, touching it from inside, or across its surface. */
     private static Sphere inside(Random random, Sphere outer) {
         double radius = outer.radius() * RandomScenes.between(random, 0.2, 0.9);
         double distance = switch (random.nextInt(3)) {
@@ -120,7 +120,7 @@ public final class RandomMaterials {
                         .withFocusDistance(RandomScenes.between(random, 0.3, 15));
     }
 
-    /** With few pixels where there are many spheres or triangles. */
+    /** Reduces the number of pixels where there are many spheres or triangles. */
     static RenderSettings settings(RenderSettings plain, int spheres) {
         int shadowSamples = Math.min(plain.shadowSamples(), 40);
         double branches = Math.min(1 << plain.bounces(), 60);

@@ -11,8 +11,8 @@ import net.jqwik.api.ShrinkingMode;
 import net.jqwik.api.lifecycle.AfterProperty;
 
 /**
- * Every engine of the JVM on random scenes of glass, rough surfaces, textures and lenses. The bounds are
- * {@link RandomScenesTest}'s: no edge needs a looser one, as rough surfaces take the same numbers here and there.
+ * Compares every JVM engine on random scenes of glass, rough surfaces, textures and lenses. The bounds are
+ * {@link RandomScenesTest}'s: rough surfaces need no looser ones, as engines and oracle use the same sample numbers.
  */
 class RandomMaterialsTest {
     private static final int FEW_BOUNCES_PIXELS_AN_EXCUSE = 50_000;

@@ -18,8 +18,8 @@ import java.util.Optional;
 import java.util.Random;
 
 /**
- * {@link RandomMaterials} with meshes: solids, flat and smooth, and soups of triangles, of all materials, turned,
- * scaled, mirrored, shown several times, around the camera, in the ground and in spheres.
+ * {@link RandomMaterials} with meshes: flat and smooth solids and triangle soups of all materials, rotated, scaled,
+ * mirrored, instanced, around the camera, in the ground and in spheres.
  */
 public final class RandomMeshes {
     private static final int LEVELS = 2;
@@ -27,7 +27,7 @@ public final class RandomMeshes {
 
     private RandomMeshes() {}
 
-    /** Any scene, from one random source. */
+    /** Any scene, from one source of randomness. */
     public static LitScene scene(Random random, int bounces) {
         LitScene plain = RandomMaterials.scene(random, bounces);
         Map<Path, MeshFile> files = new HashMap<>();

@@ -6,12 +6,12 @@ import dev.twister.engine.JvmEngines;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
-/** Every engine of the JVM on random scenes with meshes of all materials. */
+/** Compares every JVM engine on random scenes with meshes of all materials. */
 class RandomMeshesTest {
     private static final int SCENES = 50;
     private static final int FEW = 12;
 
-    /** Edges are many where triangles are few pixels large. */
+    /** Triangles of a few pixels have many edges. */
     private static final int PIXELS_AN_EXCUSE = 2000;
 
     @Test

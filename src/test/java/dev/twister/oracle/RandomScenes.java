@@ -17,12 +17,12 @@ import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 
 /**
- * Random scenes that look for trouble: cameras inside spheres, below the ground and looking straight up, lights inside
- * spheres and touching the ground, spheres that touch and overlap, every extreme of every setting, pictures of one
- * pixel, one row and odd sizes. All small, so that the oracle draws hundreds of them in seconds.
+ * Random scenes of hard cases: cameras inside spheres, below the ground and looking straight up, lights inside spheres
+ * and touching the ground, touching and overlapping spheres, extremes of every setting, pictures of one pixel, one row
+ * and odd sizes. All are small, so that the oracle renders hundreds of them in seconds.
  */
 public final class RandomScenes {
-    /** Tests of a ray against a sphere that the oracle may need for one picture; sizes are cut to it. */
+    /** Limit of ray-sphere tests by the oracle per picture; picture sizes are reduced to it. */
     private static final double MOST_TESTS = 1.2e7;
 
     private static final int MOST_PIXELS = 4000;
@@ -31,17 +31,17 @@ public final class RandomScenes {
 
     private RandomScenes() {}
 
-    /** Scenes of up to so many bounces. */
+    /** Scenes with at most this number of bounces. */
     public static Arbitrary<LitScene> upToBounces(int most) {
         return Arbitraries.randomValue(random -> scene(random, random.nextInt(most + 1)));
     }
 
-    /** Scenes of at least 4 bounces, up to the 8 that people use. */
+    /** Scenes with 4 to 8 bounces, the most in practical use. */
     public static Arbitrary<LitScene> ofManyBounces() {
         return Arbitraries.randomValue(random -> scene(random, 4 + random.nextInt(5)));
     }
 
-    /** Any scene, from one random source; for tests that do without jqwik. */
+    /** Any scene, from one source of randomness; for tests without jqwik. */
     public static LitScene scene(Random random, int bounces) {
         Plane plane = plane(random);
         List<Sphere> spheres = RandomSpheres.spheres(random, plane);
@@ -121,7 +121,7 @@ public final class RandomScenes {
                         random.nextBoolean());
     }
 
-    /** Inside the sphere, and not at its very center. */
+    /** A point inside the sphere, but not exactly at its center. */
     static Vector3 near(Random random, Sphere sphere) {
         double reach = 0.5 * sphere.radius();
         return new Vector3(
@@ -145,7 +145,7 @@ public final class RandomScenes {
         return lowest + (highest - lowest) * random.nextDouble();
     }
 
-    /** One time in ten the one extreme, one time in ten the other. */
+    /** Returns each of the two extremes with a probability of 1 in 10. */
     static double extremeOr(Random random, double lowest, double highest, double other) {
         return switch (random.nextInt(10)) {
             case 0 -> lowest;

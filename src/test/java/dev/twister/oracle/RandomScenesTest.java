@@ -10,15 +10,16 @@ import net.jqwik.api.ShrinkingMode;
 import net.jqwik.api.lifecycle.AfterProperty;
 
 /**
- * The kernel, with its shortcuts and without, against the oracle on random scenes; jqwik reports the seed of a failure.
+ * Compares the kernel, with and without shortcuts, with the oracle on random scenes; jqwik reports the seed of a
+ * failure.
  */
 class RandomScenesTest {
-    /** Ten times as strict as the design: edges are rare, over all tries together some 1 pixel in 900,000 needs one. */
+    /** Ten times as strict as the design: about 1 pixel in 900,000 needs an excuse over all tries. */
     private static final int FEW_BOUNCES_PIXELS_AN_EXCUSE = 50_000;
 
     /**
-     * The design's own bound. Each bounce off a sphere widens a difference by about its distance over its radius: after
-     * eight, the rounding of a float may be as wide as a body, and the odd scene has a dozen such pixels.
+     * The design's bound. Each reflection by a sphere amplifies a difference by about distance over radius: after
+     * eight, a float rounding may span a body, and some scenes have a dozen such pixels.
      */
     private static final int MANY_BOUNCES_PIXELS_AN_EXCUSE = 5000;
 
@@ -36,8 +37,8 @@ class RandomScenesTest {
     }
 
     /**
-     * This seed has the edge of a planet-sized sphere, reflected: moving ray and radius one at a time does not reach
-     * it.
+     * With this seed, the reflected edge of a planet-sized sphere is not covered by perturbing ray and radius one at a
+     * time.
      */
     @Property(seed = "9054642568918783129", tries = 250, shrinking = ShrinkingMode.OFF)
     void shortcutsDrawWhatTheOracleDraws(@ForAll("fewBounces") LitScene random) {

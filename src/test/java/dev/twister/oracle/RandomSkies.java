@@ -3,7 +3,7 @@ package dev.twister.oracle;
 import dev.twister.sky.Skybox;
 import java.util.Random;
 
-/** Small panoramas of every awkward size and strong contrast. */
+/** Small panoramas of unusual sizes with strong contrast. */
 final class RandomSkies {
     private static final int[][] AWKWARD_SIZES = {{1, 1}, {2, 1}, {1, 2}, {3, 1}, {1, 5}};
 

@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 
-/** None, a few or many spheres: on the ground and in it, apart, touching, overlapping, and large as a planet below. */
+/** No, few or many spheres: on and in the ground, apart, touching, overlapping, and as large as a planet below. */
 final class RandomSpheres {
     private RandomSpheres() {}
 

@@ -4,12 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 
-/** A view ray, moved and turned by a few roundings of a float: what an engine that rounds could have meant by it. */
+/** A view ray, translated and rotated by a few float roundings, as a rounding engine may compute it. */
 final class RayMoves {
-    /** Half a float's last place at 1. */
+    /** Half a unit in the last place of a float at 1. */
     private static final double ROUNDING = 0x1p-24;
 
-    /** A view ray has some five roundings, the point it hits as many again, and a mirror passes them on larger. */
+    /** A view ray has about five roundings, its hit point as many again, and mirrors amplify them. */
     private static final int[] ROUNDINGS = {2, 8, 32};
 
     private static final int MOVES_EACH = 24;

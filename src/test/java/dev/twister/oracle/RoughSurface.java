@@ -1,16 +1,16 @@
 package dev.twister.oracle;
 
-/** GGX's facets as they are seen from one side of a surface, and Smith's height-correlated masking and shadowing. */
+/** GGX facets seen from one side of a surface, with Smith's height-correlated masking and shadowing. */
 record RoughSurface(double alpha) {
     static RoughSurface of(double roughness) {
         return new RoughSurface(roughness * roughness);
     }
 
     /**
-     * A facet that is visible, by Dupuy and Benyoub (2023): a point of the spherical cap of the stretched view, in the
-     * frame of Duff et al. (2017).
+     * Samples a visible facet by Dupuy and Benyoub (2023): a point of the spherical cap of the stretched view
+     * direction, in the frame of Duff et al. (2017).
      *
-     * @param normal the surface's, on the viewer's side
+     * @param normal the surface normal on the viewer's side
      * @param toViewer unit vector
      * @param turns azimuth in [0, 1)
      * @param height in [0, 1)
@@ -34,7 +34,7 @@ record RoughSurface(double alpha) {
                 .normalized();
     }
 
-    /** G2 / G1, 0 where the light would go on at the wrong side. */
+    /** Returns G2 / G1, or 0 if the light would continue on the wrong side. */
     double weight(double cosineIn, double cosineOut) {
         return cosineOut > 0 ? (1 + lambda(cosineIn)) / (1 + lambda(cosineIn) + lambda(cosineOut)) : 0;
     }

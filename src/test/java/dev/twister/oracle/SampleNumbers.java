@@ -3,12 +3,12 @@ package dev.twister.oracle;
 import dev.twister.kernel.Noise;
 
 /**
- * The numbers that a sample of a pixel takes for lens and surfaces: Kronecker sequences of primes' roots, shifted by
- * the kernel's hash, whose integers are exact everywhere.
+ * Random numbers of a pixel sample for lens and surfaces: Kronecker sequences of roots of primes, shifted by the
+ * kernel's hash, whose integers are exact everywhere.
  *
  * @param column of the pixel in the whole picture
- * @param row as well
- * @param item which of the samples' endless list it is
+ * @param row of the pixel in the whole picture
+ * @param item index in the infinite sequence of samples
  */
 record SampleNumbers(int column, int row, int item) {
     private static final int[] PRIMES = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43};

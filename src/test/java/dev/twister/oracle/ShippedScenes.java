@@ -12,16 +12,16 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** The scenes in the folder {@code scenes}, small enough for the oracle. */
+/** The scenes in the folder {@code scenes}, reduced for the oracle. */
 public final class ShippedScenes {
     private static final Path FOLDER = Path.of("scenes");
 
-    /** More than so many spheres, and a scene is drawn smaller. */
+    /** Scenes with more spheres than this are rendered smaller. */
     private static final int MANY_SPHERES = 1000;
 
     private ShippedScenes() {}
 
-    /** Their names, without {@code .json}. */
+    /** File names without {@code .json}. */
     public static List<String> names() {
         try (Stream<Path> files = Files.list(FOLDER)) {
             return files.map(file -> file.getFileName().toString())
@@ -34,15 +34,15 @@ public final class ShippedScenes {
         }
     }
 
-    /** As it is shipped, in a picture of 320 x 180. */
+    /** The shipped scene in a picture of 320 x 180. */
     public static LitScene small(String name) {
         LitScene shipped = read(name);
         return with(shipped, shipped.scene().settings().withSize(320, 180));
     }
 
     /**
-     * Quick to draw for the oracle too: at most 48 shadow samples, thousands of spheres at 96 x 54 with 4, thousands of
-     * triangles at 32 x 18 with 1 and 2 bounces.
+     * A version that the oracle renders quickly: at most 48 shadow samples, thousands of spheres at 96 x 54 with 4,
+     * thousands of triangles at 32 x 18 with 1 and 2 bounces.
      */
     public static LitScene quick(String name) {
         LitScene small = small(name);

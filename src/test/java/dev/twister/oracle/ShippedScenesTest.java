@@ -9,14 +9,14 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Every engine of the JVM against the oracle, and against each other, over every shipped scene. */
+/** Compares every JVM engine with the oracle and with the other engines on every shipped scene. */
 class ShippedScenesTest {
-    /** Of its spheres, 0.2 m wide at 60 m, each reflects the crowd of the others: a rounding moves many edges. */
+    /** Its spheres, 0.2 m wide at 60 m, reflect the crowd of others, so rounding moves many edges. */
     private static final String CROWD = "spheres-10000";
 
     private static final int CROWDS_PIXELS_AN_ODD_ONE = 1000;
 
-    /** Of so few pixels, some are on the edges of triangles. */
+    /** Of the few pixels, some are on the edges of triangles. */
     private static final int MESHES_PIXELS_AN_ODD_ONE = 144;
 
     static List<String> names() {
@@ -40,7 +40,7 @@ class ShippedScenesTest {
         assertThat(Pictures.argb(JvmEngines.PARALLEL, quick)).isEqualTo(Pictures.argb(JvmEngines.SEQUENTIAL, quick));
     }
 
-    /** Those without meshes, and materials that the plain loop does not know. */
+    /** Scenes without meshes and without materials that the brute-force reference does not support. */
     static List<String> plainNames() {
         return ShippedScenes.names().stream()
                 .filter(name -> isPlain(ShippedScenes.quick(name)))

@@ -1,10 +1,10 @@
 package dev.twister.oracle;
 
-/** A sphere; the light is one too, its color a radiance. */
+/** A sphere, or the light, whose color is a radiance. */
 record SphereBody(Vector center, double radius, OracleMaterial material) implements Body {
     /**
-     * The near root of {@code |origin + t direction - center|^2 = radius^2}, where that is above 0; else the far one,
-     * where that is and the sphere transmits.
+     * Returns the near root of {@code |origin + t direction - center|^2 = radius^2} if positive, else the far root if
+     * that is positive and the sphere transmits.
      */
     @Override
     public double distance(Ray ray) {
@@ -21,7 +21,7 @@ record SphereBody(Vector center, double radius, OracleMaterial material) impleme
         return root > 0 ? root : MISS;
     }
 
-    /** The near root with -1, the far one with 1, not a number where there is none. */
+    /** Returns the near root for -1, the far root for 1, or NaN if there is none. */
     private double root(Ray ray, int side) {
         Vector fromCenter = ray.origin().minus(center);
         double halfB = fromCenter.dot(ray.direction());

@@ -13,14 +13,14 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Linear frames of every stage and view that has an equation, against the oracle. */
+/** Compares linear frames of every stage and view that has an equation with the oracle. */
 class StagesAndViewsTest {
     private static final double BOUND = 1 / 255.0;
 
-    /** Edges are a larger part of small pictures; the numbers of bodies jump there by more than colors do. */
+    /** Small pictures have a higher share of edges, where body numbers jump by more than colors. */
     private static final int PIXELS_AN_ODD_ONE = 1000;
 
-    /** Where mirrors show mirrors, each edge in them is one of the counts too. */
+    /** Where mirrors reflect mirrors, each reflected edge changes a count, too. */
     private static final int PIXELS_AN_ODD_COUNT = 250;
 
     /** Plain bodies, a crowd, a lens, and materials of all kinds. */
@@ -62,7 +62,7 @@ class StagesAndViewsTest {
         assertThat(odd * pixelsAnOddOne).isLessThanOrEqualTo(160 * 90);
     }
 
-    /** A stage is the picture of a scene with less in it. */
+    /** A stage equals the picture of a reduced scene. */
     private static Scene sceneOf(Picture picture, Scene scene) {
         RenderSettings settings = scene.settings();
         return switch (picture) {

@@ -9,7 +9,7 @@ import dev.twister.scene.ToneMap;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** The kernel knows every tone map that a scene may ask for. */
+/** The kernel supports every tone map that a scene can select. */
 class ToneMapsTest {
     @SuppressWarnings("EnumOrdinal") // it is what engines are given
     @ParameterizedTest

@@ -6,14 +6,14 @@ import dev.twister.scene.Vector3;
 import java.util.Optional;
 
 /**
- * One triangle of a mesh, in the scene's coordinates.
+ * One triangle of a mesh, in scene coordinates.
  *
- * @param number the mesh's body
- * @param corners its normals and places in the texture too
+ * @param number the mesh's body number
+ * @param corners positions with normals and texture coordinates
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
 record TriangleBody(int number, Corner[] corners, boolean mirrored, OracleMaterial material) implements Body {
-    /** A corner with its shading normal, where the mesh has them, and its place in the texture. */
+    /** A corner with its shading normal, if the mesh has normals, and its texture coordinates. */
     record Corner(Vector place, Optional<Vector> normal, double u, double v) {}
 
     static TriangleBody of(int number, TriangleMesh mesh, int triangle, Affine placement, OracleMaterial material) {
@@ -39,7 +39,7 @@ record TriangleBody(int number, Corner[] corners, boolean mirrored, OracleMateri
         return new Vector3(vectors[3 * vertex], vectors[3 * vertex + 1], vectors[3 * vertex + 2]);
     }
 
-    /** A normal in the scene: perpendicular to what it was perpendicular to; not yet a unit vector. */
+    /** Transforms a normal to scene coordinates, keeping it perpendicular; not normalized. */
     private static Vector turned(Vector3 normal, Affine placement) {
         Vector x = vector(placement.axisX());
         Vector y = vector(placement.axisY());
@@ -63,17 +63,17 @@ record TriangleBody(int number, Corner[] corners, boolean mirrored, OracleMateri
         return corners[corner].place().minus(corners[0].place());
     }
 
-    /** Outward, as the corners run; not a unit vector. */
+    /** The outward normal by winding order; not normalized. */
     private Vector face() {
         return edge(1).cross(edge(2)).times(mirrored ? -1 : 1);
     }
 
-    /** On the side from which a ray comes. */
+    /** Returns the normal on the side that a ray comes from. */
     Vector facing(Ray ray) {
         return ray.direction().dot(face()) > 0 ? face().times(-1) : face();
     }
 
-    /** From either side (Moeller and Trumbore 1997). */
+    /** Intersects from either side (Moeller and Trumbore 1997). */
     @Override
     public double distance(Ray ray) {
         Vector across = ray.direction().cross(edge(2));
@@ -86,13 +86,13 @@ record TriangleBody(int number, Corner[] corners, boolean mirrored, OracleMateri
         return b >= 0 && c >= 0 && b + c <= 1 && distance > 0 ? distance : MISS;
     }
 
-    /** Itself is never met again. */
+    /** A ray never hits the triangle that it leaves. */
     @Override
     public double distanceInside(Ray ray) {
         return MISS;
     }
 
-    /** What part of a point of the triangle is a corner's, the second or the third. */
+    /** Returns the barycentric weight of the second or the third corner. */
     private double part(Vector point, int corner) {
         Vector face = edge(1).cross(edge(2));
         Vector away = point.minus(corners[0].place());

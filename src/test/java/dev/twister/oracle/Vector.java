@@ -1,6 +1,6 @@
 package dev.twister.oracle;
 
-/** A place or a direction in double precision. */
+/** A position or direction in double precision. */
 record Vector(double x, double y, double z) {
     static final Vector ZERO = new Vector(0, 0, 0);
 
@@ -28,7 +28,7 @@ record Vector(double x, double y, double z) {
         return Math.sqrt(dot(this));
     }
 
-    /** The unit vector this way; the zero vector stays zero. */
+    /** Returns the unit vector in this direction; the zero vector stays zero. */
     Vector normalized() {
         double length = length();
         return length > 0 ? times(1 / length) : ZERO;

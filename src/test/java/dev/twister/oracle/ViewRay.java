@@ -1,6 +1,6 @@
 package dev.twister.oracle;
 
-/** A sample of a pixel: a ray, and the numbers for what it meets. */
+/** A pixel sample: a ray and the random numbers for its hits. */
 record ViewRay(Ray ray, SampleNumbers numbers) {
     ViewRay with(Ray moved) {
         return new ViewRay(moved, numbers);

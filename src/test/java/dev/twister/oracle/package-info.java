@@ -1,5 +1,5 @@
 /**
- * The oracle: the design's equations again, recursive, in double precision, without one trick, and what holds engines
- * to it. It takes scenes and skyboxes, not the kernel's arrays, so that a mistake in the layout cannot hide.
+ * The oracle: the design's equations again, recursive, in double precision, without shortcuts, and comparisons of
+ * engines with it. Its input is scenes and skyboxes instead of the kernel's arrays, so that layout errors show.
  */
 package dev.twister.oracle;

@@ -26,7 +26,7 @@ class BounceTest {
                 simulation.step();
                 double velocity = simulation.velocity(1, 1);
                 if (velocity > 0 && before <= 0) {
-                    // The height that it will reach.
+                    // The height that the sphere will reach.
                     peaks.add(Motion.place(simulation, 1, 1) - RADIUS + velocity * velocity / 2 / Motion.GRAVITY);
                 }
                 before = velocity;
@@ -46,7 +46,7 @@ class BounceTest {
         try (Simulation simulation = Simulation.of(Motion.scene(physics, Motion.sphere(0, RADIUS + 3, 0, RADIUS)))) {
             Motion.run(simulation, Math.round(2 * fall / Simulation.STEP_SECONDS) * Simulation.STEP_SECONDS);
             double late = simulation.seconds() - 2 * fall;
-            // Up again, but for what the time was rounded by.
+            // Upward again, up to the rounding of the time.
             assertThat(simulation.velocity(1, 1)).isCloseTo(-Motion.GRAVITY * late, within(0.05));
         }
     }
@@ -58,7 +58,7 @@ class BounceTest {
             Motion.setVelocity(simulation, 1, 8, 0, 0);
             Motion.run(simulation, 2);
 
-            // To the wall at 10 - 0.5 in 1.1875 s, then back at half the speed.
+            // 1.1875 s to the wall at 10 - 0.5, then back at half the speed.
             assertThat(simulation.velocity(1, 0)).isCloseTo(-4, within(1e-9));
             assertThat(Motion.place(simulation, 1, 0)).isCloseTo(9.5 - 4 * (2 - 1.1875), within(1e-9));
         }
@@ -83,7 +83,7 @@ class BounceTest {
                 Motion.setVelocity(simulation, 1, 0, 20, 0);
                 Motion.run(simulation, 1);
 
-                // The light is at 50, its radius 1.
+                // The light is at 50 and has a radius of 1.
                 double exact = physics.solidLight() ? 48.5 - (20 - 8.5) : 60;
                 assertThat(Motion.place(simulation, 1, 1)).isCloseTo(exact, within(1e-9));
             }

@@ -30,7 +30,7 @@ class CollisionTest {
             for (int axis = 0; axis < 3; axis++) {
                 assertThat(after[axis]).isCloseTo(before[axis], within(1e-12));
             }
-            // Along the line of centers at the meeting the speeds change as they should, across it not at all.
+            // On impact, velocities along the line of centers change by the impulse; across it they do not.
             double sine = aside / (one + two);
             double cosine = Math.sqrt(1 - sine * sine);
             double along = (simulation.velocity(2, 0) - simulation.velocity(1, 0)) * cosine

@@ -33,7 +33,7 @@ class EditedMotionTest {
     private static final double SECONDS = 0.5;
     private static final double SPEED = Motion.GRAVITY * SECONDS;
 
-    /** After half a second of the one scene, half a second of the other; and that in one go where the edit is none. */
+    /** Simulates half a second before and after the edit, or a whole second at once without an edit. */
     private static float[] positions(Scene scene, UnaryOperator<Scene> edit) {
         Simulation simulation = Simulation.of(scene, SceneMeshes.NONE, 2);
         Motion.run(simulation, SECONDS);
@@ -165,7 +165,7 @@ class EditedMotionTest {
                     }
                 }
             }
-            // One that lay on the brink may roll, into its neighbor.
+            // A sphere on the brink may roll into its neighbor.
             assertThat(moved).hasSizeLessThanOrEqualTo(2);
             assertThat(farthest).isPositive().isLessThan(SMALLEST_RADIUS / 2);
         }

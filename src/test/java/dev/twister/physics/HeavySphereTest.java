@@ -10,11 +10,11 @@ import dev.twister.scene.Vector3;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Small spheres under and beside ones that weigh thousands of times as much. */
+/** Small spheres below and beside ones with thousands of times their mass. */
 class HeavySphereTest {
     private static final int POURED = 4000;
 
-    /** Meters a second; nothing falls any more that could be faster. */
+    /** Upper bound of speeds in m/s; by now nothing is falling faster. */
     private static final double TOP_SPEED = 4;
 
     @Test

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Spheres on triangles; the plane is far below them. */
+/** Spheres on triangles; the plane is far below. */
 class MeshMotionTest {
     private static final double RADIUS = 0.5;
 
@@ -22,7 +22,7 @@ class MeshMotionTest {
     void bouncesAsOnThePlane(double elasticity) {
         double height = 3;
         Physics physics = Physics.DEFAULT.withElasticity(elasticity);
-        // Over a triangle, over a border, over a corner.
+        // Above a triangle, an edge and a vertex.
         for (double place : new double[] {0.3, 0.5, 1}) {
             double[] onMesh = peaks(
                     physics, field(2, 1, 10), Motion.sphere(place, 10 + RADIUS + height, place, RADIUS), 10 + RADIUS);
@@ -116,7 +116,7 @@ class MeshMotionTest {
         }
     }
 
-    /** A square of 2 size times 2 size squares of two triangles each. */
+    /** A square field of (2 size)^2 cells with two triangles each. */
     private static MeshCollider field(int size, double side, double height) {
         List<double[]> triangles = new ArrayList<>();
         for (int column = -size; column < size; column++) {

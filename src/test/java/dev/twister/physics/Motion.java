@@ -16,7 +16,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 
-/** Scenes to move, and what a test asks of them; bodies are numbered from 1 as the scene has them. */
+/** Scenes in motion and measurements of them; bodies are numbered from 1 in scene order. */
 final class Motion {
     static final double GRAVITY = 9.81;
     static final Physics WEIGHTLESS = Physics.DEFAULT
@@ -79,7 +79,7 @@ final class Motion {
         return Math.sqrt(x * x + y * y + z * z);
     }
 
-    /** Of motion and of height over the plane, in masses of the largest sphere times m^2/s^2. */
+    /** Kinetic and potential energy above the plane, in units of the largest sphere's mass times m^2/s^2. */
     static double energy(Simulation simulation) {
         double energy = 0;
         for (int body = 1; body < simulation.store().count; body++) {
@@ -88,15 +88,14 @@ final class Motion {
         return energy;
     }
 
-    /** A body's share of it. */
+    /** One body's share of {@link #energy(Simulation)}. */
     static double energy(Simulation simulation, int body) {
         double speed = speed(simulation, body);
         return mass(simulation, body) * (speed * speed / 2 + GRAVITY * place(simulation, body, 1));
     }
 
     /**
-     * As {@link #energy}, over the plane and one by one, by the scene's spheres: a change of the bodies' order changes
-     * nothing.
+     * Energies of single spheres above {@code height}, in scene order, so that reordering of bodies changes nothing.
      */
     static double[] energies(Simulation simulation, double height) {
         BodyStore bodies = simulation.store();
@@ -109,10 +108,10 @@ final class Motion {
     }
 
     /**
-     * Moves by some steps and holds the energy in each of them to what there was and what came with new spheres.
+     * Runs steps and checks after each that the energy does not exceed the maximum so far plus that of new spheres.
      *
-     * @param mostGain of the most energy that there was so far: what a step may add
-     * @return the most energy that there was
+     * @param mostGain allowed gain per step, as a fraction of the maximum energy so far
+     * @return the maximum energy so far
      */
     static double runWithoutGain(Simulation simulation, int steps, double height, double mostSoFar, double mostGain) {
         double most = mostSoFar;
@@ -131,7 +130,7 @@ final class Motion {
         return most;
     }
 
-    /** The scene with a thousand poured, in another order and of other sizes. */
+    /** The scene that pours a thousand spheres, in another order and with other sizes. */
     static Scene pourOfAThousand(int seed) {
         Scene scene = SceneReader.read(Path.of("scenes", "pour-1000.json"));
         Pour pour = scene.pour().orElseThrow();
@@ -142,7 +141,7 @@ final class Motion {
         return Arrays.stream(energies, from, energies.length).sum();
     }
 
-    /** How far one sphere is in another, as a share of their radii together; below 0 apart. */
+    /** Penetration of two spheres as a fraction of the sum of their radii; negative if apart. */
     static double overlap(Simulation simulation, int one, int other) {
         double x = place(simulation, one, 0) - place(simulation, other, 0);
         double y = place(simulation, one, 1) - place(simulation, other, 1);

@@ -38,7 +38,7 @@ class NoTunnelTest {
                 Motion.scene(Motion.WEIGHTLESS, Motion.sphere(-5, 5, 0, RADIUS), Motion.sphere(5.013, 5, 0, RADIUS)))) {
             Motion.setVelocity(simulation, 1, speed, 0, 0);
             Motion.setVelocity(simulation, 2, -speed, 0, 0);
-            // They meet after 5 meters each.
+            // The spheres meet after 5 meters each.
             for (double way = 0; way < 8; way += speed * Simulation.STEP_SECONDS) {
                 simulation.step();
                 assertThat(Motion.place(simulation, 1, 0)).isLessThan(Motion.place(simulation, 2, 0));
@@ -78,7 +78,7 @@ class NoTunnelTest {
             for (int step = 0; step < 600; step++) {
                 simulation.step();
                 for (int body = 1; body <= 30; body++) {
-                    // No faster than the fall from where they start.
+                    // Free fall from their start height cannot be faster.
                     assertThat(Motion.speed(simulation, body)).isLessThan(7);
                 }
             }
@@ -106,7 +106,7 @@ class NoTunnelTest {
                 if (walls) {
                     assertThat(Motion.place(simulation, 1, 1)).isBetween(0.49, 0.51);
                 } else {
-                    // It stops where nobody sees it, and stays a number.
+                    // The body stops below the visible range and its position stays finite.
                     assertThat(Motion.place(simulation, 1, 1)).isBetween(-1200.0, -1000.0);
                     assertThat(Motion.sleepers(simulation)).isEqualTo(1);
                 }

@@ -11,7 +11,7 @@ import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Spheres that all lie in one another, so that each has a pair with each. */
+/** Spheres that all overlap each other, so that every pair is in contact. */
 class PileTest {
     private static final int MOST_CONTACTS_OF_ONE = 80;
 

@@ -5,13 +5,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class PourEnergyTest {
-    /** Of the most energy that there was. */
+    /** Allowed gain per step, as a fraction of the maximum energy so far. */
     private static final double MOST_GAIN = 5e-5;
 
     /**
-     * Small spheres come to sleep under the mirror and wake with what has been poured on it since: until that was taken
-     * up before they moved, one in a dozen such pours gained up to 1e-3 in a step, with these seeds in the 1,157th and
-     * the 1,231st.
+     * Small spheres fall asleep under the mirror and wake with the load poured on it since. Before that load was
+     * applied ahead of their motion, one in a dozen such pours gained up to 1e-3 in a step, with these seeds in steps
+     * 1,157 and 1,231.
      */
     @ParameterizedTest
     @ValueSource(ints = {109, 120})

@@ -16,7 +16,7 @@ import net.jqwik.api.constraints.IntRange;
 class RandomMotionTest {
     private static final String SEED = "20261121";
 
-    /** Overlapping starts, any elasticity and friction, radii up to 1 : 5: all come to lie in the box. */
+    /** Overlapping starts, any elasticity and friction, radius ratios up to 5: all spheres come to rest in the box. */
     @Property(tries = 25, seed = SEED)
     void whateverStartsEndsInOrder(
             @ForAll @IntRange(min = 1, max = 120) int count,
@@ -56,13 +56,13 @@ class RandomMotionTest {
         }
     }
 
-    /** The grid against trying all pairs, with radii over four powers of ten. */
+    /** The grid against testing all pairs, with radii over four orders of magnitude. */
     @Property(tries = 60, seed = SEED)
     void theGridFindsWhatTryingAllFinds(@ForAll @IntRange(min = 40, max = 300) int count, @ForAll long seed) {
         findsWhatTryingAllFinds(count, 1, seed);
     }
 
-    /** So many that the search compares several at once, where the processor can. */
+    /** Enough spheres that the broad phase compares several at once if the CPU has vectors. */
     @Property(tries = 3, seed = SEED)
     void theGridFindsThePairsOfMany(@ForAll @IntRange(min = 2600, max = 3000) int count, @ForAll long seed) {
         findsWhatTryingAllFinds(count, 3, seed);

@@ -78,8 +78,8 @@ class RestTest {
     }
 
     /**
-     * But for what a sub-step starts with of the last one's loads, which may be too much by some: at most 5.1e-5 of it
-     * in seeds 3 to 102 (seeds 19 and 86 tell when a shock is carried on: 2 % and 0.4 %).
+     * A sub-step starts with the loads of the previous one, which may be slightly too high: the gain is at most 5.1e-5
+     * in seeds 3 to 102. Seeds 19 and 86 detect shocks that are carried on: 2 % and 0.4 %.
      */
     @ParameterizedTest
     @ValueSource(ints = {3, 4, 19, 86})

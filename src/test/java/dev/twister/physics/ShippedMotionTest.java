@@ -14,21 +14,21 @@ import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The shipped scenes in motion; {@code -Dtwister.motion=10} for as many simulated minutes, 1 at least. */
+/** The shipped scenes in motion; {@code -Dtwister.motion=10} sets the simulated minutes, at least 1. */
 @EnabledIfSystemProperty(named = "twister.motion", matches = "\\d+")
 class ShippedMotionTest {
     private static final long SECONDS = 60 * Long.getLong("twister.motion", 1);
     private static final int STEPS_A_SECOND = (int) Math.round(1 / Simulation.STEP_SECONDS);
 
-    /** Of the two radii together, at any time, and at rest. */
+    /** Allowed penetration, as a fraction of the sum of the two radii, in motion and at rest. */
     private static final double DEEPEST = 0.25;
 
     private static final double DEEPEST_AT_REST = 0.05;
 
-    /** Of a radius: how far a sphere may be in the ground or a wall, at any time. */
+    /** Allowed penetration of the ground or a wall at any time, as a fraction of the radius. */
     private static final double DEEPEST_IN_SURFACES = 0.25;
 
-    /** Of the most energy that there was: what a step may add, which is what is left of loads that were too much. */
+    /** Allowed gain per step by loads that were too high, as a fraction of the maximum energy so far. */
     private static final double MOST_GAIN = 1e-4;
 
     private static final int FIRST_SEED = 101;
@@ -60,7 +60,7 @@ class ShippedMotionTest {
                     restSeconds++;
                 } else {
                     assertThat(restSeconds)
-                            .as("seconds at rest, before it moved again")
+                            .as("seconds at rest before bodies moved again")
                             .isZero();
                     assertThat(deepestOverlap(simulation)).isLessThan(DEEPEST);
                 }
@@ -104,7 +104,7 @@ class ShippedMotionTest {
         }
     }
 
-    /** As {@link Motion#deepestOverlap}, for many: by their places along x. */
+    /** As {@link Motion#deepestOverlap}, for many spheres: sorts them along x. */
     private static double deepestOverlap(Simulation simulation) {
         BodyStore bodies = simulation.store();
         Integer[] order = new Integer[bodies.count - 1];

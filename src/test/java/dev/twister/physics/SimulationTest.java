@@ -66,7 +66,7 @@ class SimulationTest {
             Motion.setVelocity(simulation, 1, 12, 0, 0);
             simulation.advance(Simulation.STEP_SECONDS * 2.25);
             assertThat(simulation.seconds()).isEqualTo(2 * Simulation.STEP_SECONDS);
-            // A quarter of the way from one step's end to the next one's.
+            // A quarter of the way from the end of one step to the end of the next.
             assertThat(simulation.positions()).containsExactly(0, 50, 0, 0, 0, 0, 0.125f, 3, 0);
         }
     }

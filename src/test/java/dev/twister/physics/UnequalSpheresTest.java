@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class UnequalSpheresTest {
     private static final double HEAVY = 5;
 
-    /** Of the small radius. */
+    /** Allowed overlap in small radii. */
     private static final double MOST_OVERLAP = 0.05;
 
     private static final double MOST_GAIN = 1e-4;
@@ -113,7 +113,7 @@ class UnequalSpheresTest {
         }
     }
 
-    /** Three on the ground, and a heavy one over all of them. */
+    /** Three spheres on the ground with a heavy one on top. */
     private static List<Sphere> onThree(double radius, double gap) {
         double apart = 3 * radius;
         double middle = apart / Math.sqrt(3);
@@ -125,7 +125,7 @@ class UnequalSpheresTest {
                 Motion.sphere(apart / 2, up + gap, middle / 2, HEAVY));
     }
 
-    /** Of two spheres, or of one and the ground, in radii of the smaller one. */
+    /** Deepest overlap of two spheres or of a sphere and the ground, in radii of the smaller one. */
     private static double deepestOverlap(Simulation simulation) {
         double deepest = 0;
         for (int one = 1; one < simulation.store().count; one++) {

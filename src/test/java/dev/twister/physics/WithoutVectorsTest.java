@@ -12,7 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** A JVM that was started without the Vector API moves bodies all the same. */
+/** A JVM started without the Vector API simulates motion as well. */
 class WithoutVectorsTest {
     @Test
     void manySpheresMove() throws IOException, InterruptedException {
@@ -22,7 +22,7 @@ class WithoutVectorsTest {
         assertThat(output).contains("fell");
     }
 
-    /** Lets more spheres fall than are sought one by one. */
+    /** Simulates more falling spheres than the scalar broad phase handles. */
     static final class MotionMain {
         private static final int SIDE = 60;
 

@@ -33,7 +33,7 @@ class PourTest {
         Pour pour = pour(600, seed, width);
         List<Sphere> spheres = pour.spheres();
         double interval = 1 / pour.maxRate();
-        // At the spout's speed alone; gravity only draws them further apart.
+        // Gravity only separates the spheres further, so the spout's speed alone is enough.
         for (int late = 1; late < spheres.size(); late++) {
             for (int early = 0; early < late; early++) {
                 Vector3 one = spheres.get(early).position();

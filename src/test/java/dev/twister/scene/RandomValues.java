@@ -6,9 +6,8 @@ import java.util.List;
 import java.util.Random;
 
 /**
- * Values over the whole ranges that a scene file may have, by their types, from one random source: both ends, round
- * numbers, numbers of every magnitude, and numbers that were there before, so that places coincide. Lengths of lists
- * are left to others.
+ * Values over the whole ranges of a scene file, by type, from one source of randomness: both ends, round numbers,
+ * numbers of every magnitude, and repeated numbers, so that positions coincide. Callers choose the lengths of lists.
  */
 final class RandomValues {
     private static final double SMALL = 1e-6;

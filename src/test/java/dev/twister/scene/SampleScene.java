@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.regex.Pattern;
 
-/** A valid scene file's text, for tests to spoil, and the folder that it can be read in. */
+/** The text of a valid scene file, to be spoiled by tests, and the folder from which it can be read. */
 final class SampleScene {
     static final String TEXT = """
             {
@@ -30,7 +30,7 @@ final class SampleScene {
             }
             """;
 
-    /** The fields that the first version of the format does not have; the folder has the texture, too. */
+    /** Fields that the first version of the format lacks; the folder also contains the texture. */
     static final String MATERIALS = """
             {
               "version": 2,
@@ -52,12 +52,12 @@ final class SampleScene {
 
     private SampleScene() {}
 
-    /** The text with its one occurrence of a part replaced. */
+    /** Returns the text with the only occurrence of a part replaced. */
     static String with(String part, String replacement) {
         return with(TEXT, part, replacement);
     }
 
-    /** A text with its one occurrence of a part replaced. */
+    /** Returns a text with the only occurrence of a part replaced. */
     static String with(String text, String part, String replacement) {
         if (text.split(Pattern.quote(part), -1).length != 2) {
             throw new IllegalArgumentException("not exactly once in the sample: " + part);
@@ -65,7 +65,7 @@ final class SampleScene {
         return text.replace(part, replacement);
     }
 
-    /** Puts a scene file and the pictures that the samples name into a folder. */
+    /** Writes a scene file and the pictures that the samples name into a folder. */
     static Path put(Path folder, byte[] bytes) {
         try {
             Files.createDirectories(folder);

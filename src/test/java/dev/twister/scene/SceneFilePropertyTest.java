@@ -19,7 +19,7 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 
 class SceneFilePropertyTest {
-    // jqwik knows no temporary folders; the build's own is never committed.
+    // jqwik has no temporary folders; the build folder is never committed.
     private static final Path FOLDER = Path.of("target", "scene-properties").toAbsolutePath();
     private static final String ALPHABET = "{}[]:,\"\\.0123456789eE+-truefalsnl \n\u0000";
 
@@ -132,7 +132,7 @@ class SceneFilePropertyTest {
                 .toList());
     }
 
-    // The rules that a pour's fields have to keep together.
+    // Constraints between the fields of a pour.
     private static Pour fitting(Pour pour, int placed) {
         double radius = Math.min(pour.minRadius(), 1);
         Pour narrow = pour.withRadii(radius, 1.25 * radius)

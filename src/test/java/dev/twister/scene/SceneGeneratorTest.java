@@ -44,7 +44,7 @@ class SceneGeneratorTest {
         assertThatThrownBy(() -> SceneGenerator.spheres(500_001, 1, SKYBOX)).isInstanceOf(SceneException.class);
     }
 
-    // Sorted by x, a sphere can touch only those that start before it ends.
+    // In x order, a sphere can touch only those that start before its end.
     private static int overlaps(List<Sphere> spheres) {
         List<Sphere> sorted = spheres.stream()
                 .sorted(Comparator.comparingDouble(SceneGeneratorTest::start))

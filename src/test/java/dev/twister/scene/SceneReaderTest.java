@@ -328,7 +328,7 @@ class SceneReaderTest {
         assertThat(SceneReader.read(scenes.resolve("scene.json")).skybox()).isEqualTo(sky.toRealPath());
         assertThat(SceneReader.read(file).skybox()).isEqualTo(sky.toRealPath());
 
-        // Written by the names of linked folders, as scenes once were.
+        // Paths through linked folders, as scenes were once written.
         Path named = SampleScene.put(scenes, SampleScene.with("sky.hdr", "../near.hdr"));
         Path near = Files.createFile(home.resolve("near.hdr"));
         assertThat(SceneReader.read(named).skybox()).isEqualTo(near);

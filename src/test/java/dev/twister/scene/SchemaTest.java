@@ -15,7 +15,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.json.JsonMapper;
 
-/** The schema that editors read has the fields, the ranges and the defaults that the reader goes by. */
+/** The schema for editors has the same fields, ranges and defaults as the reader. */
 class SchemaTest {
     private static final JsonMapper JSON = JsonMapper.shared();
     private static final String DEFINITION = "#/$defs/";
@@ -32,7 +32,7 @@ class SchemaTest {
         assertThat(resolved(schema, definitions)).isEqualTo(schemaOfScenes());
     }
 
-    /** Of the newest version, and what older ones do not have of it. */
+    /** Fields of the newest version that older versions lack. */
     private static Map<String, Object> schemaOfScenes() {
         Map<String, Object> schema = schemaOf(format(Scene.VERSION).scene());
         List<Map<String, Object>> older = new ArrayList<>();
@@ -51,7 +51,7 @@ class SchemaTest {
         return new SceneFormat(version, new LinkedHashMap<>(), NamedFiles.UNRESOLVED);
     }
 
-    /** A schema that refuses the fields which only later versions have, where there are any. */
+    /** A schema that rejects fields of later versions, if there are any. */
     private static Optional<Map<String, Object>> refusalOfNewer(ValueType<?> type) {
         return switch (type) {
             case ValueType.Array<?> array -> refusalOfNewer(array.item()).map(items -> schema(Map.of("items", items)));
@@ -82,7 +82,7 @@ class SchemaTest {
         return Optional.of(properties).filter(all -> !all.isEmpty()).map(all -> schema(Map.of("properties", all)));
     }
 
-    /** The schema without descriptions and references, its numbers as doubles. */
+    /** The schema without descriptions and references, with numbers as doubles. */
     private static Object resolved(Object node, Map<String, Object> definitions) {
         return switch (node) {
             case Map<?, ?> map

@@ -5,14 +5,14 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** The sample scene, spoilt in one place at a time, and what the reader has to say of each. */
+/** The sample scene with one fault at a time, and the reader's message for each. */
 final class SpoiltScenes {
     /**
      * One way to spoil the sample.
      *
-     * @param sample what is spoilt
-     * @param schemaSees whether the JSON Schema refuses it too: it sees neither syntax, nor duplicates, nor the disk
-     * @param message what follows the file's name and a colon
+     * @param sample the text to be spoiled
+     * @param schemaSees whether the JSON Schema rejects it, too; it checks neither syntax, duplicates nor files
+     * @param message the text after the file's name and a colon
      */
     record Spoilt(String sample, String name, boolean schemaSees, String part, String replacement, String message) {
         Spoilt(String name, boolean schemaSees, String part, String replacement, String message) {
@@ -529,7 +529,7 @@ final class SpoiltScenes {
         return new Spoilt(SampleScene.MATERIALS, name, schemaSees, part, replacement, message);
     }
 
-    /** What only the second version has, in a file of the first. */
+    /** Features of the second version in a file of the first. */
     private static Spoilt first(String name, String part, String replacement, String place) {
         return new Spoilt(
                 name + " in version 1",

@@ -8,7 +8,7 @@ import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 
-/** Any value that a scene file may have, by its type: a field that is added is tried without more ado. */
+/** Any value of a scene file, by type, so that new fields are tested automatically. */
 final class Values {
     private static final int MOST_ITEMS = 8;
     private static final int MOST_CHARACTERS = 60;
@@ -38,7 +38,7 @@ final class Values {
                 };
     }
 
-    // Of many digits, as arithmetic leaves them, and with both ends.
+    // With many digits, as arithmetic produces them, and with both ends.
     private static Arbitrary<Double> numbers(Range range) {
         return Arbitraries.oneOf(
                 Arbitraries.longs()
@@ -78,7 +78,7 @@ final class Values {
                 : records(shaped.plain());
     }
 
-    // Not in the first version, nor where no material has a name.
+    // Omitted in the first version and where no material has a name.
     private static boolean canBeKeyed(Shaped<?> shaped) {
         return shaped.keyed().fields().stream()
                 .anyMatch(field -> field.type() instanceof NamedMaterials named

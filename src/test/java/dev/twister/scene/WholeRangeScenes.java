@@ -6,9 +6,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Random;
 
-/** Random valid scenes over the whole ranges of the scene file, whose pictures are small. */
+/** Random valid scenes over the whole ranges of the scene file, with small pictures. */
 public final class WholeRangeScenes {
-    /** Tests of a ray against a sphere for one picture; sizes are cut to it. */
+    /** Limit of ray-sphere tests per picture; picture sizes are reduced to it. */
     private static final double MOST_TESTS = 3e6;
 
     private static final int MOST_PIXELS = 2000;
@@ -17,12 +17,12 @@ public final class WholeRangeScenes {
     private static final SceneFormat FORMAT =
             new SceneFormat(Scene.VERSION, new LinkedHashMap<>(), NamedFiles.UNRESOLVED);
 
-    /** The file of all textures, and of the sky. */
+    /** The file used for all textures and the sky. */
     public static final Path PICTURE = Path.of("picture.png");
 
     private WholeRangeScenes() {}
 
-    /** The next scene; what the pour will add is left out. */
+    /** Returns the next scene, without the spheres that the pour will add. */
     public static Scene next(Random random) {
         RandomValues values = new RandomValues(random);
         Scene scene = values.of(FORMAT.scene()).withPour(Pour.DEFAULT);

@@ -17,7 +17,7 @@ import javax.imageio.ImageIO;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 
-/** Files with bytes changed, cut off or put in: read, or refused in one line, and never anything else. */
+/** Files with bytes changed, removed or inserted: read, or rejected with one line of text. */
 class DamagedFilesTest {
     private static final byte[] PROFILE =
             ICC_Profile.getInstance(ColorSpace.CS_LINEAR_RGB).getData();
@@ -47,7 +47,7 @@ class DamagedFilesTest {
     private static byte[] damage(byte[] whole, Random random) {
         byte[] damaged = whole.clone();
         for (int times = random.nextInt(3); times >= 0; times--) {
-            // Half of the damage goes to the start, where sizes and codes are.
+            // Half of the damage is near the start, where sizes and codes are.
             int reach = random.nextBoolean() ? damaged.length : Math.min(damaged.length, 120);
             int at = random.nextInt(Math.max(1, reach));
             switch (random.nextInt(4)) {

@@ -84,7 +84,7 @@ class DaylightSkyTest {
 
     @Test
     void isSymmetricAboutTheSunsMeridian() {
-        // With the sun along +z, mirroring x changes nothing.
+        // With the sun along +z, mirroring in x changes nothing.
         Skybox sky = DaylightSky.panorama(WIDTH, HEIGHT, 35, 0, 4);
         for (int row = 0; row < HEIGHT; row++) {
             for (int column = 0; column < WIDTH; column++) {

@@ -3,7 +3,7 @@ package dev.twister.sky;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
-/** Makes EXIF data that say nothing but an orientation. */
+/** Creates EXIF data with an orientation alone. */
 final class ExifBytes {
     private ExifBytes() {}
 

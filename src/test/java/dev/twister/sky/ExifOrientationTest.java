@@ -30,7 +30,7 @@ class ExifOrientationTest {
         assertThat(ExifOrientation.of(whole)).isOne();
     }
 
-    /** Where the stored rows of "abc" and "def" are in the upright picture, row by row. */
+    /** Positions of the stored rows "abc" and "def" in the upright picture, in row-major order. */
     @ParameterizedTest
     @CsvSource({"1, abcdef", "2, cbafed", "3, fedcba", "4, defabc", "5, adbecf", "6, daebfc", "7, fcebda", "8, cfbead"})
     void turnsTexels(int orientation, String upright) {

@@ -11,7 +11,7 @@ import javax.imageio.ImageWriteParam;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
-/** Makes JPEG files, and puts segments into them. */
+/** Creates JPEG files and inserts segments. */
 final class JpegBytes {
     private static final int SOI_BYTES = 2;
 
@@ -48,7 +48,7 @@ final class JpegBytes {
         return image;
     }
 
-    /** A file with one more segment, which comes first. */
+    /** Inserts a segment at the start of a file. */
     static byte[] with(byte[] file, int marker, byte[] payload) {
         byte[] segment = new byte[4 + payload.length];
         segment[0] = (byte) 0xff;
@@ -59,13 +59,13 @@ final class JpegBytes {
         return inserted(file, SOI_BYTES, segment);
     }
 
-    /** A file with a piece of a color profile more. */
+    /** Adds a part of a color profile to a file. */
     static byte[] withProfile(byte[] file, int number, int count, byte[] piece) {
         byte[] head = joined(ascii("ICC_PROFILE\0"), new byte[] {(byte) number, (byte) count});
         return with(file, 0xe2, joined(head, piece));
     }
 
-    /** A file with EXIF data, in a segment before all others. */
+    /** Inserts EXIF data before all other segments. */
     static byte[] withExif(byte[] file, byte[] tiff) {
         return with(file, 0xe1, joined(ascii("Exif\0\0"), tiff));
     }

@@ -19,7 +19,7 @@ class JpegFileTest {
     private static final float AS_SRGB = 0.2462f;
     private static final float AS_LINEAR = 136 / 255f;
 
-    /** An 8-bit sample of the JPEG, or of the sRGB that its decoder converts to, is so exact. */
+    /** Precision of an 8-bit JPEG sample, or of the sRGB that its decoder converts to. */
     private static final float EXACT = 0.01f;
 
     private static final byte[] LINEAR_RGB =
@@ -188,7 +188,7 @@ class JpegFileTest {
         return image;
     }
 
-    /** A gray picture of that many empty scans, each two coefficients' worth of nothing. */
+    /** A gray picture with this number of empty scans, each with two zero coefficients. */
     private static byte[] progressive(int width, int height, int scans) {
         byte[] file = {(byte) 0xff, (byte) 0xd8};
         byte[] table = new byte[65];

@@ -36,7 +36,7 @@ class OrdinaryImageReaderTest {
         }
     }
 
-    /** Takes an error for a fault of the file, as ImageIO's own readers do. */
+    /** Treats an error as a fault of the file, as ImageIO's own readers do. */
     private final class Failing extends ImageReader {
         Failing() {
             super(null);

@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 
-/** Makes PNG files of one row, chunk by chunk. */
+/** Creates PNG files of one row, chunk by chunk. */
 public final class PngBytes {
     public static final int GRAY = 0;
     public static final int RGB = 2;
@@ -19,7 +19,7 @@ public final class PngBytes {
 
     private PngBytes() {}
 
-    /** A file of so many texels, up to its header. */
+    /** A file with this number of texels, up to its header. */
     public static PngBytes start(int width, int bits, int colorType) {
         PngBytes png = new PngBytes();
         png.file.writeBytes("\u0089PNG\r\n\u001a\n".getBytes(StandardCharsets.ISO_8859_1));
@@ -40,12 +40,12 @@ public final class PngBytes {
         return chunk(type, data, 0);
     }
 
-    /** A chunk whose checksum is wrong. */
+    /** A chunk with a wrong checksum. */
     public PngBytes damagedChunk(String type, byte[] data) {
         return chunk(type, data, 1);
     }
 
-    /** A gAMA chunk, from its number of 100,000ths. */
+    /** A gAMA chunk; the parameter is in 100,000ths. */
     PngBytes gamma(int value) {
         return chunk("gAMA", ByteBuffer.allocate(4).putInt(value).array());
     }

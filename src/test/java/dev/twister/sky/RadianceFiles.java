@@ -3,7 +3,7 @@ package dev.twister.sky;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 
-/** Makes Radiance files in every coding and orientation, plainly and without regard to size. */
+/** Creates Radiance files in every coding and orientation, simply and without regard to size. */
 final class RadianceFiles {
     enum Coding {
         FLAT,
@@ -14,10 +14,10 @@ final class RadianceFiles {
     private RadianceFiles() {}
 
     /**
-     * A file of the upright picture's texels.
+     * Encodes the texels of the upright picture.
      *
-     * @param rgbe four bytes a texel, row by row from the top left
-     * @param orientation "-Y +X" and the like
+     * @param rgbe four bytes per texel, in row-major order from the top left
+     * @param orientation for example "-Y +X"
      */
     static byte[] file(String header, String orientation, int width, int height, byte[] rgbe, Coding coding) {
         boolean byColumns = orientation.charAt(1) == 'X';
@@ -86,7 +86,7 @@ final class RadianceFiles {
                 while (run < 127 && at + run < texels && scanline[4 * (at + run) + component] == value) {
                     run++;
                 }
-                // A single value as a literal, so that both kinds of code occur.
+                // Writes single values as literals, so that both kinds of code occur.
                 out.write(run == 1 ? 1 : 128 + run);
                 out.write(value);
                 at += run;

@@ -261,7 +261,7 @@ class RadianceReaderTest {
         return SkyBytes.read(file);
     }
 
-    /** Texels with runs of every length, one of them black; none looks like a run length code. */
+    /** Texels with runs of every length, one of them black; none looks like a run-length code. */
     private static byte[] texels(int width, int height) {
         Random random = new Random(7);
         byte[] texels = new byte[4 * width * height];

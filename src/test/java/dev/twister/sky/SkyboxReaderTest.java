@@ -169,7 +169,7 @@ class SkyboxReaderTest {
         assertShortened(warned, false);
     }
 
-    /** Reads a file that is shortened once its first bytes were read, or at the first warning. */
+    /** Reads a file that is truncated after its first bytes are read, or at the first warning. */
     private void assertShortened(byte[] content, boolean atOnce) throws IOException {
         Path file = Files.write(folder.resolve("shortened"), content);
         try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ, StandardOpenOption.WRITE)) {

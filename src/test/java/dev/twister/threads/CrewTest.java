@@ -7,7 +7,7 @@ import java.util.concurrent.atomic.AtomicIntegerArray;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-// Who spins, or parks as a crew does, takes no notice of an interruption.
+// A thread that spins or parks as a crew does ignores interruption, so timeouts need a separate thread.
 @Timeout(value = 300, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class CrewTest {
     private static final int THREADS = 3;

@@ -43,7 +43,7 @@ class TurnsTest {
         assertThat(runs(new Turns(8, 1), 3200)).startsWith(100, 96);
     }
 
-    /** How many numbers each run has. */
+    /** Returns the length of each run. */
     private static List<Integer> runs(Turns turns, int count) {
         List<Integer> firsts = new ArrayList<>();
         turns.start(count);
@@ -54,7 +54,7 @@ class TurnsTest {
                 .toList();
     }
 
-    /** A run is gone when its first number is worked on, so a thread that takes turns then begins with the next one. */
+    /** A run is taken when its first number starts, so a thread that takes turns then starts with the next run. */
     private static void takeFirst(Turns turns, List<Integer> firsts) {
         AtomicBoolean begun = new AtomicBoolean();
         turns.take(number -> {

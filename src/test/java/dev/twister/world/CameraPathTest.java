@@ -77,7 +77,7 @@ class CameraPathTest {
 
         Camera quarter = CameraPath.onCircle(CAMERA, spheres, 0.25);
 
-        // 2 to the left of the middle (3, 6) and 3 before it.
+        // 2 to the left of the center (3, 6) and 3 in front of it.
         assertThat(quarter.position().x()).isCloseTo(0, within(1e-12));
         assertThat(quarter.position().y()).isEqualTo(2);
         assertThat(quarter.position().z()).isCloseTo(8, within(1e-12));

@@ -2,11 +2,11 @@ package dev.twister.world;
 
 import dev.twister.kernel.Layout;
 
-/** Meshes whose triangles are all in one leaf, in the same order, so that a walk is the plain loop. */
+/** Meshes with all triangles in one leaf in the same order, so that traversal is the brute-force loop. */
 public final class MeshLeaves {
     private MeshLeaves() {}
 
-    /** The same bodies of one mesh. */
+    /** Returns the same bodies, all of one mesh shape, with one leaf. */
     public static Bodies ofOne(Bodies bodies) {
         float[] hierarchy = bodies.hierarchy();
         float[] meshes = bodies.meshes().clone();

@@ -2,11 +2,11 @@ package dev.twister.world;
 
 import dev.twister.kernel.Layout;
 
-/** The bodies' centers alone. */
+/** Extracts the centers of bodies. */
 public final class Positions {
     private Positions() {}
 
-    /** {@code float[3 * room]}, as {@link World#setBodyPositions} takes them. */
+    /** Returns {@code float[3 * room]} as for {@link World#setBodyPositions}. */
     public static float[] of(FrameInput input) {
         float[] places = input.bodies().places();
         float[] positions = new float[3 * input.bodies().room()];

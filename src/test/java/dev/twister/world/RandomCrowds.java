@@ -4,14 +4,14 @@ import dev.twister.kernel.Layout;
 import java.util.Random;
 
 /**
- * Spheres that look for trouble: tiny and huge, near and a million meters away, apart, in one another, in one place, on
- * a line and on a grid whose centers tie.
+ * Spheres that are hard cases for hierarchies: tiny and huge, near and a million meters away, apart, nested,
+ * concentric, on a line, and on a grid with tied centers.
  *
- * @param places of a light, a plane and the spheres, as {@link Bodies} has them
+ * @param places a light, a plane and the spheres, in the layout of {@link Bodies}
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
 public record RandomCrowds(float[] places) {
-    /** So many spheres of one of the kinds. */
+    /** Creates this number of spheres of a random kind. */
     public static RandomCrowds of(Random random, int spheres) {
         int bodies = Layout.FIRST_SPHERE + spheres;
         float[] places = new float[Layout.PLACE_STRIDE * bodies];
@@ -34,17 +34,17 @@ public record RandomCrowds(float[] places) {
         return new RandomCrowds(places);
     }
 
-    /** Light, plane and spheres. */
+    /** Returns the number of bodies: light, plane and spheres. */
     public int bodies() {
         return places.length / Layout.PLACE_STRIDE;
     }
 
-    /** A sphere's radius. */
+    /** Returns a sphere's radius. */
     public float radius(int body) {
         return places[Layout.PLACE_STRIDE * body + Layout.PLACE_SIZE];
     }
 
-    /** A coordinate of a body's center: 0 for x, 1 for y, 2 for z. */
+    /** Returns a coordinate of a body's center: 0 for x, 1 for y, 2 for z. */
     public float center(int body, int axis) {
         return places[Layout.PLACE_STRIDE * body + axis];
     }

@@ -29,7 +29,7 @@ class SphereHierarchyTest {
         assertThat(walk.visits).containsOnly(1).hasSize(crowd.bodies() - Layout.FIRST_SPHERE);
     }
 
-    /** However many threads build it, and whichever comes first. */
+    /** Independent of the number of threads that build it and of their order. */
     @Test
     void sameSpheresMakeTheSameHierarchy() {
         RandomCrowds crowd = RandomCrowds.of(new Random(5), 20_000);
@@ -43,7 +43,7 @@ class SphereHierarchyTest {
         }
     }
 
-    /** Most in one place, the others each twice as far out as the last, over and over: no grid tells them apart. */
+    /** Most spheres concentric, the others each twice as far out as the previous: no grid separates them. */
     @Test
     void crowdsThatNoGridTellsApartMakeNoDeeperHierarchy() {
         float[] places = new float[Layout.PLACE_STRIDE * 12_000];
@@ -89,7 +89,7 @@ class SphereHierarchyTest {
         return hierarchy[Layout.root(crowd.bodies()) + Layout.NODE_SPHERES];
     }
 
-    /** Goes through a hierarchy and checks it on the way. */
+    /** Traverses a hierarchy and checks it. */
     private static final class Walk {
         private final RandomCrowds crowd;
         private final float[] hierarchy;
@@ -103,7 +103,7 @@ class SphereHierarchyTest {
             visits = new int[crowd.bodies() - Layout.FIRST_SPHERE];
         }
 
-        /** Returns where its first sphere is and where its last one ends. */
+        /** Returns the start and the end of the node's range of spheres. */
         int[] visit(int node, int ancestors) {
             assertThat(ancestors).isLessThanOrEqualTo(Layout.MOST_ANCESTORS);
             int link = (int) hierarchy[node + Layout.NODE_LINK];

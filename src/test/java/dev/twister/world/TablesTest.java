@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The tables that are made once on the host: the shadow's disc and the samples' places. */
+/** The tables that are computed once on the host: the unit disc of shadow samples and the pixel samples. */
 class TablesTest {
     @Test
     void oneShadowSampleIsTheLightsCenter() {

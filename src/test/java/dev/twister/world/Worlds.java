@@ -12,7 +12,7 @@ import dev.twister.sky.Skybox;
 import java.nio.file.Path;
 import java.util.List;
 
-/** A world in which every number is another one, so that none can be taken for another. */
+/** A world in which all numbers differ, so that tests detect swapped ones. */
 final class Worlds {
     static final Skybox SKY = new Skybox(2, 1, new float[] {70, 71, 72, 73, 74, 75});
 

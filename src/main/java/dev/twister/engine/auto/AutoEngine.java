@@ -7,9 +7,8 @@ import dev.twister.world.FrameInput;
 import java.util.function.Supplier;
 
 /**
- * Draws at once with an engine that needs no warming, and goes over to the one that is to be used as soon as that one,
- * started beside it, is the faster of the two: a JVM compiles the vector engine in seconds, TornadoVM a kernel
- * likewise.
+ * Renders at once with an engine that needs no warm-up, the stand-in. It switches to the successor as soon as that one,
+ * started in the background, is faster. The vector engine and a TornadoVM kernel each take seconds to compile.
  */
 final class AutoEngine implements Engine {
     private final Successor successor;
@@ -19,10 +18,10 @@ final class AutoEngine implements Engine {
     private volatile String complaint = "";
 
     /**
-     * Starts nothing but the stand-in's frames; the first of them starts the successor.
+     * Starts nothing yet; the first frame starts the successor.
      *
-     * @param standIn draws until the successor does
-     * @param standIns opens another one, which draws from then on where the successor fails
+     * @param standIn renders until the successor does
+     * @param standIns opens a new stand-in for the case that the successor fails later
      */
     AutoEngine(Engine standIn, Successor successor, Supplier<Engine> standIns) {
         this.successor = successor;
@@ -30,13 +29,13 @@ final class AutoEngine implements Engine {
         current = standIn;
     }
 
-    /** The id of the engine that drew the last frame. */
+    /** The id of the engine that rendered the last frame. */
     @Override
     public String id() {
         return current.id();
     }
 
-    /** Where the engine that was gone over to failed, with what it said. */
+    /** The current engine's device, followed by the message of a failed successor. */
     @Override
     public String device() {
         return current.device() + complaint;
@@ -79,7 +78,7 @@ final class AutoEngine implements Engine {
         current.onFaster(listener);
     }
 
-    /** While frames are measured, they are whole. */
+    /** False while frames are measured, because measured frames must be whole. */
     @Override
     public boolean drawsBandsInProportion() {
         return (succeeded || successor.isOver()) && current.drawsBandsInProportion();

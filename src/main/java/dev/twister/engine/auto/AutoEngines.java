@@ -6,7 +6,7 @@ import dev.twister.engine.EngineProvider;
 import dev.twister.engine.Engines;
 import java.util.List;
 
-/** Offers {@value FastestEngine#AUTO}: opening it opens the fastest of the others. */
+/** Offers {@value FastestEngine#AUTO}, which opens the fastest of the other engines. */
 @AutoService(EngineProvider.class)
 public final class AutoEngines implements EngineProvider {
     @Override

@@ -12,15 +12,15 @@ import java.util.Optional;
 import java.util.Properties;
 
 /**
- * Remembers which engine was the fastest, in a file for each machine and version. It is a cache: what cannot be read is
- * not there, and what cannot be written is measured again.
+ * Remembers the fastest engine, in one file per machine and version. It is a cache: unreadable files count as missing,
+ * and if writing fails, engines are measured again.
  *
- * @param folder where the files are; empty where this user has no such place
+ * @param folder the folder of the files; empty if this user has none
  */
 record ChoiceStore(Optional<Path> folder) {
     private static final String ENGINE = "engine";
 
-    /** Hundreds of times what is written. */
+    /** Far more than the size of any file that is written. */
     private static final int MOST_BYTES = 1 << 18;
 
     static ChoiceStore ofThisUser() {
@@ -62,7 +62,7 @@ record ChoiceStore(Optional<Path> folder) {
         }
     }
 
-    // A pipe without a reader would be waited for.
+    // Opening a pipe without a reader blocks.
     private static boolean isDevice(Path file) {
         return Files.exists(file) && !Files.isRegularFile(file);
     }

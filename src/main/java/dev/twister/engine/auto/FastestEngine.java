@@ -16,54 +16,57 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 
 /**
- * Chooses the fastest engine by measuring each once on this machine, and remembers which it was. A picture does not
- * wait for that; a benchmark does.
+ * Chooses the fastest engine by measuring each once on this machine, and remembers it. Pictures are rendered meanwhile;
+ * benchmarks wait.
  */
 public final class FastestEngine {
-    /** The name that stands for whichever engine is the fastest here. */
+    /** The name that stands for the fastest engine. */
     public static final String AUTO = "auto";
 
-    /** Itself, and what parallel does with more threads. */
+    /** Excluded: this engine itself, and {@code sequential}, which {@code parallel} supersedes. */
     private static final Set<String> NEVER_TAKEN = Set.of(AUTO, JvmEngines.SEQUENTIAL);
 
-    /** Assumed until engines have been measured: {@code docs/decisions/008}. */
+    /** Assumed to be the fastest until engines have been measured; see {@code docs/decisions/008}. */
     private static final String MOSTLY_FASTEST = "vector";
 
-    /** How long frames wait for it, all together. */
+    /** How long frames may wait for the successor, in total. */
     private static final Duration PATIENCE = Duration.ofSeconds(3);
 
     private static final long LOOK_NANOS = 20_000_000;
 
-    /** Time for the JVM's compiler, for all engines of the JVM together; a trial that settles ends sooner. */
+    /**
+     * Time limit for trials of all JVM engines together, mostly for JIT compilation; a trial ends earlier once it
+     * settles.
+     */
     private static final Duration JVM_TRIALS = Duration.ofSeconds(30);
 
-    /** For all devices together, whose first frame waits for the kernel's compiler. */
+    /** Time limit for trials of all devices together, whose first frame includes kernel compilation. */
     private static final Duration DEVICE_TRIALS = Duration.ofSeconds(60);
 
     private final Trial trial;
     private final ChoiceStore store;
     private final Waiting waiting;
 
-    /** Finds out how fast an engine is. */
+    /** Measures the speed of an engine. */
     @FunctionalInterface
     interface Trial {
         /**
-         * How long the engine takes for a small picture; empty where it fails, or has not drawn one within the limit.
+         * The engine's time for a small frame; empty if it fails or renders none within the limit.
          *
-         * @param canceled asked again and again; once it is true, the answer does not count and comes soon
+         * @param canceled polled; once true, the call returns soon and the result is ignored
          */
         Optional<Duration> frameTime(EngineOffer offer, Duration limit, BooleanSupplier canceled);
     }
 
     /**
-     * What an engine's trial came to.
+     * The result of an engine's trial.
      *
      * @param engine its id
-     * @param frame its fastest frame; empty where it drew none in the time it had
+     * @param frame its fastest frame; empty if it rendered none in time
      */
     public record Time(String engine, Optional<Duration> frame) {}
 
-    /** Lets so much time go by, or less where nobody waits for what comes after it. */
+    /** Waits for a duration, or until canceled. */
     @FunctionalInterface
     interface Waiting {
         void await(Duration time, BooleanSupplier canceled);
@@ -75,17 +78,17 @@ public final class FastestEngine {
         this.waiting = waiting;
     }
 
-    /** Measures with a clock, and remembers in the user's cache folder. */
+    /** Measures with the system clock, and remembers in the user's cache folder. */
     public static FastestEngine ofThisMachine() {
         return new FastestEngine(new TimedTrial(), ChoiceStore.ofThisUser(), FastestEngine::sleep);
     }
 
     /**
-     * Opens an engine that draws at once, and that goes over to the one that was the fastest when it was measured as
-     * soon as that is warm. Where none was measured yet, the one that mostly is the fastest stands in for it, and those
-     * that may be faster are measured beside its frames.
+     * Opens an engine that renders at once and switches to the remembered fastest engine as soon as that one is warm.
+     * If none is remembered, it switches to the engine that usually is the fastest, and measures the candidates in the
+     * background.
      *
-     * @throws EngineException where no engine can be opened
+     * @throws EngineException if no engine can be opened
      */
     public Engine openAtOnce(List<EngineOffer> offers) {
         List<EngineOffer> candidates = candidates(offers);
@@ -95,12 +98,12 @@ public final class FastestEngine {
     }
 
     /**
-     * The same, but devices are looked for at once only where one of them was the fastest; otherwise that is done when
-     * there is time, and where they are others than those measured, the engines are measured then.
+     * As above, but looks for devices at once only if one of them is remembered as the fastest. Otherwise it looks for
+     * them later, in the background, and measures all engines if the devices have changed.
      *
-     * @param atOnce the engines that need no device
-     * @param all those, and the devices; may take a while
-     * @throws EngineException where no engine can be opened
+     * @param atOnce the engines that do not run on devices
+     * @param all those engines and the devices; may take a while
+     * @throws EngineException if no engine can be opened
      */
     public Engine openAtOnce(List<EngineOffer> atOnce, Supplier<List<EngineOffer>> all) {
         List<EngineOffer> candidates = candidates(atOnce);
@@ -131,7 +134,7 @@ public final class FastestEngine {
                 .orElse(standIn);
     }
 
-    /** Whether what draws is the fastest of all engines, now that there is time to look for all of them. */
+    /** In the background, finds out whether the current engine is the fastest of all, including devices. */
     private Optional<Engine> confirmedBeside(
             Engine drawing, String standIn, Supplier<List<EngineOffer>> all, BooleanSupplier canceled) {
         waiting.await(Successor.WARMING, canceled);
@@ -148,8 +151,8 @@ public final class FastestEngine {
     }
 
     /**
-     * Trials take from the frames: there are none but of those that can be the fastest. An engine that went over to
-     * another has lost to it.
+     * Trials slow down the frames, so only engines that can be the fastest are measured. A stand-in that has been
+     * replaced is slower than its successor.
      */
     private Optional<String> fastestBeside(
             Engine drawing, String standIn, List<EngineOffer> candidates, BooleanSupplier canceled) {
@@ -166,7 +169,7 @@ public final class FastestEngine {
     private void remember(List<EngineOffer> candidates, Optional<String> fastest, BooleanSupplier canceled) {
         fastest.filter(_ -> !canceled.getAsBoolean()).ifPresent(id -> {
             store.write(MachineKey.beforeDevices(candidates), id);
-            // Last: who finds this one finds all that is remembered.
+            // Written last: a reader of this entry may rely on the other one.
             store.write(MachineKey.of(candidates), id);
         });
     }
@@ -179,9 +182,9 @@ public final class FastestEngine {
     }
 
     /**
-     * Opens the engine that was the fastest when it was measured, or else measures now, patiently.
+     * Opens the remembered fastest engine, or measures now and waits for the result.
      *
-     * @throws EngineException where no engine can be opened
+     * @throws EngineException if no engine can be opened
      */
     public Engine openMeasured(List<EngineOffer> offers) {
         List<EngineOffer> candidates = candidates(offers);
@@ -190,7 +193,7 @@ public final class FastestEngine {
             try {
                 return known.get().opener().get();
             } catch (EngineException _) {
-                // Something changed since (a driver, say): measure again.
+                // Something has changed since, such as a driver: measure again.
             }
         }
         return openFirst(candidates, measureAll(candidates));
@@ -207,14 +210,17 @@ public final class FastestEngine {
         return Optional.of(offer.opener().get());
     }
 
-    /** The id of the engine that {@link #openMeasured} takes, where it was measured before. */
+    /** The id of the engine that {@link #openMeasured} would open, if one is remembered. */
     public Optional<String> remembered(List<EngineOffer> offers) {
         List<EngineOffer> candidates = candidates(offers);
         return store.read(MachineKey.of(candidates))
                 .filter(id -> Engines.find(candidates, id).isPresent());
     }
 
-    /** Measures with the patience that a device's compiler needs, and remembers; the fastest comes first. */
+    /**
+     * Measures all engines, with enough time for the devices' compilers, and remembers the fastest. It is first in the
+     * list.
+     */
     public List<Time> measurePatiently(List<EngineOffer> offers) {
         return measureAll(candidates(offers));
     }
@@ -225,7 +231,7 @@ public final class FastestEngine {
         return times;
     }
 
-    /** The JVM's engines come first: they need no compiler that could still be at work beside the next trial. */
+    /** JVM engines are measured first: no device compiler is still running during their trials. */
     private List<Time> measure(List<EngineOffer> candidates, BooleanSupplier canceled) {
         return candidates.stream()
                 .sorted(Comparator.comparing(offer -> Engines.isDevice(offer.id())))
@@ -248,7 +254,7 @@ public final class FastestEngine {
         return openFirst(candidates, List.of());
     }
 
-    /** Those that drew, the fastest first; where none was ready in time, the paper's baseline, then any. */
+    /** Tries the measured engines, fastest first, then the paper's baseline, then the others. */
     private static Engine openFirst(List<EngineOffer> candidates, List<Time> times) {
         List<EngineOffer> order = Stream.of(
                         times.stream().filter(time -> time.frame().isPresent()).map(Time::engine),

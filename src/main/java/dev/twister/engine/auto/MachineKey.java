@@ -12,21 +12,21 @@ import java.util.UUID;
 import java.util.stream.Collectors;
 
 /**
- * What a choice of engine holds for; where any of it changes, the engines are measured again.
+ * The facts on which a choice of engine depends; if any changes, the engines are measured again.
  *
- * @param facts by name, in the order of their names
+ * @param facts values by name
  */
 record MachineKey(Map<String, String> facts) {
     MachineKey {
         facts = Map.copyOf(facts);
     }
 
-    /** With all engines, devices included. */
+    /** The key that includes all engines and devices. */
     static MachineKey of(List<EngineOffer> engines) {
         return of(engines, "looked for");
     }
 
-    /** What of it is known before devices are looked for. */
+    /** The key that is known before looking for devices. */
     static MachineKey beforeDevices(List<EngineOffer> engines) {
         return of(
                 engines.stream()
@@ -48,7 +48,7 @@ record MachineKey(Map<String, String> facts) {
                                 .collect(Collectors.joining(", "))));
     }
 
-    /** A name for a file: the same for the same facts, and hardly ever for others. */
+    /** A file name, equal for equal facts and almost certainly different for others. */
     String fileName() {
         String text = new TreeMap<>(facts).toString();
         return "engine-" + UUID.nameUUIDFromBytes(text.getBytes(StandardCharsets.UTF_8)) + ".properties";

@@ -12,33 +12,36 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 
 /**
- * An engine that is opened and warmed on a thread of its own, with small pictures of what is drawn meanwhile, until it
- * beats the one that draws. That one must have drawn a few frames by then, or a long one: its first is begun by the
- * JVM's interpreter, which even the vector engine on a CPU without AVX beats.
+ * Opens and warms up an engine on its own thread, with small frames of the current input, until it is faster than the
+ * current engine. The current engine must have rendered a few frames by then, or a long one: its first frame starts in
+ * the interpreter and is slower than even the vector engine on a CPU without AVX.
  */
 final class Successor implements AutoCloseable {
-    /** Some pictures a second are shown meanwhile. */
+    /** Longest pause per frame; leaves a few frames per second. */
     private static final long PAUSE_NANOS = 400_000_000;
 
-    /** How many frames of the engine that draws, its last ones, are to be beaten. */
+    /** Number of the current engine's latest frames to beat. */
     private static final int FRAMES_TO_BEAT = 3;
 
-    /** Frames that took so long all together were drawn by compiled code for most of it. */
+    /** Frames that took longer in total were mostly rendered by compiled code. */
     private static final long LONG_NANOS = 2_000_000_000;
 
-    /** What a cold JVM takes to compile the vector engine, twice over: frames that are no better then are given up. */
+    /**
+     * Twice the time that a cold JVM takes to compile the vector engine; settled trials that are slower after this time
+     * end.
+     */
     static final Duration WARMING = Duration.ofSeconds(8);
 
     private final Function<BooleanSupplier, Optional<Engine>> opener;
     private final Duration patience;
     /**
-     * What the last frames of the engine that draws took, in nanoseconds for each sample of a pixel: the scene may
-     * change.
+     * Nanoseconds per pixel sample of the current engine's latest frames. Only these are compared, because the scene
+     * may change.
      */
     private final double[] nanosToBeat = new double[FRAMES_TO_BEAT];
 
     private long framesToBeat;
-    /** What all frames of the engine that draws took. */
+    /** Total time of the current engine's frames. */
     private long drawnNanos;
 
     private volatile boolean closed;
@@ -50,20 +53,20 @@ final class Successor implements AutoCloseable {
     private Runnable listener = () -> {};
 
     /**
-     * Starts nothing.
+     * Starts nothing yet.
      *
-     * @param opener may take its time, and is told when nobody waits for it any more; empty where the engine that draws
-     *     already is to stay
+     * @param opener opens the engine; may take long, and is told when its result is no longer needed. Empty if the
+     *     current engine is to stay.
      */
     Successor(Function<BooleanSupplier, Optional<Engine>> opener) {
         this(opener, Duration.ZERO);
     }
 
     /**
-     * Starts nothing.
+     * Starts nothing yet.
      *
-     * @param patience how long a frame waits for this engine, all frames together: the compiler is done sooner where
-     *     not every core draws
+     * @param patience how long frames may wait for this engine in total: JIT compilation finishes earlier while not all
+     *     cores render
      */
     Successor(Function<BooleanSupplier, Optional<Engine>> opener, Duration patience) {
         this.patience = patience;
@@ -71,9 +74,9 @@ final class Successor implements AutoCloseable {
     }
 
     /**
-     * Starts, the first time, to open and to warm the engine; from then on what it draws is what is drawn beside it.
+     * The first call starts to open and warm up the engine. Its trial frames follow the latest input.
      *
-     * @param input of the frame that is drawn now
+     * @param input the input of the current engine's frame
      */
     synchronized void follow(FrameInput input) {
         if (newest.filter(old -> !Work.of(old).equals(Work.of(input))).isPresent()) {
@@ -87,21 +90,21 @@ final class Successor implements AutoCloseable {
         }
     }
 
-    /** How long the engine that draws took for a frame, with this number of samples per pixel. */
+    /** Records a frame's time, in nanoseconds, and its number of pixel samples. */
     synchronized void mustBeat(long nanos, double samples) {
         nanosToBeat[(int) (framesToBeat % FRAMES_TO_BEAT)] = nanos / samples;
         framesToBeat++;
         drawnNanos += nanos;
     }
 
-    /** Where no more frames are drawn, those there are must do for what gets no faster. */
+    /** With fewer frames than required, a settled or long series is enough. */
     private synchronized boolean isBeatenBy(double nanosPerSample, boolean settled) {
         int known = (int) Math.min(framesToBeat, FRAMES_TO_BEAT);
         boolean enough = known == FRAMES_TO_BEAT || (known > 0 && (settled || drawnNanos >= LONG_NANOS));
         return enough && Arrays.stream(nanosToBeat, 0, known).allMatch(frame -> nanosPerSample < frame);
     }
 
-    /** Has someone told, on another thread, when there is an engine to take; at once where there is one. */
+    /** Sets a listener for when the engine is ready, which is called on another thread; at once if it already is. */
     synchronized void onReady(Runnable newListener) {
         listener = newListener;
         if (ready.isPresent()) {
@@ -109,7 +112,7 @@ final class Successor implements AutoCloseable {
         }
     }
 
-    /** Waits for the engine a little, where there is patience left. */
+    /** Waits briefly for the engine, while patience is left. */
     synchronized void await() {
         long start = System.nanoTime();
         long pauseNanos = started ? Math.min(PAUSE_NANOS, patience.toNanos() - waitedNanos) : 0;
@@ -125,23 +128,23 @@ final class Successor implements AutoCloseable {
         waitedNanos += System.nanoTime() - start;
     }
 
-    /** Whether no engine comes any more. */
+    /** Whether no engine will become ready. */
     synchronized boolean isOver() {
         return over && ready.isEmpty();
     }
 
-    /** The engine, once it is warm; from then on it is the caller's. */
+    /** The engine, once it is warm; the caller then owns it. */
     synchronized Optional<Engine> take() {
         Optional<Engine> taken = ready;
         ready = Optional.empty();
         if (taken.isPresent()) {
-            // Skies are large.
+            // Releases the sky, which is large.
             newest = Optional.empty();
         }
         return taken;
     }
 
-    /** Ends the warming; an engine that nobody took is closed. */
+    /** Stops the warm-up; closes an engine that was not taken. */
     @Override
     public synchronized void close() {
         closed = true;
@@ -152,7 +155,7 @@ final class Successor implements AutoCloseable {
         try {
             opener.apply(() -> closed).ifPresent(this::warm);
         } catch (EngineException | OutOfMemoryError _) {
-            // The present engine goes on; opening this one by its name says why it failed.
+            // The current engine continues; opening this one by its name reports the failure.
         } finally {
             freeWhoWaits();
         }
@@ -173,7 +176,7 @@ final class Successor implements AutoCloseable {
                 if (!Work.of(now).equals(trial.work)) {
                     trial = new Trial(engine, now);
                 } else if (trial.isHopeless()) {
-                    // The camera may look at what takes another time: one more trial of what it sees now.
+                    // The current view may differ in cost: one more trial with it.
                     again = false;
                     trial = new Trial(engine, now);
                 }
@@ -199,14 +202,14 @@ final class Successor implements AutoCloseable {
         }
     }
 
-    /** What, beside the view, decides how long a pixel's sample takes: times of one tell nothing of another. */
+    /** What determines the time per pixel sample besides the view; times of different work are not comparable. */
     private record Work(int room, int shadowSamples, int bounces) {
         static Work of(FrameInput input) {
             return new Work(input.bodies().room(), input.shadowSamples(), input.bounces());
         }
     }
 
-    /** Small pictures of one input. */
+    /** Small frames of one input. */
     private static final class Trial {
         private final Work work;
         private final SettlingFrames frames;
@@ -220,7 +223,7 @@ final class Successor implements AutoCloseable {
             samples = (double) small.width() * small.rows() * small.samplesPerPixel();
         }
 
-        /** Draws one; returns the nanoseconds for each sample of its pixels. */
+        /** Renders a frame; returns its nanoseconds per pixel sample. */
         double draw() {
             long nanos = frames.draw().toNanos();
             spentNanos += nanos;

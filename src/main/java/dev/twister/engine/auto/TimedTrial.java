@@ -14,9 +14,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 
-/** Draws a small picture of the default kind until its frames get no faster, and takes the fastest. */
+/** Renders small frames of the default scene until their time settles, and returns the fastest. */
 final class TimedTrial implements FastestEngine.Trial {
-    /** Small, because the frames of a JVM that has compiled nothing yet are hundreds of times slower. */
+    /** Small, because an engine may be hundreds of times slower before its code is compiled. */
     private static final int WIDTH = 192;
 
     private static final int HEIGHT = 108;
@@ -25,8 +25,8 @@ final class TimedTrial implements FastestEngine.Trial {
     private final FrameInput input = SampleWorld.ofSize(WIDTH, HEIGHT).snapshot();
 
     /**
-     * The frames are drawn on a thread of their own, because TornadoVM's first frame takes seconds and cannot be
-     * stopped: it is left to end by itself.
+     * Renders on a separate thread, because TornadoVM's first frame takes seconds and cannot be interrupted. That
+     * thread ends by itself.
      */
     @Override
     public Optional<Duration> frameTime(EngineOffer offer, Duration limit, BooleanSupplier canceled) {
@@ -61,7 +61,7 @@ final class TimedTrial implements FastestEngine.Trial {
                 frames.draw();
             }
         } catch (EngineException | OutOfMemoryError _) {
-            // An engine that fails is not the fastest; opening it by its name says why.
+            // A failed engine is not the fastest; opening it by its name reports the failure.
             best.forget();
         }
     }

@@ -7,11 +7,11 @@ import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.engine.vector.shadow.ShadowCandidates;
 import dev.twister.kernel.Layout;
 
-/** Hands what lanes decline to the scalar kernel: paths from a bounce on, or whole tiles. */
+/** Passes declined work to the scalar kernel: the rest of a path from a given bounce on, or a whole tile. */
 final class Handover {
     private final JvmKernel kernel = new JvmKernel();
 
-    /** Ends the live rays that meet a body that lanes do not know, once the kernel has followed them. */
+    /** Lets the kernel follow each live ray that hits a declined body, and ends that ray in lanes. */
     void endAtHits(Tile tile, Drawing drawing, int bounce) {
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {
@@ -26,8 +26,8 @@ final class Handover {
     }
 
     /**
-     * Ends the live rays whose surfaces may be shaded by what lanes do not know. The points that are left have none of
-     * it among their possible occluders.
+     * Lets the kernel follow each ray whose surface point has a declined body among its possible occluders, and ends
+     * that ray. The other points stay in {@link Tile#shadows}.
      */
     void endInShadows(Tile tile, Drawing drawing, int bounce) {
         int kept = 0;
@@ -71,8 +71,8 @@ final class Handover {
     }
 
     /**
-     * Takes what meshes hide of the light from what is visible of it past the spheres. Where both hide a part, or a
-     * mesh lets light pass, the kernel finds how much.
+     * Subtracts the light blocked by meshes from the light that passes the spheres. Where both block a part, or a mesh
+     * transmits light, the kernel computes the visible part.
      */
     void mendShadows(Tile tile, Drawing drawing, int bounce) {
         float[] t = tile.values;
@@ -109,7 +109,7 @@ final class Handover {
         path[Layout.INSIDE] = t[pixel + Tile.INSIDE];
     }
 
-    /** Draws all pixels of a tile that are in the frame. */
+    /** Renders the tile's pixels that lie in the frame. */
     void drawTile(Tile tile, Drawing drawing) {
         int right = Math.min(tile.left + Tile.SIDE, drawing.width);
         int bottom = Math.min(tile.top + Tile.SIDE, drawing.rows);

@@ -1,22 +1,22 @@
 package dev.twister.engine.vector;
 
-/** The first frames by one of the two {@link Ways}, beside other frames or none, until the JVM has compiled them. */
+/** Renders frames in one of the two {@link Ways} beforehand, until the JIT compiler has compiled the code. */
 interface Rehearsal extends AutoCloseable {
-    /** Starts one. */
+    /** Starts a rehearsal. */
     @FunctionalInterface
     interface Start {
         /**
-         * Of one way.
+         * Starts to rehearse one way.
          *
-         * @param walk whether it is the walk through the hierarchy
+         * @param walk true for the hierarchy, false for brute force
          */
         Rehearsal of(boolean walk);
     }
 
-    /** Whether frames may go that way. */
+    /** Whether the rehearsal is complete. */
     boolean isOver();
 
-    /** Ends it soon; nobody waits for it. */
+    /** Asks the rehearsal to stop and returns at once. */
     @Override
     void close();
 }

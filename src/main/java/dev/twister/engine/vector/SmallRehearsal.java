@@ -6,14 +6,14 @@ import dev.twister.engine.SettlingFrames;
 import dev.twister.world.SampleWorld;
 import java.time.Duration;
 
-/** Draws small pictures of many spheres or of few, on one thread of its own, until they get no faster. */
+/** Renders small frames of many or few spheres on its own thread until the frame time settles. */
 final class SmallRehearsal implements Rehearsal {
     private static final int MANY = 1000;
     private static final int FEW = 5;
     private static final int WIDTH = 320;
     private static final int HEIGHT = 180;
 
-    /** The JVM's compiler may be at work for others all the time. */
+    /** Limits the rehearsal where the JIT compiler stays busy with other code. */
     private static final Duration LONGEST = Duration.ofSeconds(5);
 
     private final int spheres;
@@ -24,7 +24,7 @@ final class SmallRehearsal implements Rehearsal {
         Thread.ofPlatform().daemon().name("twister-rehearsal").start(this::draw);
     }
 
-    /** As {@link Rehearsal.Start#of}. */
+    /** See {@link Rehearsal.Start#of}. */
     static Rehearsal of(boolean walk) {
         return new SmallRehearsal(walk ? MANY : FEW);
     }
@@ -34,7 +34,7 @@ final class SmallRehearsal implements Rehearsal {
             new SettlingFrames(engine, SampleWorld.crowd(spheres, WIDTH, HEIGHT).snapshot())
                     .settle(LONGEST, () -> over);
         } catch (EngineException | OutOfMemoryError _) {
-            // The frame that is asked for fails in the same way, and reports it.
+            // The next regular frame fails in the same way and reports it.
         } finally {
             over = true;
         }

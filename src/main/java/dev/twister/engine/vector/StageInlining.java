@@ -14,18 +14,18 @@ import javax.management.JMException;
 import javax.management.ObjectName;
 
 /**
- * What the JVM's compiler must know of this package: which methods it always inlines, and which never. The launcher
- * tells it in {@code scripts/jvm.options}; a JVM that somebody else starts is told while it runs, before any of them is
- * compiled. Untold, it makes objects of vectors, and frames take four times as long.
+ * Compiler directives for this package: which methods C2 always inlines, and which never. The launcher passes them in
+ * {@code scripts/jvm.options}; in other JVMs they are added at run time, before any of these methods is compiled.
+ * Without them C2 allocates vectors as objects, and a frame takes four times as long.
  */
 final class StageInlining {
     private static final String PACKAGE = "dev/twister/engine/vector/";
 
-    /** What takes or returns vectors, and lists: always inlined. */
+    /** Methods that take or return vectors, and the lists: always inlined. */
     static final List<String> ALWAYS = List.of(PACKAGE + "lanes/*.*");
 
     /**
-     * What has a tile's or a shadow's columns as its first parameter, and so works on them; and what runs once a tile.
+     * Methods whose first parameter is a tile or its shadow columns, and those that run once per tile: never inlined.
      */
     static final List<String> NEVER = List.of(
             PACKAGE + "*.*(L" + PACKAGE + "lanes/Tile;",
@@ -36,7 +36,7 @@ final class StageInlining {
 
     private StageInlining() {}
 
-    /** Tells the compiler where the launcher has not. */
+    /** Adds the directives unless the launcher has passed them. */
     static void ensure() {
         if (!isToldByOptions()) {
             try {
@@ -71,7 +71,7 @@ final class StageInlining {
         }
     }
 
-    /** In the JVM's own form, see {@code jcmd}'s {@code Compiler.directives_add}. */
+    /** The directives as JSON; see {@code jcmd}'s {@code Compiler.directives_add}. */
     private static String directives() {
         String inlining = Stream.concat(
                         ALWAYS.stream().map(methods -> "\"+" + methods + "\""),

@@ -31,7 +31,7 @@ import dev.twister.engine.vector.step.TileOutput;
 import dev.twister.engine.vector.step.TransmittingSphere;
 import dev.twister.engine.vector.step.TransmittingSurface;
 
-/** Draws tiles, step by step; one for each thread. */
+/** Renders tiles step by step. Each thread has its own instance. */
 final class TileRenderer {
     private final Workbench bench = new Workbench();
     private final Tile tile = bench.tile;
@@ -41,7 +41,7 @@ final class TileRenderer {
         bench.start(drawing);
     }
 
-    /** Draws the tile of that number, counted along the rows of tiles from the top left. */
+    /** Renders a tile; tiles are numbered row by row from the top left. */
     void draw(Drawing drawing, int number) {
         tile.left = number % drawing.tilesAcross() * Tile.SIDE;
         tile.top = number / drawing.tilesAcross() * Tile.SIDE;
@@ -77,7 +77,7 @@ final class TileRenderer {
     private void startSample(Drawing drawing, int sample) {
         tile.sample = sample;
         if (sample > 0) {
-            // Following the last sample's rays has changed both.
+            // The previous sample has changed both lists.
             CameraLanes.listInside(tile, drawing);
             if (!drawing.crowded) {
                 bench.choices.cullViewRays(drawing, tile);
@@ -85,7 +85,7 @@ final class TileRenderer {
         }
     }
 
-    /** Follows the live rays, which have met and left as many surfaces as the bounce says, to their ends. */
+    /** Follows the live rays from the given bounce to their ends. */
     private void follow(Drawing drawing, int firstBounce) {
         for (int bounce = firstBounce; bounce <= drawing.bounceLimit && tile.live.count > 0; bounce++) {
             boolean offPlane = bounce == 1 && tile.spheres.count == 0 && drawing.looks.plainPlane;
@@ -96,7 +96,7 @@ final class TileRenderer {
         }
     }
 
-    /** Follows the rays that wait, and those that then wait for them, to their ends. */
+    /** Follows the waiting branch rays, including those added meanwhile, to their ends. */
     private void followWaiting(Drawing drawing) {
         Tile rays = bench.branches;
         rays.moveTo(tile);
@@ -108,7 +108,7 @@ final class TileRenderer {
         }
     }
 
-    /** Follows the live rays to what they meet. */
+    /** Follows the live rays to their closest hits and shades these. */
     private void followOnce(Drawing drawing, Tile rays, int bounce, boolean offPlane) {
         rays.last = bounce == drawing.bounceLimit;
         findHits(drawing, rays, bounce, offPlane);
@@ -138,7 +138,7 @@ final class TileRenderer {
         }
     }
 
-    /** Sorts the live rays by what they meet. */
+    /** Finds the closest hits of the live rays and sorts the rays by the kind of body hit. */
     private void findHits(Drawing drawing, Tile rays, int bounce, boolean offPlane) {
         boolean rise = offPlane;
         if (drawing.crowded) {
@@ -176,7 +176,7 @@ final class TileRenderer {
         }
     }
 
-    /** Adds what the surfaces send towards the eye, and starts the rays that go on. */
+    /** Adds the light that the surfaces reflect toward the eye, and starts the secondary rays. */
     private void shade(Drawing drawing, Tile rays, int bounce) {
         if (drawing.looks.isAny()) {
             findMaterials(drawing, rays);
@@ -226,7 +226,7 @@ final class TileRenderer {
         }
     }
 
-    /** Starts the rays that go on from surfaces of any material. */
+    /** Starts the secondary rays for materials with roughness, transmission or texture. */
     private void goOn(Drawing drawing, Tile rays, int bounce) {
         if (drawing.looks.transparent && (rays == bench.branches || rays.transparent.count > 0)) {
             rays.live.clear();
@@ -247,7 +247,7 @@ final class TileRenderer {
         }
     }
 
-    /** The same from the view rays on, which all meet the ground. */
+    /** Shades a tile whose view rays all hit the ground. */
     private void shadeGround(Drawing drawing) {
         tile.last = drawing.bounceLimit == 0;
         CameraLanes.aim(tile, drawing);

@@ -1,6 +1,6 @@
 package dev.twister.engine.vector;
 
-/** No rehearsal: over at once. */
+/** No rehearsal: complete from the start. */
 record Unrehearsed() implements Rehearsal {
     @Override
     public boolean isOver() {
@@ -9,6 +9,6 @@ record Unrehearsed() implements Rehearsal {
 
     @Override
     public void close() {
-        // Nothing goes on.
+        // Nothing to stop.
     }
 }

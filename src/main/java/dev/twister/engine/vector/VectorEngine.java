@@ -13,15 +13,12 @@ import dev.twister.world.FrameInput;
 import java.util.Arrays;
 import java.util.function.IntConsumer;
 
-/** Draws tiles in SIMD lanes on some threads; once warm, a frame allocates nothing but its times. */
+/** Renders tiles in SIMD lanes on several threads. Once warm, a frame allocates only its {@link FrameTimes}. */
 final class VectorEngine implements Engine {
-    /** With fewer bodies, a look at all of them a tile is faster: {@code docs/decisions/010}. */
+    /** Body count from which the hierarchy is faster than brute force; see {@code docs/decisions/010}. */
     static final int CROWD = 250;
 
-    /**
-     * Neighbors' pixels share cache lines, and taking turns waits until a thread's pixels are in memory, so not for
-     * each tile.
-     */
+    /** Adjacent tiles share cache lines, and each turn waits for a thread's stores, so a turn covers several tiles. */
     private static final int LEAST_TILES_A_TURN = 4;
 
     private final int threads;
@@ -39,8 +36,8 @@ final class VectorEngine implements Engine {
     /**
      * Starts the threads.
      *
-     * @param ways which are closed with the engine
-     * @param drawing which takes each frame
+     * @param ways closed together with the engine
+     * @param drawing holds the state of the current frame
      */
     VectorEngine(int threads, Ways ways, Drawing drawing) {
         this.drawing = drawing;
@@ -54,7 +51,7 @@ final class VectorEngine implements Engine {
         crew = new Crew("vector", threads, thread -> turns.take(tileTasks[thread]));
     }
 
-    /** What {@link #device} says for that number of threads. */
+    /** The text of {@link #device} for a number of threads. */
     static String describe(int threads) {
         return (threads == 1 ? "one thread" : threads + " threads") + ", " + Lanes.COUNT + " lanes";
     }

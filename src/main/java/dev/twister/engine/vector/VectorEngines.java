@@ -10,7 +10,7 @@ import dev.twister.engine.vector.frame.Shortcuts;
 import java.util.List;
 import java.util.function.IntPredicate;
 
-/** Offers the engine of SIMD lanes where the JVM was started with the Vector API. */
+/** Offers the engine {@code vector} where the JVM was started with the Vector API. */
 @AutoService(EngineProvider.class)
 public final class VectorEngines implements EngineProvider {
     public static final String VECTOR = "vector";
@@ -31,28 +31,28 @@ public final class VectorEngines implements EngineProvider {
                                 "the JVM was started without the Vector API. Start it with --add-modules " + MODULE));
     }
 
-    // Nothing before this names a class that needs the module.
+    // The code above must not refer to classes that need the module.
     private static EngineOffer working() {
         int threads = Runtime.getRuntime().availableProcessors();
         return EngineOffer.working(VECTOR, VectorEngine.describe(threads), DESCRIPTION, () -> open(threads));
     }
 
-    /** The engine on that number of threads. */
+    /** Opens the engine on a number of threads. */
     static Engine open(int threads) {
         return new VectorEngine(threads, new Ways(VectorEngine.CROWD, SmallRehearsal::of), new Drawing());
     }
 
-    /** The same, which walks the hierarchy from that many bodies on, rehearsed or not. */
+    /** Opens the engine without rehearsals; it uses the hierarchy from {@code crowd} bodies on. */
     static Engine open(int threads, int crowd) {
         return open(threads, crowd, Shortcuts.all());
     }
 
-    /** The same with some shortcuts. */
+    /** As above, with only the given shortcuts. */
     static Engine open(int threads, int crowd, Shortcuts shortcuts) {
         return open(threads, crowd, new Drawing(shortcuts, new Declined(_ -> false)));
     }
 
-    /** The same, which declines some bodies. */
+    /** As above; the engine declines the bodies whose numbers match. */
     static Engine open(int threads, int crowd, IntPredicate declined) {
         return open(threads, crowd, new Drawing(Shortcuts.all(), new Declined(declined)));
     }

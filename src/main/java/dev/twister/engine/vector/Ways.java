@@ -4,13 +4,13 @@ import dev.twister.world.FrameInput;
 import java.util.Optional;
 
 /**
- * By which of two ways a frame is drawn: by brute force, or through the hierarchy. They round differently, so the frame
- * alone decides. What the JVM has not compiled takes seconds for a frame. So where a crowd is to come, the hierarchy is
- * rehearsed beside the frames by brute force; and while nothing is drawn, the way that has not been taken yet is
- * rehearsed, as another scene may be next.
+ * Chooses one of two ways to render a frame: by brute force, or through the hierarchy. Their rounding differs, so the
+ * choice depends on the frame alone. The first frames of a way take seconds until the JIT compiler has compiled its
+ * code. Therefore the hierarchy is rehearsed while the frames by brute force lead up to a crowd, and while the engine
+ * rests, the way not used so far is rehearsed for the next scene.
  */
 final class Ways implements AutoCloseable {
-    /** An engine that is still warming itself is left alone. */
+    /** No rehearsal starts before this many frames, while the engine itself warms up. */
     private static final int FIRST_FRAMES = 50;
 
     private final int crowd;
@@ -21,20 +21,20 @@ final class Ways implements AutoCloseable {
     private int frames;
 
     /**
-     * Draws nothing yet.
+     * Prepares the choice; no rehearsal starts yet.
      *
-     * @param crowd from how many bodies on the hierarchy is walked
+     * @param crowd the body count from which the hierarchy is used
      */
     Ways(int crowd, Rehearsal.Start rehearsals) {
         this.crowd = crowd;
         this.rehearsals = rehearsals;
     }
 
-    /** Whether the next frame is a walk. */
+    /** Whether the next frame is rendered through the hierarchy. */
     boolean walk(FrameInput input) {
         boolean crowdToCome = !walked && input.bodies().room() >= crowd;
         if (!crowdToCome) {
-            // Starts at rest, as rendering needs the processor; compiled code stays compiled.
+            // A rehearsal at rest competes for the CPU with rendering; compiled code stays.
             endUnfinished();
         } else if (rehearsal.isEmpty() && frames++ >= FIRST_FRAMES) {
             rehearsal = Optional.of(rehearsals.of(true));
@@ -49,7 +49,7 @@ final class Ways implements AutoCloseable {
         return walk;
     }
 
-    /** Nothing is drawn for now. */
+    /** Called when no frame is requested for a while. */
     void rest() {
         if (walked != passed && rehearsal.isEmpty()) {
             rehearsal = Optional.of(rehearsals.of(passed));

@@ -10,11 +10,11 @@ import dev.twister.engine.vector.shortcut.Choices;
 import dev.twister.engine.vector.shortcut.TileSky;
 import dev.twister.engine.vector.shortcut.WholeTiles;
 
-/** One thread's tile and tools. */
+/** One thread's tile and working memory. */
 final class Workbench {
     final Tile tile = new Tile();
 
-    /** Of rays that waited. */
+    /** Tile of the branch rays that waited. */
     final Tile branches = new Tile();
 
     final WaitingRays waiting = new WaitingRays();

@@ -23,7 +23,7 @@ import java.util.function.IntConsumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-// Who spins, or parks as a crew does, takes no notice of an interruption.
+// A thread that spins or parks as a crew does ignores interruption, so timeouts need a separate thread.
 @Timeout(value = 300, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class AutoEngineTest {
     private static final int WIDTH = 640;
@@ -102,7 +102,7 @@ class AutoEngineTest {
             while (told.getCount() == 2) {
                 Thread.onSpinWait();
             }
-            // Who asks late is told at once.
+            // A listener that registers late is called at once.
             auto.onFaster(told::countDown);
             told.await();
             auto.render(input, frame);
@@ -134,7 +134,7 @@ class AutoEngineTest {
         slow.awaitClosed();
     }
 
-    /** The stand-in's first frame is as slow as the interpreter that draws it: everything beats that one. */
+    /** The stand-in's first frame includes slow interpretation, so any engine beats that one. */
     @Test
     void oneThatBeatsOnlyTheFirstFrameNeverDraws() throws InterruptedException {
         CountingEngine slow = new CountingEngine("vector", 101);
@@ -179,7 +179,7 @@ class AutoEngineTest {
         }
     }
 
-    /** Of a frame that takes seconds the interpreter drew next to nothing. */
+    /** A frame of several seconds is hardly slowed down by interpretation. */
     @Test
     void oneThatBeatsALongFrameDoesNotWaitForThree() throws InterruptedException {
         CountingEngine fast = new CountingEngine("vector", 99);
@@ -216,7 +216,7 @@ class AutoEngineTest {
         }
     }
 
-    /** A light picture of the one that draws takes less time than a heavy one of any. */
+    /** A light picture by the current engine takes less time than a heavy one by any engine. */
     @Test
     void whatBecomesLighterIsTriedAnew() throws InterruptedException {
         CountingEngine fast = new CountingEngine("vector", 20);
@@ -318,7 +318,7 @@ class AutoEngineTest {
                 },
                 Duration.ofDays(1));
         try (Engine auto = new AutoEngine(standIn, broken, () -> standIn)) {
-            // Each would wait for a part of a second.
+            // Each call would otherwise wait for a fraction of a second.
             for (int i = 0; i < 1000; i++) {
                 auto.render(input, frame);
             }
@@ -362,7 +362,7 @@ class AutoEngineTest {
         }
     }
 
-    /** Says that each pixel took it so many nanoseconds, where there are the usual shadow samples. */
+    /** Reports a fixed number of nanoseconds per pixel at the default number of shadow samples. */
     private static final class CountingEngine implements Engine {
         private final String id;
         private final int nanosPerPixel;

@@ -31,7 +31,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-// Who spins, or parks as a crew does, takes no notice of an interruption.
+// A thread that spins or parks as a crew does ignores interruption, so timeouts need a separate thread.
 @Timeout(value = 300, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class FastestEngineTest {
     private static final Map<String, Integer> MILLIS =
@@ -212,7 +212,7 @@ class FastestEngineTest {
         assertThat(fastest().remembered(offers)).contains("vector");
     }
 
-    /** Devices are looked for when vector draws. */
+    /** The search for devices starts while vector renders. */
     private void drawUntilRemembered(List<EngineOffer> offers) {
         CountDownLatch won = new CountDownLatch(1);
         FastestEngine fastest =
@@ -267,7 +267,7 @@ class FastestEngineTest {
             drawUntil(engine, "vector");
             looking = looked.get();
         }
-        // It writes what is remembered, in a folder that is deleted soon.
+        // The search writes the remembered result into a folder that is deleted after the test.
         looking.join();
         assertThat(tried).isEmpty();
     }
@@ -375,7 +375,7 @@ class FastestEngineTest {
                 .toList();
     }
 
-    /** Has the memory for one frame. */
+    /** Has memory for one frame only. */
     private static final class OneFrameEngine implements Engine {
         private boolean drew;
 
@@ -400,7 +400,7 @@ class FastestEngineTest {
 
         @Override
         public void close() {
-            // Holds nothing.
+            // Nothing to release.
         }
     }
 }

@@ -2,11 +2,11 @@ package dev.twister.engine.auto;
 
 import java.util.concurrent.CountDownLatch;
 
-/** Waiting where no exception may be thrown. */
+/** Waits for latches where checked exceptions are not allowed. */
 final class Latches {
     private Latches() {}
 
-    /** Returns early where the thread is interrupted, and leaves it so. */
+    /** Returns early if the thread is interrupted and keeps its interrupt status. */
     static void await(CountDownLatch latch) {
         try {
             latch.await();

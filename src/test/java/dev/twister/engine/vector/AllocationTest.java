@@ -28,14 +28,14 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Whether a warm frame allocates. Each width that the CPU has gets a JVM of its own, as a user's has: one that has seen
- * several widths compiles worse.
+ * Checks that warm frames do not allocate. Each vector width that the CPU supports runs in a JVM of its own, as for a
+ * user: a JVM that has run several widths compiles them worse.
  */
 final class AllocationTest {
-    /** The frame's times, and what the JVM does beside; boxed vectors would be megabytes. */
+    /** Allowance for the frame's times and for the JVM itself; boxed vectors would take megabytes. */
     private static final long BYTES_A_FRAME = 16_384;
 
-    /** Of all its threads on their processors, at which it is not warming up but failing, however busy the machine. */
+    /** CPU time of all threads together, after which warm-up has failed, however busy the machine is. */
     private static final long MOST_NANOS = 120_000_000_000L;
 
     private static final int FRAMES = 20;
@@ -52,12 +52,12 @@ final class AllocationTest {
     })
     void allocatesNextToNothingInAWarmFrame(int bits, String scene) throws IOException, InterruptedException {
         assumeThat(bits)
-                .as("bits of the CPU's vectors: wider ones are objects at every step")
+                .as("vector width in bits; wider vectors than the CPU's are boxed")
                 .isLessThanOrEqualTo(FloatVector.SPECIES_PREFERRED.vectorBitSize());
         requireWarm(bits, FusedMultiplyAdd.isFast(), scene);
     }
 
-    /** As on CPUs without it, which have four lanes. */
+    /** CPUs without fused multiply-add have four lanes. */
     @ParameterizedTest
     @ValueSource(strings = {"benchmark", "crowd of 1000"})
     void allocatesNextToNothingWithoutFusedMultiplyAdd(String scene) throws IOException, InterruptedException {
@@ -66,12 +66,12 @@ final class AllocationTest {
 
     private static void requireWarm(int bits, boolean fused, String scene) throws IOException, InterruptedException {
         String first = warmUp(bits, fused, scene);
-        // The order in which the compiler takes the stages is its own: once in many JVMs one of them stays boxed.
+        // The order in which stages are compiled varies: in a few JVMs of many, one stage stays boxed.
         String last = first.contains(WarmFrames.WARM) ? first : warmUp(bits, fused, scene);
         assertThat(last).contains(WarmFrames.WARM);
     }
 
-    /** What a JVM of that width said in the end. */
+    /** Returns the output of a JVM with this vector width. */
     private static String warmUp(int bits, boolean fused, String scene) throws IOException, InterruptedException {
         List<String> width =
                 List.of("-D" + Lanes.BITS_PROPERTY + "=" + bits, "-D" + FusedMultiplyAdd.PROPERTY + "=" + fused);
@@ -82,7 +82,7 @@ final class AllocationTest {
         return output;
     }
 
-    /** Draws until frames allocate next to nothing, and fails where that does not happen. */
+    /** Renders until frames hardly allocate; fails if that never happens. */
     static final class WarmFrames {
         static final String WARM = "warm: ";
         private static final String CROWD = "crowd of ";

@@ -22,12 +22,12 @@ import java.util.stream.Stream;
 import java.util.stream.StreamSupport;
 import org.junit.jupiter.api.Test;
 
-/** Files that need each other can only be read together, so no more than three of them do. */
+/** Files in a dependency cycle can only be read together, so a cycle may have at most three. */
 final class CyclesTest {
     private static final int MOST_FILES = 3;
     private static final String ROOM = VectorEngine.class.getPackageName().replace('.', '/');
 
-    /** A class of the room as class files name it, without what is nested in it. */
+    /** A top-level class of the package as named in class files. */
     private static final Pattern FILE = Pattern.compile(ROOM + "/(?:[a-z]+/)*[A-Z]\\w*");
 
     @Test
@@ -43,7 +43,7 @@ final class CyclesTest {
                 .isEmpty();
     }
 
-    /** A file, and all that it needs and that need it, by way of others or not. */
+    /** Returns a file's strongly connected component: the files that it depends on and that depend on it. */
     private static Set<String> cycle(String file, Map<String, Set<String>> reached) {
         return reached.get(file).stream()
                 .filter(other -> reached.get(other).contains(file))
@@ -59,7 +59,7 @@ final class CyclesTest {
         return reached;
     }
 
-    /** What each file names; of constants, too, the compiler leaves the names of their classes. */
+    /** Maps each file to the files that it names; the compiler keeps the class names of inlined constants, too. */
     private static Map<String, Set<String>> uses() throws Exception {
         Path classes = Path.of(VectorEngine.class
                 .getProtectionDomain()

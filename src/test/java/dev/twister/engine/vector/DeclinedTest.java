@@ -32,7 +32,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What lanes decline, the scalar kernel draws: the picture is the same. */
+/** The scalar kernel renders what the lanes decline, so the picture stays the same. */
 final class DeclinedTest {
     private static final List<Integer> WIDTHS = List.of(128, 256, 512);
     private static final int ALWAYS_WALK = 0;
@@ -95,7 +95,7 @@ final class DeclinedTest {
         assertThat(different).isLessThanOrEqualTo(pixels / PictureDifference.PIXELS_AN_ODD_ONE);
     }
 
-    /** A light under the plane lights no sphere above it, and one that the plane cuts lights it with a part. */
+    /** A light below the plane lights no sphere above it; one that the plane cuts lights it partially. */
     @ParameterizedTest
     @CsvSource({"128, -3, 1", "256, -3, 1", "512, -3, 1", "512, 0.3, 1", "512, 4, 0.1"})
     void planeBetweenTheLightAndASphereBlocks(int bits, double lightHeight, double sphereHeight) {
@@ -146,7 +146,7 @@ final class DeclinedTest {
         }
     }
 
-    /** Rounding alone would decide, pixel by pixel, whether it is before the camera or around it. */
+    /** Rounding alone would decide per pixel whether the sphere is in front of the camera or around it. */
     @ParameterizedTest
     @ValueSource(ints = {128, 256, 512})
     void sphereThatTheCameraIsOnIsTheSame(int bits) {

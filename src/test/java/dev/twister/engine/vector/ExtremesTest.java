@@ -25,9 +25,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/**
- * Numbers from the ends of what scenes may have: lanes draw what the kernel draws, and nothing that is not a number.
- */
+/** Values from the ends of the ranges that scenes allow: lanes render what the kernel renders, and never NaN. */
 final class ExtremesTest {
     private static final Rgb BLACK = new Rgb(0, 0, 0);
     private static final Rgb WHITE = new Rgb(1, 1, 1);
@@ -62,7 +60,7 @@ final class ExtremesTest {
                         .withSettings(settings(97, 1)));
     }
 
-    /** The squares of such heights are 0. */
+    /** The squares of such heights underflow to 0. */
     @ParameterizedTest
     @CsvSource({"128, 1e-30, 5", "256, 1e-30, 5", "512, 1e-30, 5", "512, 1e-12, 1e-12", "512, 5, 1e-30"})
     void eyeOrLightNextToThePlane(int bits, double eye, double light) {
@@ -76,7 +74,7 @@ final class ExtremesTest {
                         .withSettings(settings(67, 59)));
     }
 
-    /** From far above, each pixel meets another check: the point's last bits decide which. */
+    /** From far above, each pixel hits another check: the last bits of the hit point decide which. */
     @ParameterizedTest
     @CsvSource({"128, 20000", "256, 20000", "512, 20000", "512, 800", "512, -20000"})
     void checksFarSmallerThanPixels(int bits, double lightHeight) {
@@ -90,7 +88,8 @@ final class ExtremesTest {
     }
 
     /**
-     * Lanes that have ended beside those of mirrors go on from numbers that are squared at each bounce, up to infinity.
+     * Terminated lanes beside lanes with mirrors continue with stale values that are squared at each bounce, up to
+     * infinity.
      */
     @ParameterizedTest
     @ValueSource(ints = {128, 256, 512})

@@ -29,8 +29,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Glass, rough surfaces and textures in lanes are the scalar kernel's: random scenes of them, with cameras inside glass
- * too.
+ * Glass, rough surfaces and textures in lanes equal the scalar kernel's, in random scenes and also with cameras inside
+ * glass.
  */
 final class MaterialsInLanesTest {
     private static final List<Integer> WIDTHS = List.of(128, 256, 512);
@@ -38,7 +38,7 @@ final class MaterialsInLanesTest {
     private static final int SCENES = 30;
     private static final Path FILE = Path.of("texture.png").toAbsolutePath();
 
-    /** What bodies may be beyond colored and reflective. */
+    /** Material kinds beyond color and reflectivity. */
     private enum Kind {
         TEXTURES,
         ROUGH,
@@ -88,7 +88,7 @@ final class MaterialsInLanesTest {
                 .snapshot();
     }
 
-    /** One of the same material within the sphere, and one that touches it. */
+    /** Adds one sphere of the same material inside the first and one that touches it. */
     private static void addInsideAndBeside(List<Sphere> spheres, Sphere first) {
         Vector3 center = first.position();
         double radius = first.radius();

@@ -36,7 +36,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Scenes with meshes in lanes are those of the scalar kernel. */
+/** Scenes with meshes must render in lanes as in the scalar kernel. */
 class MeshesInLanesTest {
     private static final int SCENES = 40;
     private static final Rgb WHITE = new Rgb(1, 1, 1);
@@ -93,7 +93,7 @@ class MeshesInLanesTest {
         }
     }
 
-    /** Nothing is handed over: no sphere, no glass, no texture, and the plane shades nothing. */
+    /** Nothing goes to the scalar kernel: no sphere, glass or texture, and the plane casts no shadow. */
     @ParameterizedTest(name = "{0} bits, crowds from {1} on")
     @MethodSource("widthsAndWays")
     void opaqueMeshesAloneAreTheKernels(int bits, int crowd) {

@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
-/** A picture is a function of its input: not of the frames before it, the threads, or a rehearsal beside it. */
+/** A picture is a function of its input alone, not of earlier frames, thread count or a concurrent rehearsal. */
 class RepeatedFramesTest {
     private static final int ROOM = 400;
     private static final int CROWD = 100;
@@ -49,7 +49,7 @@ class RepeatedFramesTest {
             try (Engine engine = VectorEngines.open(threads, CROWD)) {
                 for (int number : order) {
                     assertThat(draw(engine, inputs.get(number)))
-                            .as("input %d by %d threads", number, threads)
+                            .as("input %d with %d threads", number, threads)
                             .isEqualTo(alone.get(number));
                 }
             }

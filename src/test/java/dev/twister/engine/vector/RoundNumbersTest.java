@@ -25,8 +25,8 @@ import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.TestInstance.Lifecycle;
 
 /**
- * Views in which whole rows of pixels, or columns, meet the ground at round coordinates: rounding alone must not decide
- * there what they show.
+ * Views in which whole rows or columns of pixels hit the ground at round coordinates: rounding alone must not decide
+ * what they show.
  */
 @TestInstance(Lifecycle.PER_CLASS)
 final class RoundNumbersTest {
@@ -64,7 +64,7 @@ final class RoundNumbersTest {
         }
     }
 
-    /** At a field of view of 90 degrees the middles of rows are at a distance of height * 180 / (2 k + 1). */
+    /** At a field of view of 90 degrees, row centers lie at distances of height * 180 / (2 k + 1). */
     @Test
     void rowsOnThePlanesBorderAreOnThePlane() {
         for (int height : new int[] {1, 2, 5, 149}) {
@@ -73,27 +73,27 @@ final class RoundNumbersTest {
                     int[] argb = assertSame(new Vector3(0, height, 0), yaw, 0, 90, 2.0 * height * HEIGHT / divisor);
                     int first = WIDTH * (HEIGHT + divisor - 1) / 2;
                     assertThat(IntStream.range(first, first + WIDTH).filter(pixel -> argb[pixel] == SKY))
-                            .as("pixels of the sky, height %s, divisor %s, yaw %s", height, divisor, yaw)
+                            .as("sky pixels, height %s, divisor %s, yaw %s", height, divisor, yaw)
                             .hasSize(WIDTH - HEIGHT);
                 }
             }
         }
     }
 
-    /** Straight down, the middles of columns are at odd multiples of half a meter. */
+    /** Looking straight down, column centers lie at odd multiples of half a meter. */
     @Test
     void columnsOnThePlanesBorderAreOnThePlane() {
         for (int size = 21; size <= 141; size += 20) {
             for (int yaw = 0; yaw < 360; yaw += 90) {
                 int[] argb = assertSame(new Vector3(0, HALF * HEIGHT, 0), yaw, 90, 90, size);
                 assertThat(Arrays.stream(argb).filter(pixel -> pixel != SKY))
-                        .as("pixels of the plane, %s m, yaw %s", size, yaw)
+                        .as("plane pixels, %s m, yaw %s", size, yaw)
                         .hasSize((size + 1) * (size + 1));
             }
         }
     }
 
-    /** The picture that both draw. */
+    /** Returns the picture after checking that both engines render it the same. */
     private int[] assertSame(Vector3 position, double yaw, double pitch, double fieldOfView, double size) {
         Scene scene = Scene.under(Path.of("none.hdr"))
                 .withCamera(Camera.of(position, yaw, pitch, fieldOfView))
@@ -106,7 +106,7 @@ final class RoundNumbersTest {
         int[] argb = argb(sequential, scene);
         PictureDifference difference = PictureDifference.between(argb(vector, scene), argb);
         assertThat(difference)
-                .as("at %s, yaw %s, pitch %s, %s degrees, %s m of plane", position, yaw, pitch, fieldOfView, size)
+                .as("at %s, yaw %s, pitch %s, %s degrees, plane of %s m", position, yaw, pitch, fieldOfView, size)
                 .matches(PictureDifference::isWithinBound, "is within the design's bound");
         return argb;
     }

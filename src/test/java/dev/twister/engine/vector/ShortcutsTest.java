@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Pictures without one shortcut, and without any, are those of {@code sequential}. */
+/** Pictures without one of the shortcuts, or without any, equal {@code sequential}'s. */
 final class ShortcutsTest {
     private static final int CROWD = 100;
     private static final List<FrameInput> INPUTS = List.of(

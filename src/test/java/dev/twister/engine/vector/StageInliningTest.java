@@ -10,8 +10,8 @@ import javax.management.ObjectName;
 import org.junit.jupiter.api.Test;
 
 /**
- * What the compiler is told of stages is the same by the launcher and by the engine, which tells a JVM like that of
- * tests.
+ * The launcher and the engine give the compiler the same inlining options for stages; the engine sets them in a JVM
+ * started without them, such as that of the tests.
  */
 final class StageInliningTest {
     private static final String COMMAND = "-XX:CompileCommand=";

@@ -40,11 +40,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Holds the engine to {@code sequential}, at every width. */
+/** Compares the engine with {@code sequential}, at every vector width. */
 final class VectorEngineTest {
     private static final List<Integer> WIDTHS = List.of(128, 256, 512);
 
-    /** No pixel is this transparent one: what is not written shows. */
+    /** Transparent, so no rendered pixel equals it and unwritten pixels show. */
     private static final int POISON = 0x00BADBAD;
 
     @ParameterizedTest
@@ -74,8 +74,8 @@ final class VectorEngineTest {
     }
 
     /**
-     * Of tiny spheres, each of which mirrors the others: a ray whose last bit is not the kernel's may end at another
-     * sphere, and one pixel in some 700 was another one. So rays are to be the kernel's to the bit.
+     * Tiny spheres that mirror each other: a ray that differs from the kernel's in the last bit may hit another sphere,
+     * which changed about one pixel in 700. Rays must therefore equal the kernel's bit for bit.
      */
     @Test
     void drawsWhatTinySpheresMirror() {
@@ -88,7 +88,7 @@ final class VectorEngineTest {
         }
     }
 
-    /** One picture in itself may be too small for the bound to allow a single pixel: all of them together are not. */
+    /** The bound applies to all pictures together: one alone may be too small to allow a single differing pixel. */
     @ParameterizedTest
     @ValueSource(ints = {128, 256, 512})
     void drawsRandomScenes(int bits) {
@@ -103,7 +103,8 @@ final class VectorEngineTest {
     }
 
     /**
-     * By the hierarchy, however few spheres there are, in leaves of one to three; the plain loop's pixels to the bit.
+     * Traverses the hierarchy however few the spheres, with leaves of one to three; pixels equal the brute-force ones
+     * bit for bit.
      */
     @ParameterizedTest
     @ValueSource(ints = {128, 256, 512})
@@ -114,12 +115,12 @@ final class VectorEngineTest {
         }
     }
 
-    /** Vectors wider than the CPU's are objects at every step: fewer scenes or spheres must do. */
+    /** Returns a lower count for vectors wider than the CPU's, as those are boxed. */
     private static int asMany(int bits, int usual) {
         return bits > FloatVector.SPECIES_PREFERRED.vectorBitSize() ? usual / 4 : usual;
     }
 
-    /** A product that is rounded before it is added to moves the sides of boxes. */
+    /** Without fusing, the rounding of products moves the sides of boxes. */
     @Test
     void hierarchyDrawsRandomScenesWithoutFusingToo() {
         try (Engine plain = WidthLoader.openWithoutFusing(2, Integer.MAX_VALUE);
@@ -153,7 +154,7 @@ final class VectorEngineTest {
                 .isLessThanOrEqualTo(pixels);
     }
 
-    /** Many more spheres than lanes, and shadows of packets that go point by point. */
+    /** Many more spheres than lanes, and shadows of packets that are computed point by point. */
     @ParameterizedTest
     @ValueSource(ints = {128, 256, 512})
     void hierarchyDrawsACrowdAsThePlainLoopDoes(int bits) {
@@ -165,7 +166,7 @@ final class VectorEngineTest {
         }
     }
 
-    /** Where a sphere is, squared, is ten million times its radius squared: no digit of that is left beside it. */
+    /** Squared distances are ten million times the squared radius, which cancels out of the difference in floats. */
     @ParameterizedTest
     @ValueSource(ints = {128, 256, 512})
     void drawsTheShadowsOfTinySpheresUnderAWideLight(int bits) {
@@ -180,7 +181,7 @@ final class VectorEngineTest {
         }
     }
 
-    /** Seen from straight above: the spots of the light's samples under a sphere far off its axis, each alone. */
+    /** Seen from straight above: separate spots of the light's samples under a sphere far off the light's axis. */
     private static Scene underAWideLight(double radius) {
         Rgb white = new Rgb(1, 1, 1);
         return Scene.under(Path.of("none.hdr"))
@@ -212,8 +213,8 @@ final class VectorEngineTest {
     }
 
     /**
-     * The shipped skies are Radiance pictures, whose numbers fit into halves of floats and share exponents: seven
-     * tenths of them do not fit, and blue ones far below the others share none.
+     * The shipped skies are Radiance pictures, whose values fit into half floats and share exponents. Values of 0.7 do
+     * not fit, and blue channels far below the others do not share an exponent.
      */
     @ParameterizedTest
     @CsvSource({
@@ -237,8 +238,8 @@ final class VectorEngineTest {
     }
 
     /**
-     * Pixels as small as a large picture's: tiles of nothing but sky or ground, and a sky by polynomials. All together,
-     * for the reason of random scenes.
+     * Pixels as small as those of a large picture: tiles of sky or ground alone, and a sky by polynomials. The bound
+     * applies to all pictures together, as for random scenes.
      */
     @ParameterizedTest
     @ValueSource(ints = {128, 256, 512})

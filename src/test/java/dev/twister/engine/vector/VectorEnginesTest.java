@@ -28,7 +28,7 @@ final class VectorEnginesTest {
         assertThat(output).contains("--add-modules jdk.incubator.vector");
     }
 
-    /** Prints the engine's obstacle; runs in a JVM without the Vector API. */
+    /** Prints why the engine is unavailable; runs in a JVM without the Vector API. */
     static final class ObstacleMain {
         private ObstacleMain() {}
 

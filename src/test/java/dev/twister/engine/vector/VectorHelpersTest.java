@@ -20,7 +20,8 @@ import jdk.incubator.vector.ShortVector;
 import org.junit.jupiter.api.Test;
 
 /**
- * A helper that the JVM does not inline makes objects of its vectors, and it is inlined in most JVMs: a rare slow one.
+ * A helper that is not inlined boxes its vectors. The JVM inlines it in most runs, so a failure would be a rare slow
+ * JVM.
  */
 final class VectorHelpersTest {
     private static final String VECTORS = "jdk.incubator.vector";
@@ -47,8 +48,8 @@ final class VectorHelpersTest {
     }
 
     /**
-     * The JVM asks each method of the Vector API which classes of vectors it has met: where there is a choice, it may
-     * make objects. Shorts are unpacked in one place and have a width of their own.
+     * The JVM profiles which vector classes each Vector API method has seen; with more than one it may box. Shorts are
+     * unpacked in one place and have a width of their own.
      */
     @Test
     void vectorsHaveThePacketsWidth() {

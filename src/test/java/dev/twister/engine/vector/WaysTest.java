@@ -21,10 +21,10 @@ class WaysTest {
     private static final int CROWD = 20;
     private static final int ROOM = 10 * CROWD;
 
-    /** More frames than an engine takes to be warm. */
+    /** More frames than an engine needs for warm-up. */
     private static final int WARM = 100;
 
-    /** And with no room for more. */
+    /** A small world without room for more bodies. */
     private static final FrameInput FEW = SampleWorld.ofSize(4, 4).snapshot();
 
     private final List<FakeRehearsal> started = new ArrayList<>();
@@ -161,7 +161,7 @@ class WaysTest {
         return frame.argb();
     }
 
-    /** A world with so many bodies, and room for {@link #ROOM}. */
+    /** A world with this number of bodies and room for {@link #ROOM}. */
     private static FrameInput bodies(int count) {
         World world = SampleWorld.crowd(ROOM, 96, 54);
         world.setBodyPositions(Positions.of(world.snapshot()), count);

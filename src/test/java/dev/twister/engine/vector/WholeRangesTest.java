@@ -32,24 +32,24 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Random scenes over the whole ranges of the scene file: {@code -Dtwister.ranges=6000} for as many. They are others
- * each week; {@code -Dtwister.ranges.seed} repeats those of a seed that was printed.
+ * Random scenes over the whole ranges of the scene file; {@code -Dtwister.ranges=6000} sets their number. The seed
+ * changes each week and is printed; {@code -Dtwister.ranges.seed} repeats it.
  */
 @EnabledIfSystemProperty(named = "twister.ranges", matches = "\\d+")
 final class WholeRangesTest {
     private static final int SCENES = Integer.getInteger("twister.ranges", 0);
     private static final long SEED = Long.getLong("twister.ranges.seed", thisWeek());
 
-    /** Each is compiled anew for a device, and vectors wider than the CPU's are objects. */
+    /** Divisor of the count where each scene is slow: on devices, which compile it anew, and with boxed vectors. */
     private static final int FEWER = 400;
 
     /**
-     * Of a device, which draws few of them: in one scene in a thousand or so, rounding decides what hundreds of pixels
-     * show, as where the camera is next to the surface of a planet.
+     * Bound for devices, which render few scenes: in about one scene in a thousand, rounding decides hundreds of
+     * pixels, as where the camera touches the surface of a planet.
      */
     private static final int DEVICE_PIXELS_AN_ODD_ONE = 200;
 
-    /** One scene in this number has its meshes, which are cubes. */
+    /** One scene in this many has meshes, which are cubes. */
     private static final int SCENES_A_MESH = 16;
 
     private static long thisWeek() {

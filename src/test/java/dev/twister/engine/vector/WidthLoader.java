@@ -13,8 +13,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.IntPredicate;
 
 /**
- * Loads the engine's classes once for each width: lanes are a constant of a class, so that each width is other classes.
- * All else comes from the loader above. Tests of one width share its classes, which are compiled by then.
+ * Loads the engine's classes once per vector width, as the lane count is a class constant. All other classes come from
+ * the parent loader. Tests of one width share its classes, and with them the compiled code.
  */
 final class WidthLoader extends ClassLoader {
     private static final String PACKAGE = VectorEngines.class.getPackageName() + ".";
@@ -26,7 +26,7 @@ final class WidthLoader extends ClassLoader {
     }
 
     /**
-     * An engine of that width.
+     * Opens an engine of this vector width.
      *
      * @param bits 128, 256 or 512
      */
@@ -34,22 +34,22 @@ final class WidthLoader extends ClassLoader {
         return open(Map.of(Lanes.BITS_PROPERTY, Integer.toString(bits)), threads);
     }
 
-    /** The same, which walks the hierarchy from that many bodies on. */
+    /** Opens an engine that traverses the hierarchy from {@code crowd} bodies on. */
     static Engine openForCrowds(int bits, int threads, int crowd) {
         return open(Map.of(Lanes.BITS_PROPERTY, Integer.toString(bits)), threads, crowd);
     }
 
-    /** The same, which declines some bodies. */
+    /** Opens an engine that declines some bodies. */
     static Engine openDeclining(int bits, int threads, int crowd, IntPredicate declined) {
         return open(Map.of(Lanes.BITS_PROPERTY, Integer.toString(bits)), threads, crowd, declined);
     }
 
-    /** An engine as on the CPUs that have no fused multiply-add, which have four lanes. */
+    /** Opens a four-lane engine as on CPUs without fused multiply-add. */
     static Engine openWithoutFusing(int threads) {
         return openWithoutFusing(threads, VectorEngine.CROWD);
     }
 
-    /** The same, which walks the hierarchy from that many bodies on. */
+    /** Opens an engine without fused multiply-add that traverses the hierarchy from {@code crowd} bodies on. */
     static Engine openWithoutFusing(int threads, int crowd) {
         return open(Map.of(Lanes.BITS_PROPERTY, "128", FusedMultiplyAdd.PROPERTY, "false"), threads, crowd);
     }

@@ -15,10 +15,10 @@ import java.util.function.Supplier;
 import uk.ac.manchester.tornado.api.math.TornadoMath;
 
 /**
- * Loads the kernel's classes anew for a device, with float square roots. Java's only square root is a double's, which
- * TornadoVM takes at its word: devices without doubles could not run it, and others would be slow at it. The kernel
- * itself must know nothing of TornadoVM, so its calls of {@code Math.sqrt} become {@link TornadoMath}'s here; the
- * conversions about them cancel out in TornadoVM's compiler, and nothing else changes.
+ * Loads copies of the kernel's classes for devices, with float square roots. Java only has a square root of doubles,
+ * which TornadoVM compiles literally: devices without doubles could not run it, others would be slow. Because the
+ * kernel must not depend on TornadoVM, its calls of {@code Math.sqrt} are replaced by {@link TornadoMath}'s here.
+ * TornadoVM's compiler eliminates the surrounding conversions.
  */
 final class DeviceClassLoader extends ClassLoader {
     private static final String KERNEL = "dev.twister.kernel.";
@@ -33,11 +33,11 @@ final class DeviceClassLoader extends ClassLoader {
     }
 
     /**
-     * What a class that has a public constructor without arguments supplies when it, and all of the kernel that it
-     * calls, is loaded for a device.
+     * Creates an instance of a class that is loaded for a device, together with the kernel, and returns what it
+     * supplies.
      *
-     * @param entry the class with the {@code @Parallel} loops
-     * @param supplied an interface that is not loaded anew
+     * @param entry the class with the {@code @Parallel} loops; needs a public constructor without parameters
+     * @param supplied an interface that is not reloaded
      */
     static <T> T load(Class<? extends Supplier<T>> entry, Class<T> supplied) {
         try {
@@ -62,7 +62,7 @@ final class DeviceClassLoader extends ClassLoader {
         }
     }
 
-    /** The kernel's class files as they are loaded here: TornadoVM 6 compiles what it reads, not what the JVM has. */
+    /** Class files of the kernel in their transformed form: TornadoVM 6 compiles these instead of the JVM's classes. */
     @Override
     public InputStream getResourceAsStream(String name) {
         InputStream stream = super.getResourceAsStream(name);

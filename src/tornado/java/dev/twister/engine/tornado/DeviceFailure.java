@@ -5,12 +5,12 @@ import uk.ac.manchester.tornado.api.exceptions.TornadoDeviceFP64NotSupported;
 import uk.ac.manchester.tornado.api.exceptions.TornadoMemoryException;
 import uk.ac.manchester.tornado.api.exceptions.TornadoOutOfMemoryException;
 
-/** Says what went wrong on a device, and what to do about it. TornadoVM throws whatever its parts threw. */
+/** Error messages for failures on devices. TornadoVM passes on whatever its parts throw. */
 final class DeviceFailure {
-    /** TornadoVM colors its messages for a terminal. */
+    /** Terminal colors in TornadoVM's messages. */
     private static final Pattern COLOR = Pattern.compile("\\u001B\\[[;\\d]*m");
 
-    /** And puts where it happened into the message itself, in some thousand characters. */
+    /** The stack trace that TornadoVM appends to its messages, about a thousand characters. */
     private static final Pattern TRACE = Pattern.compile("\\s*Stacktrace: \\[.*", Pattern.DOTALL);
 
     private static final Pattern LINE_BREAK = Pattern.compile("\\s*\\R\\s*");
@@ -32,7 +32,7 @@ final class DeviceFailure {
                 + " -Dtornado.device.memory=8GB (" + reason(failure) + ")";
     }
 
-    /** The first message on the way to the root, and the kind of the exception where its message says little. */
+    /** The failure's message and that of its cause; the exception's class where a message is empty. */
     private static String reason(Throwable failure) {
         StringBuilder reason = new StringBuilder(said(failure));
         Throwable cause = failure.getCause();

@@ -23,9 +23,9 @@ import uk.ac.manchester.tornado.api.enums.TornadoDeviceType;
 import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
 
 /**
- * The kernel compiled for one device and one size of picture, with its buffers there. The skybox and the triangles go
- * to the device once, and so do the looks of a crowd of bodies; camera, properties, places, the looks of a few bodies
- * and the small sample tables go each frame; only pixels come back.
+ * The kernel compiled for one device and one picture size, with its device buffers. The skybox and the triangles are
+ * copied once, and so are the looks of scenes with many bodies. Camera, properties, places, the looks of few bodies and
+ * the sample tables are copied each frame. Only pixels are copied back.
  */
 final class DevicePlan implements AutoCloseable {
     private static final System.Logger LOGGER = System.getLogger(DevicePlan.class.getName());
@@ -34,8 +34,8 @@ final class DevicePlan implements AutoCloseable {
     private static final int NOT_DRAWN = 0;
 
     /**
-     * Up to this number of bodies, sending their looks each frame costs less than it saves: no new plan for another
-     * color.
+     * Up to this number of bodies their looks are copied each frame, which is cheaper than a new plan when a color
+     * changes.
      */
     private static final int FEW_BODIES = 4096;
 
@@ -58,7 +58,7 @@ final class DevicePlan implements AutoCloseable {
     private boolean proven;
     private Copied lastCopied = new Copied(0, 0);
 
-    /** What a frame moved between this machine and the device. */
+    /** Bytes copied to and from the device for one frame. */
     record Copied(long bytesIn, long bytesOut) {}
 
     DevicePlan(TornadoDevice device, FrameInput input, boolean linear, DrawTask kernel) {
@@ -120,14 +120,14 @@ final class DevicePlan implements AutoCloseable {
         plan = new TornadoExecutionPlan(graph.snapshot());
         plan.withDevice(device).withProfiler(ProfilerMode.SILENT);
         if (device.getDeviceType() != TornadoDeviceType.CPU) {
-            // TornadoVM's own choice of group may need more registers than a GPU has; the driver's fits.
+            // TornadoVM's default work-group may exceed a GPU's registers; the driver's default fits.
             WorkerGrid grid = new WorkerGrid2D(input.width(), input.rows());
             plan.withGridScheduler(new GridScheduler(GRAPH + "." + TASK, grid));
         }
     }
 
-    /** Whether what is on the device and compiled still holds for this frame. */
-    @SuppressWarnings("ReferenceEquality") // a snapshot never changes an array: another array is what tells of a change
+    /** Whether the compiled kernel and the data on the device are valid for this frame. */
+    @SuppressWarnings("ReferenceEquality") // a snapshot's arrays are immutable; a change replaces the array
     boolean fits(FrameInput input, Frame frame) {
         return input.width() == fixed.width()
                 && input.rows() == fixed.rows()
@@ -150,9 +150,9 @@ final class DevicePlan implements AutoCloseable {
     }
 
     /**
-     * Draws a frame on the device.
+     * Renders a frame on the device.
      *
-     * @throws EngineException where the device did not run the kernel, whatever TornadoVM says
+     * @throws EngineException if the device did not run the kernel, even if TornadoVM reports no error
      */
     FrameTimes draw(FrameInput input, Frame frame) {
         long start = System.nanoTime();
@@ -183,8 +183,8 @@ final class DevicePlan implements AutoCloseable {
     }
 
     /**
-     * TornadoVM and drivers can fail without an exception: no time spent in the kernel, nothing read back, or pixels
-     * left as they were. Those are looked for in a plan's first frame, which starts out poisoned.
+     * TornadoVM and drivers can fail without an exception: no kernel time, nothing read back, or pixels left unchanged.
+     * The last is checked in a plan's first frame, whose buffers start with marker values.
      */
     private void requireKernelRan(TornadoProfilerResult profile) {
         if (profile.getDeviceKernelTime() <= 0 || profile.getTotalBytesCopyOut() <= 0) {
@@ -213,7 +213,7 @@ final class DevicePlan implements AutoCloseable {
         return lastCopied;
     }
 
-    /** Gives the device's buffers back; a device that is lost has none, and that is no reason to fail. */
+    /** Frees the device's buffers; a failure, as with a lost device, is only logged. */
     @Override
     public void close() {
         try {

@@ -2,7 +2,7 @@ package dev.twister.engine.tornado;
 
 import uk.ac.manchester.tornado.api.common.TornadoFunctions.Task20;
 
-/** A kernel with {@link TornadoKernel#draw}'s arguments, as TornadoVM's task graphs take it. */
+/** The signature of {@link TornadoKernel#draw} for TornadoVM's task graphs. */
 public interface DrawTask
         extends Task20<
                 int[],

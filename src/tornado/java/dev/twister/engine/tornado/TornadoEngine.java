@@ -10,9 +10,9 @@ import java.util.Map;
 import java.util.Optional;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
 
-/** Draws on a device of TornadoVM's. The first frame of a size takes seconds: TornadoVM compiles the kernel then. */
+/** Renders on a TornadoVM device. The first frame of each size takes seconds, because TornadoVM compiles the kernel. */
 final class TornadoEngine implements Engine {
-    /** Loaded once: TornadoVM keeps what it knows of a method until the JVM ends. */
+    /** Loaded once, because TornadoVM caches data about methods until the JVM exits. */
     private static final DrawTask KERNEL = DeviceClassLoader.load(TornadoKernel.class, DrawTask.class);
 
     private final String id;
@@ -56,13 +56,13 @@ final class TornadoEngine implements Engine {
         } catch (VirtualMachineError e) {
             throw e;
         } catch (RuntimeException | Error e) {
-            // TornadoVM's compiler reports what it cannot compile as an Error of its own.
+            // TornadoVM's compiler throws its own Errors.
             close();
             throw new EngineException(DeviceFailure.message(name, e), e);
         }
     }
 
-    /** A window draws 8-bit frames and linear ones by turns: each kind keeps its plan. */
+    /** The window alternates between 8-bit and linear frames, so each kind keeps its plan. */
     private DevicePlan planFor(FrameInput input, Frame frame) {
         boolean linear = frame.isLinear();
         DevicePlan known = planByLinear.get(linear);
@@ -77,7 +77,7 @@ final class TornadoEngine implements Engine {
         return fresh;
     }
 
-    /** What drew the last frame; another frame that fits it is drawn by the same. */
+    /** The plan that rendered the last frame. */
     Optional<DevicePlan> plan() {
         return last;
     }

@@ -14,7 +14,7 @@ import uk.ac.manchester.tornado.api.TornadoRuntime;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
 import uk.ac.manchester.tornado.api.runtime.TornadoRuntimeProvider;
 
-/** An engine for each device of each backend that TornadoVM finds here. */
+/** Offers an engine for each device of each TornadoVM backend. */
 public final class TornadoEngines implements EngineProvider {
     private static final String DRIVER =
             "Install a driver (OpenCL: your GPU's, or PoCL for the CPU: apt install pocl-opencl-icd)";
@@ -22,7 +22,7 @@ public final class TornadoEngines implements EngineProvider {
     /** Set by the SDK's argument file. */
     private static final String RUNTIME_PROPERTY = "tornado.load.runtime.implementation";
 
-    /** Of a terminal: TornadoVM's messages have some. */
+    /** Terminal colors in TornadoVM's messages. */
     private static final Pattern COLORS = Pattern.compile("\u001B\\[[0-9;]*m");
 
     private static final Pattern DRIVER_VERSION = Pattern.compile("^Driver version *: *(\\S.*)$", Pattern.MULTILINE);
@@ -42,7 +42,7 @@ public final class TornadoEngines implements EngineProvider {
     }
 
     /**
-     * Why TornadoVM does not start, and what to do.
+     * Says why TornadoVM does not start, and what to do.
      *
      * @param hasOptions whether this JVM has the SDK's options
      */
@@ -53,7 +53,7 @@ public final class TornadoEngines implements EngineProvider {
         }
         String message = COLORS.matcher(String.valueOf(cause.getMessage())).replaceAll("");
         return "TornadoVM does not start in this JVM (" + cause.getClass().getSimpleName() + ": " + message + "). "
-                // Without any driver its OpenCL part fails instead of finding nothing.
+                // Without any driver, TornadoVM's OpenCL backend fails instead of finding no devices.
                 + (hasOptions ? DRIVER : "Start with scripts/twister, which gives the JVM the SDK's options");
     }
 
@@ -62,7 +62,7 @@ public final class TornadoEngines implements EngineProvider {
         return Optional.of(MissingTornado.TORNADO);
     }
 
-    /** One thread at a time: TornadoVM's runtime is one for all, and starts at the first look. */
+    /** Synchronized: TornadoVM's runtime is global and starts at the first call. */
     private static synchronized List<EngineOffer> found() {
         TornadoOptions.set();
         TornadoRuntime runtime = TornadoRuntimeProvider.getTornadoRuntime();
@@ -80,7 +80,7 @@ public final class TornadoEngines implements EngineProvider {
         return offers;
     }
 
-    /** A device's name, its backend and its driver, as a machine may have one device by two drivers. */
+    /** The device's name with backend and driver, because two drivers may offer the same device. */
     static String name(TornadoDevice device) {
         String backend = device.getTornadoVMBackend().name();
         return device.getPhysicalDevice().getDeviceName().strip() + " (" + BACKENDS.getOrDefault(backend, backend)
@@ -88,8 +88,8 @@ public final class TornadoEngines implements EngineProvider {
     }
 
     /**
-     * The driver's version in what TornadoVM tells of a device, which has no method for it; empty where it is not
-     * there.
+     * Extracts the driver's version from TornadoVM's device information, which has no method for it; empty if it is
+     * missing.
      */
     static Optional<String> driverVersion(String deviceInfo) {
         Matcher line = DRIVER_VERSION.matcher(deviceInfo);

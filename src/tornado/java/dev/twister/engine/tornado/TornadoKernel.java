@@ -8,12 +8,12 @@ import dev.twister.kernel.PixelKernel;
 import java.util.function.Supplier;
 import uk.ac.manchester.tornado.api.annotations.Parallel;
 
-/** What TornadoVM compiles; public for {@link DeviceClassLoader}. */
+/** The code that TornadoVM compiles; public for {@link DeviceClassLoader}. */
 public final class TornadoKernel implements Supplier<DrawTask> {
-    /** Few plain spheres are fewer, and one leaf: all are remembered, and no node waits. */
+    /** Scratch length for few plain spheres, which fit one leaf, so no node waits. */
     static final int FEW_SCRATCH = Layout.CANDIDATE_STRIDE * 32;
 
-    /** Where {@code dimensions} has the first mesh's body, after what {@link Layout} puts there. */
+    /** Index of the first mesh's body in {@code dimensions}, after the values of {@link Layout}. */
     static final int FIRST_MESH = Layout.DIMENSIONS_LENGTH;
 
     static final int DIMENSIONS_LENGTH = FIRST_MESH + 1;
@@ -24,17 +24,17 @@ public final class TornadoKernel implements Supplier<DrawTask> {
     }
 
     /**
-     * All pixels of a band, one work-item each. The scalars are compiled in as constants; whatever changes from frame
-     * to frame is in the arrays, which are {@link dev.twister.world.FrameInput}'s.
+     * Renders all pixels of a band, one work-item per pixel. Scalars are compiled in as constants. Data that changes
+     * between frames is in the arrays, which are those of {@link dev.twister.world.FrameInput}.
      *
-     * @param pixels {@code int[width * rows]} where the output is ARGB, else one int
-     * @param radiance {@code float[3 * width * rows]} where the output is LINEAR, else one float
-     * @param dimensions {@value #DIMENSIONS_LENGTH} numbers, the first mesh's body at {@link #FIRST_MESH}
-     * @param search one of {@link dev.twister.kernel.Hit}'s
-     * @param firstMesh {@link Layout#NO_MESHES} where there are none, else any other
-     * @param materials one of {@link Material}'s
-     * @param aspect one of {@link Aspect}'s
-     * @param output one of {@link PixelKernel}'s
+     * @param pixels {@code int[width * rows]} if the output is ARGB, else one int
+     * @param radiance {@code float[3 * width * rows]} if the output is LINEAR, else one float
+     * @param dimensions {@value #DIMENSIONS_LENGTH} ints, with the first mesh's body at {@link #FIRST_MESH}
+     * @param search a constant of {@link dev.twister.kernel.Hit}
+     * @param firstMesh {@link Layout#NO_MESHES} if there are none, else any other value
+     * @param materials a constant of {@link Material}
+     * @param aspect a constant of {@link Aspect}
+     * @param output a constant of {@link PixelKernel}
      */
     static void draw(
             int[] pixels,
@@ -64,7 +64,7 @@ public final class TornadoKernel implements Supplier<DrawTask> {
                 float[] path = new float[isPlain != 0 ? plainPath : Layout.PATH_LENGTH];
                 int plainScratch = search == Hit.ALL ? FEW_SCRATCH : Layout.PLAIN_SCRATCH_LENGTH;
                 float[] scratch = new float[isPlain != 0 ? plainScratch : Layout.SCRATCH_LENGTH];
-                // Compiled in, the number would make conditions constant, which the OpenCL backend does not compile.
+                // As a constant, the number would make conditions constant, which the OpenCL backend cannot compile.
                 int mesh = firstMesh == Layout.NO_MESHES ? Layout.NO_MESHES : dimensions[FIRST_MESH];
                 PixelKernel.draw(
                         column,

@@ -3,7 +3,7 @@ package dev.twister.engine.tornado;
 import java.util.Map;
 
 /**
- * What TornadoVM must be told before its classes are loaded, however the JVM is started:
+ * Options for TornadoVM that must be set before its classes are loaded, also in JVMs that are started without
  * {@code scripts/tornado.options}.
  */
 final class TornadoOptions {
@@ -11,7 +11,7 @@ final class TornadoOptions {
 
     private TornadoOptions() {}
 
-    /** Sets each as a system property, over whatever it was. */
+    /** Sets the options as system properties, overriding earlier values. */
     static void set() {
         options(ModuleLayer.boot().findModule(GRAAL).isPresent()).forEach(System::setProperty);
     }
@@ -19,23 +19,23 @@ final class TornadoOptions {
     /**
      * The options by name.
      *
-     * @param isJdkGraal whether TornadoVM's compiler is {@code jdk.graal.compiler}, which takes its options by that
-     *     prefix and warns of the other; the Graal of TornadoVM 6 knows the other alone
+     * @param isJdkGraal whether TornadoVM's compiler is {@code jdk.graal.compiler}, which needs the prefix
+     *     {@code jdk.graal.} and warns about the other one; the Graal of TornadoVM 6 knows only {@code graal.}
      */
     static Map<String, String> options(boolean isJdkGraal) {
         return Map.of(
-                // A kernel that does not compile is an error, never a silent run of the Java code.
+                // A kernel that does not compile must be an error, not a silent fallback to Java.
                 "tornado.recover.bailout",
                 "False",
-                // TornadoVM's own choice, fast relaxed math, moves pixels on some drivers.
+                // TornadoVM's default, fast relaxed math, changes pixels on some drivers.
                 "tornado.opencl.compiler.flags",
                 "-w",
                 "tornado.enable.nativeFunctions",
                 "False",
-                // A fused multiply-add rounds once where the kernel's Java rounds twice; mirrors of mirrors show it.
+                // A fused multiply-add rounds once where Java rounds twice, which repeated reflections make visible.
                 "tornado.enable.fma",
                 "False",
-                // Without these two the kernel's helpers are left out of the device's code.
+                // Without these two, helpers of the kernel are missing in the device code.
                 "tornado.compiler.fullInlining",
                 "True",
                 (isJdkGraal ? "jdk.graal." : "graal.") + "MethodInlineBailoutLimit",

@@ -2,7 +2,7 @@ package dev.twister.engine.tornado;
 
 import uk.ac.manchester.tornado.api.annotations.Parallel;
 
-/** Kernels that TornadoVM cannot compile or that do not draw. (On a recursive one its compiler never ends.) */
+/** Kernels that TornadoVM cannot compile or that render nothing. (Recursion would make its compiler loop.) */
 final class BrokenKernels {
     private BrokenKernels() {}
 
@@ -40,7 +40,7 @@ final class BrokenKernels {
         }
     }
 
-    /** Compiles, but draws nothing. */
+    /** Compiles, but renders nothing. */
     static void idle(
             int[] pixels,
             float[] radiance,

@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** What a compiler that reads class files finds: TornadoVM 6 does, where earlier ones ask the JVM for the bytecode. */
+/** The bytecode that a compiler reads from class files, as TornadoVM 6 does; earlier versions ask the JVM. */
 class DeviceClassLoaderTest {
     private final ClassLoader loader = DeviceClassLoader.load(HelperKernels.class, HelperTasks.class)
             .getClass()

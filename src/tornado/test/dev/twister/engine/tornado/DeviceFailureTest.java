@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
 
-/** What a device cannot do is an error that says why, never a picture drawn by plain Java instead. */
+/** If a device cannot do something, the error states why; plain Java never silently replaces the device. */
 @Timeout(300)
 class DeviceFailureTest {
     private static void drawWith(DrawTask kernel) {

@@ -11,7 +11,7 @@ import uk.ac.manchester.tornado.api.TornadoRuntime;
 import uk.ac.manchester.tornado.api.common.TornadoDevice;
 import uk.ac.manchester.tornado.api.runtime.TornadoRuntimeProvider;
 
-/** TornadoVM's devices on this machine; a test that asks for them is skipped, and says why, where there is none. */
+/** TornadoVM's devices on this machine; tests that request one are skipped with a reason where there is none. */
 final class Devices {
     private Devices() {}
 
@@ -27,7 +27,7 @@ final class Devices {
         return working;
     }
 
-    /** Each under the name that says its driver, for parameterized tests. */
+    /** Returns the offers named by driver, for parameterized tests. */
     static List<Named<EngineOffer>> namedOffers() {
         return offers().stream().map(offer -> Named.of(offer.device(), offer)).toList();
     }

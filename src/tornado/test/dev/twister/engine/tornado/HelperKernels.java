@@ -21,14 +21,14 @@ import java.util.function.Supplier;
 import uk.ac.manchester.tornado.api.annotations.Parallel;
 
 /**
- * A small kernel around each helper, to run on a device and, called as it is, on the JVM. None is named like a function
- * of OpenCL (floor, say): its driver would refuse it, and TornadoVM would run what is not there.
+ * A small kernel around each helper, to run on a device and, called directly, on the JVM. Names must not be those of
+ * OpenCL functions such as floor: the driver would reject them, and TornadoVM would run a kernel that does not exist.
  */
 public final class HelperKernels implements Supplier<HelperTasks> {
-    /** How many points of the light's disc a mesh's shadow is made of. */
+    /** Number of points of the light's disc for shadows of meshes. */
     static final int MESH_SAMPLES = 16;
 
-    /** What {@link #meshItems} and {@link #meshShadowItems} tell of an item. */
+    /** Outputs per item of {@link #meshItems} and {@link #meshShadowItems}. */
     static final int MESH_OUTPUTS = 13;
 
     static final int MESH_SHADOW_OUTPUTS = 2;
@@ -123,7 +123,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
-    /** Item: origin, direction, the body that the ray leaves, how many bodies. Tables: places, hierarchy, looks. */
+    /** Item: origin, direction, body that the ray leaves, number of bodies. Tables: places, hierarchy, looks. */
     static void hitItems(float[] in, float[] places, float[] hierarchy, float[] looks, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             float[] path = new float[Layout.PATH_LENGTH];
@@ -156,7 +156,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
-    /** The same by the hierarchy. */
+    /** As {@link #hitItems}, by traversal of the hierarchy. */
     static void walkItems(float[] in, float[] places, float[] hierarchy, float[] looks, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             float[] path = new float[Layout.PATH_LENGTH];
@@ -315,7 +315,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
-    /** Item: origin, direction, the first mesh's body, its triangle that the ray leaves. Tables: hierarchy, meshes. */
+    /** Item: origin, direction, first mesh's body, triangle that the ray leaves. Tables: hierarchy, meshes. */
     static void meshItems(float[] in, float[] hierarchy, float[] meshes, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             float[] path = new float[Layout.PATH_LENGTH];
@@ -400,7 +400,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
-    /** The body that the item's ray meets; a device's arrays begin with any numbers. */
+    /** Returns the body that the item's ray hits; clears arrays first, as a device's start uninitialized. */
     private static int meetMesh(
             float[] in, int i, int firstMesh, float[] hierarchy, float[] meshes, float[] path, float[] scratch) {
         for (int k = 0; k < Layout.PATH_LENGTH; k++) {

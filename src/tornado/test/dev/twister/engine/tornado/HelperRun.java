@@ -11,7 +11,7 @@ import uk.ac.manchester.tornado.api.enums.DataTransferMode;
 import uk.ac.manchester.tornado.api.enums.ProfilerMode;
 import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
 
-/** One of {@link HelperKernels} on a device and on the JVM, with proof that the device did it. */
+/** Runs one of {@link HelperKernels} on a device and on the JVM, with proof that the device ran it. */
 final class HelperRun implements AutoCloseable {
     final float[] first;
     final float[] second;
@@ -22,7 +22,7 @@ final class HelperRun implements AutoCloseable {
     private final String helper;
     private final TornadoExecutionPlan plan;
 
-    /** Room for tables of these lengths; the input and the tables may be filled anew between runs. */
+    /** Allocates tables of these lengths; input and tables may be refilled between runs. */
     HelperRun(
             String helper,
             TornadoDevice device,

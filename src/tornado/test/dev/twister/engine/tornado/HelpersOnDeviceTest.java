@@ -26,9 +26,9 @@ import uk.ac.manchester.tornado.api.common.TornadoDevice;
 import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
 
 /**
- * Every helper of the kernel on every device against plain Java, on random input. Devices may round square roots and
- * quotients differently, hence the tolerances; where rounding decides between hit and miss, a few items may differ
- * altogether.
+ * Compares every helper of the kernel on every device with plain Java, on random input. Devices may round square roots
+ * and quotients differently, hence the tolerances; where rounding decides between hit and miss, a few items may differ
+ * entirely.
  */
 class HelpersOnDeviceTest {
     private static final int ITEMS = 20_000;
@@ -42,11 +42,11 @@ class HelpersOnDeviceTest {
     private static final int MOST_IN_LEAF = 2;
 
     /**
-     * A helper and how near it must come.
+     * A helper and its tolerance.
      *
      * @param tolerance the largest {@code |device - java| / max(1, |java|)}
-     * @param outliers how many of all the outputs may be farther off
-     * @param firstTable the length of its first table, which every item reads
+     * @param outliers allowed number of outputs beyond the tolerance
+     * @param firstTable length of its first table, which every item reads
      */
     private record Helper(
             String name,
@@ -114,7 +114,7 @@ class HelpersOnDeviceTest {
         }
     }
 
-    /** None, one, a few and more candidates than a point remembers; few and many samples. */
+    /** No, one, a few and more candidates than a point's list holds; few and many samples. */
     @ParameterizedTest(name = "shadow on {0}")
     @MethodSource("devices")
     void softShadowsAreTheSameOnTheDevice(TornadoDevice device) throws TornadoExecutionPlanException {
@@ -138,7 +138,7 @@ class HelpersOnDeviceTest {
                     for (int item = 0; item < ITEMS / 10; item++) {
                         put(run.input, item, shadowedPoint(samples, bodies, random));
                     }
-                    // A sample at a sphere's rim may fall on either side: never many points of one picture.
+                    // A sample at a sphere's rim may fall on either side, at a few points only.
                     requireNear(run, 1e-6, ITEMS / 10 / 100);
                 }
             }
@@ -165,7 +165,7 @@ class HelpersOnDeviceTest {
                 1e-6);
     }
 
-    /** Three meshes of one shape, turned and scaled; where a ray passes a triangle's edge, rounding decides. */
+    /** Three instances of one mesh, rotated and scaled; where a ray passes a triangle's edge, rounding decides. */
     private static void requireMeshesNear(
             String helper, TornadoDevice device, int items, int outputs, int thirdTable, double tolerance)
             throws TornadoExecutionPlanException {
@@ -241,12 +241,14 @@ class HelpersOnDeviceTest {
                 worst = "output " + i + ": device " + device[i] + ", Java " + jvm[i];
             }
         }
-        assertThat(far).as("outputs of %d that are off; %s", jvm.length, worst).isLessThanOrEqualTo(outliers);
+        assertThat(far)
+                .as("outputs of %d beyond the tolerance; %s", jvm.length, worst)
+                .isLessThanOrEqualTo(outliers);
     }
 
     private static float[] input(String helper, int item, Random random) {
         return switch (helper) {
-            // Whole numbers, where floor must not step down, among others.
+            // Includes whole numbers, where floor must not step down.
             case "floor" -> floats(item % 3 == 0 ? random.nextInt(2001) - 1000 : spread(random, 1000));
             case "inverseRoot" -> floats(item == 0 ? 0 : Math.abs(spread(random, 1e6)) + 1e-3);
             case "pow" ->
@@ -255,7 +257,7 @@ class HelpersOnDeviceTest {
                         item % 3 == 0
                                 ? random.nextInt(129)
                                 : Math.min(128, 20 * random.nextDouble() * random.nextDouble()));
-            // Axes, diagonals and the origin come often.
+            // Axes, diagonals and the origin are frequent.
             case "atan2" ->
                 item % 4 == 0
                         ? floats(random.nextInt(3) - 1, random.nextInt(3) - 1)
@@ -303,7 +305,7 @@ class HelpersOnDeviceTest {
                         item % 5 == 0 ? 128 * (item / 5 % 2) : 128 * random.nextDouble(),
                         spread(random, 1.9),
                         3 + random.nextDouble());
-            // Toward some point near the triangle, now and then along an axis.
+            // Toward a point near the triangle, sometimes along an axis.
             case "triangle" -> towardTriangle(item, random);
             case "tone" ->
                 floats(
@@ -323,7 +325,7 @@ class HelpersOnDeviceTest {
 
     private static float[] shadowedPoint(int samples, int bodies, Random random) {
         float[] point = floats(spread(random, 10), spread(random, 10), spread(random, 10));
-        // Now and then straight along x, where the disc's axes are chosen otherwise.
+        // Sometimes straight along x, where the disc's axes are chosen differently.
         float[] axis = random.nextInt(20) == 0 ? floats(1, 0, 0) : direction(random);
         return concat(
                 concat(point, floats(random.nextInt(bodies + 1) - 1)),

@@ -8,14 +8,14 @@ import dev.twister.image.Frame;
 import dev.twister.world.FrameInput;
 import java.util.Arrays;
 
-/** Holds an engine's picture to {@code sequential}'s. */
+/** Compares an engine's picture with {@code sequential}'s. */
 final class Pictures {
-    /** Drawn pixels are opaque, so no engine leaves this behind. */
+    /** Transparent, so no rendered pixel equals it. */
     private static final int POISON = 0x00DEAD00;
 
     private Pictures() {}
 
-    /** At most 1 of 255 away in any channel at all but 1 pixel in 5,000. */
+    /** Requires a difference of at most 1 of 255 per channel, except at 1 pixel in 5,000. */
     static void requireSequentials(Engine engine, FrameInput input) {
         int pixels = input.width() * input.rows();
         assertThat(differences(engine, input))
@@ -23,7 +23,7 @@ final class Pictures {
                 .isLessThanOrEqualTo((pixels + 4999) / 5000);
     }
 
-    /** How many pixels are more than 1 of 255 away in some channel. */
+    /** Counts the pixels with a difference above 1 of 255 in a channel. */
     static int differences(Engine engine, FrameInput input) {
         int[] expected = draw(input);
         Frame frame = Frame.ofPixels(input.width(), input.rows());
@@ -37,7 +37,7 @@ final class Pictures {
         return differences;
     }
 
-    /** The engine's own pixels. */
+    /** Renders and returns the engine's pixels. */
     static int[] of(Engine engine, FrameInput input) {
         Frame frame = Frame.ofPixels(input.width(), input.rows());
         Arrays.fill(frame.argb(), POISON);
@@ -45,7 +45,7 @@ final class Pictures {
         return frame.argb();
     }
 
-    /** The same for linear radiance, where 1 of 255 is relative above 1. */
+    /** As {@link #requireSequentials} for linear radiance, where 1 of 255 is relative above 1. */
     static void requireSequentialsRadiance(Engine engine, FrameInput input) {
         Frame expected = Frame.ofRadiance(input.width(), input.rows());
         try (Engine sequential = Engines.open("sequential")) {

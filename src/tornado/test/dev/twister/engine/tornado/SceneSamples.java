@@ -16,7 +16,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 
-/** Worlds to draw: random ones, the same for the same seed. */
+/** Random worlds, reproducible by their seed. */
 final class SceneSamples {
     private SceneSamples() {}
 
@@ -42,7 +42,7 @@ final class SceneSamples {
         return World.of(scene, sky);
     }
 
-    /** Near the bodies, among them, or straight up or down. */
+    /** Near the bodies, among them, or straight above or below. */
     static Camera camera(Random random) {
         double pitch = random.nextInt(6) == 0 ? 90 * (random.nextInt(3) - 1) : 60 * random.nextDouble() - 20;
         double fieldOfView = random.nextInt(8) == 0 ? 1 + 178 * random.nextInt(2) : 20 + 100 * random.nextDouble();

@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Named;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Whole pictures on every device against {@code sequential}'s. */
+/** Compares whole pictures on every device with {@code sequential}'s. */
 class ScenesOnDeviceTest {
     static Stream<Object[]> shippedScenesOnDevices() {
         return Devices.namedOffers().stream()
@@ -54,7 +54,7 @@ class ScenesOnDeviceTest {
         }
     }
 
-    /** Not a bit may differ: one leaf of all spheres is drawn by the plain loop. */
+    /** Bit-identical: a hierarchy with all spheres in one leaf is the brute-force loop. */
     @ParameterizedTest(name = "on {0}")
     @MethodSource("offers")
     void hierarchyDrawsWhatThePlainLoopDraws(EngineOffer offer) {
@@ -89,7 +89,7 @@ class ScenesOnDeviceTest {
                 differences += Pictures.differences(engine, world.snapshot());
             }
             assertThat(differences)
-                    .as("of %d pixels in four pictures", 4 * 64 * 36)
+                    .as("differing pixels of %d in four pictures", 4 * 64 * 36)
                     .isLessThanOrEqualTo(2);
         }
     }
@@ -117,7 +117,7 @@ class ScenesOnDeviceTest {
         }
     }
 
-    /** Of all materials, turned, scaled, mirrored, without spheres, with a few and with many, in small pictures. */
+    /** Meshes of all materials, rotated, scaled, mirrored, with no, few and many spheres, in small pictures. */
     @ParameterizedTest(name = "on {0}")
     @MethodSource("offers")
     void randomMeshesLookTheSame(EngineOffer offer) {

@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What the engine keeps between frames, and sizes that no work group divides. */
+/** State that the engine keeps between frames, and sizes that no work group divides. */
 class TornadoEngineTest {
     private final World world = SceneSamples.world(3, 6);
 
@@ -153,7 +153,7 @@ class TornadoEngineTest {
             Pictures.requireSequentials(engine, input(30, 40));
             DevicePlan turned = engine.plan().orElseThrow();
             assertThat(turned).isNotSameAs(plan);
-            // Another world has a sky of its own.
+            // Another world has its own sky.
             World other = SceneSamples.world(4, 6);
             other.setSettings(world.settings());
             Pictures.requireSequentials(engine, other.snapshot());
@@ -178,7 +178,7 @@ class TornadoEngineTest {
         }
     }
 
-    /** Others of the same size, too: nothing but the array tells. */
+    /** Other meshes of the same size must be copied as well: only the array's identity differs. */
     @Test
     void otherMeshesAreCopiedAnew() {
         Scene scene = meshScene();
@@ -205,7 +205,7 @@ class TornadoEngineTest {
         return SceneMeshes.of(scene, source -> MeshShapes.file(shape));
     }
 
-    /** All under one sky. */
+    /** Inputs that share one sky. */
     private FrameInput input(Scene scene, SceneMeshes meshes) {
         World shown = World.of(scene, world.images(), meshes);
         shown.setSettings(RenderSettings.DEFAULT.withSize(40, 30).withShadows(4).withBounces(2));
@@ -236,7 +236,7 @@ class TornadoEngineTest {
             engine.render(vast.snapshot(), frame);
             engine.render(vast.snapshot(), frame);
             DevicePlan.Copied copied = engine.plan().orElseThrow().lastCopied();
-            // The sample tables and a few small arrays, which TornadoVM counts twice; not the sky, nor the pixels.
+            // The sample tables and a few small arrays, which TornadoVM counts twice; neither the sky nor the pixels.
             long sampleTables = 4L
                     * (2 * RenderSettings.MAX_SHADOW_SAMPLES
                             + Layout.SAMPLE_STRIDE * RenderSettings.MAX_SAMPLES_PER_PIXEL);
@@ -246,7 +246,7 @@ class TornadoEngineTest {
         }
     }
 
-    /** More is put on the device, one engine after another, than the 4 GiB that TornadoVM lets one take. */
+    /** Several engines in turn allocate more than the 4 GiB that TornadoVM allows one of them. */
     @Test
     void closingGivesTheDevicesMemoryBack() {
         World vast = SceneSamples.world(3, 1, new Skybox(8192, 2048, new float[3 * 8192 * 2048]));

@@ -14,10 +14,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/**
- * Every stage and view on every device against {@code sequential}'s, of a few spheres, by way of the hierarchy, and
- * some of meshes.
- */
+/** Compares every stage and view on every device with {@code sequential}'s: few spheres, a hierarchy, and meshes. */
 class ViewsOnDeviceTest {
     private static final int FEW = 5;
     private static final int MANY = 60;

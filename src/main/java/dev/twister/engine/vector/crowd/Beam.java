@@ -12,29 +12,28 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * A region that holds some rays, or lines from points to the light's disc: every line starts in one box at t = 0, and
- * along each axis lies between the two bounds of a {@link Slab}.
+ * A region that contains a set of rays, or of lines from points to the light's disc. Every line starts inside one box
+ * at t = 0 and stays between the two bounds of a {@link Slab} along each axis.
  *
- * <p>The tests call the Vector API itself and no helper of {@link Lanes}: a helper is no longer inlined once the method
- * around it has become large, and its vectors would become objects.
+ * <p>The tests call the Vector API directly instead of {@link Lanes}: in large methods C2 does not inline helpers, and
+ * their vectors would become objects.
  */
 public final class Beam {
     /**
-     * How far a ray's slopes are spread, so that rounding drops no sphere that a look at all of them would find: the
-     * distance of a sphere across a ray is rounded by some ten units of 2^-24 of its distance, and t by three of its
-     * own.
+     * Widening of a ray's slopes, so that rounding drops no sphere that brute force finds. A sphere's distance across
+     * the ray carries a rounding error of about 10 * 2^-24 of its distance, and t one of 3 * 2^-24 of t.
      */
     static final float SPREAD = 4e-6f;
 
-    /** How far the disc is spread, as a part of its distance and of its radius. */
+    /** Widening of the disc, relative to its distance and radius. */
     static final float DISC_SPREAD = 2e-5f;
 
-    /** What a sphere's box is larger than the sphere. */
+    /** Size of a sphere's box relative to the sphere. */
     private static final float SPHERE_MARGIN = 1.0001f;
 
     static final float EVERYWHERE = 1e29f;
 
-    /** The t at which the lines end. */
+    /** t at the ends of the lines. */
     float end;
 
     private final Slab x = new Slab();
@@ -42,12 +41,12 @@ public final class Beam {
     private final Slab z = new Slab();
     private boolean straddles;
 
-    /** What {@link #bound} found last. */
+    /** Results of the last {@link #bound}. */
     private float low;
 
     private float high;
 
-    /** The ray of that pixel, as far as {@link #endAt} says. */
+    /** Holds one pixel's ray, up to {@link #endAt}. */
     void holdRay(float[] t, int pixel) {
         ray(x, t[pixel + Tile.ORIGIN_X], t[pixel + Tile.DIRECTION_X]);
         ray(y, t[pixel + Tile.ORIGIN_Y], t[pixel + Tile.DIRECTION_Y]);
@@ -59,16 +58,16 @@ public final class Beam {
         slab.set(origin, origin, direction - SPREAD, direction + SPREAD);
     }
 
-    /** Ends the rays after that number of meters. */
+    /** Ends the rays after a distance in meters. */
     public void endAt(float meters) {
         end = Math.min(meters * (1f + SPREAD), EVERYWHERE);
     }
 
     /**
-     * The rays of some packets that keep {@link Tile#TOGETHER}.
+     * Holds the coherent rays ({@link Tile#TOGETHER}) of several packets.
      *
-     * @param first which of {@link Tile#together} is the first
-     * @param end which is the first that is not held any more
+     * @param first first index in {@link Tile#together}
+     * @param end index after the last one
      */
     public void holdRays(Tile tile, int first, int end) {
         rays(x, tile, first, end, Tile.ORIGIN_X, Tile.DIRECTION_X);
@@ -85,7 +84,7 @@ public final class Beam {
         slab.set(originLow, originHigh, low - SPREAD, high + SPREAD);
     }
 
-    /** The lines from the point of that pixel to the light's disc, as far as its outermost sample. */
+    /** Holds the lines from one pixel's surface point to the light's disc, up to its outermost sample. */
     public void holdLines(float[] t, int pixel) {
         float distance = t[pixel + Tile.LIGHT_DISTANCE];
         float radius = distance * t[pixel + Tile.DISC_TANGENT];
@@ -103,9 +102,9 @@ public final class Beam {
     }
 
     /**
-     * The lines from a packet's open points to a ball about the light, which holds the disc whatever way it faces.
+     * Holds the lines from a packet's open points to a ball around the light that contains the disc in any orientation.
      *
-     * @param number which of {@link Tile#shadows} the packet is
+     * @param number the packet's index in {@link Tile#shadows}
      */
     public void holdLines(Tile tile, Drawing drawing, int number, float radius) {
         BodyColumns bodies = drawing.bodies;
@@ -125,13 +124,13 @@ public final class Beam {
     }
 
     /**
-     * Finds the least and the greatest of some packets' values, by ints in the same order, as a float's minimum minds
-     * NaN and -0 at every step.
+     * Finds the minimum and maximum of a column over some packets. It compares ints in the floats' order, because float
+     * min and max handle NaN and -0 at every step.
      *
-     * @param packets the places of the packets
-     * @param first which is the first
-     * @param end which is the first that is not looked at any more
-     * @param lanes the column of what is above 0 in the lanes that count
+     * @param packets the packets' places
+     * @param first first index in {@code packets}
+     * @param end index after the last one
+     * @param lanes the column that is greater than 0 in the lanes to include
      */
     void bound(Tile tile, int[] packets, int first, int end, int column, int lanes) {
         float[] t = tile.values;
@@ -159,12 +158,12 @@ public final class Beam {
     }
 
     /**
-     * One bit a box that the beam may meet before its end. What is above 0 is in the order of its bits, and it does not
-     * matter which of several entries is below: maxima are found as ints.
+     * Tests the child boxes of one node; returns one bit per box that the beam may meet before its end. Positive floats
+     * compare like their bits as ints, and the order of negative entries does not matter, so maxima are taken as ints.
      *
      * @param boxes {@code WideHierarchy.boxes}
-     * @param at where the node's are
-     * @param entries gets the t from which on each box may be met, at least 0; from {@link Lanes#BORDER} on
+     * @param at start of the node's boxes
+     * @param entries receives, from {@link Lanes#BORDER} on, the smallest t at which each box may be met, at least 0
      */
     public long meeting(float[] boxes, int at, float[] entries) {
         int sides = 3 * Lanes.COUNT;
@@ -200,7 +199,7 @@ public final class Beam {
         return near.compare(VectorOperators.LE, far).toLong();
     }
 
-    /** One bit a sphere of the packet at that place whose box the beam may meet before its end. */
+    /** Tests the spheres of one block; returns one bit per sphere whose box the beam may meet before its end. */
     public long meeting(SphereColumns spheres, int first) {
         float[] values = spheres.values;
         int stride = spheres.stride;

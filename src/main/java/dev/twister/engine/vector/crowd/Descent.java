@@ -4,32 +4,32 @@ import dev.twister.engine.vector.frame.WideHierarchy;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.kernel.Layout;
 
-/** What a beam's walk through a {@link WideHierarchy} has still to visit, the nearest on top. */
+/** Traversal stack of a beam in a {@link WideHierarchy}, with the nearest node on top. */
 public final class Descent {
     private static final int ROOM = (Layout.MOST_ANCESTORS + 2) * Lanes.COUNT;
 
-    /** Where the beam meets each child of the node tested last, from {@link Lanes#BORDER} on. */
+    /** Entry t of each child of the node tested last, from {@link Lanes#BORDER} on. */
     private final float[] childEntries = new float[Lanes.BORDER + Lanes.COUNT];
 
-    /** Links. */
+    /** Links on the stack. */
     private final int[] children = new int[ROOM];
 
     private final float[] entries = new float[ROOM];
     private int waiting;
 
-    /** Starts with the root. */
+    /** Starts at the root. */
     public void start(WideHierarchy hierarchy, Beam beam) {
         waiting = 0;
         open(hierarchy.boxes, hierarchy.links, beam, WideHierarchy.ROOT);
     }
 
-    /** Starts with what a tile's beam has found. */
+    /** Starts at the entrance found for the whole tile. */
     public void start(Entrance entrance, Beam beam) {
         waiting = 0;
         open(entrance.boxes, entrance.links, beam, 0);
     }
 
-    /** Adds the node's children that the beam may meet before its end, the nearest last. */
+    /** Pushes the children of a node that the beam may meet before its end, the nearest last. */
     private void open(float[] boxes, int[] links, Beam beam, int node) {
         long met = beam.meeting(boxes, WideHierarchy.FIRST + node * WideHierarchy.BOX_STRIDE, childEntries);
         int bottom = waiting;
@@ -50,9 +50,9 @@ public final class Descent {
     }
 
     /**
-     * Goes down to the next leaf that the beam may meet before its end.
+     * Continues to the next leaf that the beam may meet before its end.
      *
-     * @return the link to it, or -1 where there is none
+     * @return a link to the leaf, or -1 if there is none
      */
     public int nextLeaf(WideHierarchy hierarchy, Beam beam) {
         int leaf = -1;

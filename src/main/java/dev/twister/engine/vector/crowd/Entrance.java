@@ -4,22 +4,22 @@ import dev.twister.engine.vector.frame.WideHierarchy;
 import dev.twister.engine.vector.lanes.Lanes;
 
 /**
- * Where a tile's packets begin their walks instead of at the root of a {@link WideHierarchy}: the nodes or leaves of
- * one of its levels, the lowest with at most as many as there are lanes, that a beam about all packets may meet, as
- * children of one node.
+ * Common entry point for the traversals of a tile's packets instead of the root: the nodes or leaves of one level of a
+ * {@link WideHierarchy} that a beam around all packets may meet, stored as the children of one node. It uses the lowest
+ * level with no more of them than lanes.
  */
 public final class Entrance {
-    /** Of one node, as {@link WideHierarchy#boxes} has them. */
+    /** One node's boxes, laid out like {@link WideHierarchy#boxes}. */
     final float[] boxes = new float[WideHierarchy.FIRST + WideHierarchy.BOX_STRIDE];
 
-    /** Of one node, as {@link WideHierarchy#links} has them. */
+    /** One node's links, laid out like {@link WideHierarchy#links}. */
     final int[] links = new int[WideHierarchy.FIRST + Lanes.COUNT];
 
     private final float[] entries = new float[Lanes.BORDER + Lanes.COUNT];
     private Level level = new Level();
     private Level below = new Level();
 
-    /** What the beam meets of a level: links, and where in the hierarchy's boxes their low sides along x are. */
+    /** Nodes or leaves of one level that the beam meets: links, and the places of their low x sides in the boxes. */
     private static final class Level {
         final int[] links = new int[Lanes.COUNT];
         final int[] places = new int[Lanes.COUNT];
@@ -27,9 +27,9 @@ public final class Entrance {
     }
 
     /**
-     * Finds them.
+     * Finds the entry nodes.
      *
-     * @return whether there are any
+     * @return whether the beam meets any
      */
     boolean find(WideHierarchy hierarchy, Beam beam) {
         below.count = 0;
@@ -50,7 +50,7 @@ public final class Entrance {
         return level.count > 0;
     }
 
-    /** Adds those below a node that the beam meets; returns whether there was room. */
+    /** Adds a node's children that the beam meets; returns false if they exceed the number of lanes. */
     private boolean open(WideHierarchy hierarchy, Beam beam, int node) {
         int at = WideHierarchy.FIRST + node * WideHierarchy.BOX_STRIDE;
         long met = beam.meeting(hierarchy.boxes, at, entries);

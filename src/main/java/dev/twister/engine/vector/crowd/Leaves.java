@@ -4,21 +4,19 @@ import dev.twister.engine.vector.frame.WideHierarchy;
 import dev.twister.engine.vector.lanes.Lanes;
 
 /**
- * All leaves that a beam may meet, found level by level: what is tested next does not depend on what was found last, so
- * that the CPU tests several nodes at a time.
+ * All leaves that a beam may meet, found level by level. The next test does not depend on the last result, so the CPU
+ * overlaps the tests of several nodes.
  */
 public final class Leaves {
     private static final int ROOM = 1024;
 
-    /**
-     * So many leaves a beam is thought to meet at least below a node that it meets, before any of them is looked at.
-     */
+    /** Assumed minimum of leaves met per node, before any leaf is tested. */
     private static final int LEAVES_A_NODE = 3;
 
-    /** Links to nodes and leaves met, in the order in which they are looked at. */
+    /** Links to the nodes and leaves met, in the order of testing. */
     public final int[] links = new int[ROOM + Lanes.COUNT];
 
-    /** Where the leaves begin among the links, and the place behind the last. */
+    /** Range of the leaves in {@link #links}: the first, and the place after the last. */
     public int first;
 
     public int end;
@@ -26,10 +24,10 @@ public final class Leaves {
     private final float[] entries = new float[Lanes.BORDER + Lanes.COUNT];
 
     /**
-     * Finds them; where a beam meets too many, a {@link Descent} that goes to the nearest first is better.
+     * Finds the leaves. For beams that meet many leaves, a {@link Descent} to the nearest first is faster.
      *
-     * @param most at most {@value #ROOM}
-     * @return whether there are at most that many
+     * @param most largest accepted number of leaves, at most {@value #ROOM}
+     * @return whether the number of leaves is within {@code most}
      */
     public boolean find(WideHierarchy hierarchy, Beam beam, int most) {
         links[0] = WideHierarchy.ROOT;

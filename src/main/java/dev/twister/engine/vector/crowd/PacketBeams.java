@@ -9,16 +9,14 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * A {@link Beam} for each of as many pixels as there are lanes: its ray, or its point's lines to the light's disc. All
- * are made at once; {@link PacketLeaves} then tests each against as many boxes as there are lanes.
+ * One {@link Beam} per lane, around a pixel's ray or its point's lines to the light's disc. All are set up at once;
+ * {@link PacketLeaves} then tests each beam against as many boxes as there are lanes.
  */
 public final class PacketBeams {
-    /**
-     * What a plane's t is made less or greater by, as a part of the origin's: it is rounded by three units of 2^-24.
-     */
+    /** Margin for a plane's t, relative to the origin's part of it, which carries a rounding error of 3 * 2^-24. */
     private static final float ROUNDING = 2e-7f;
 
-    // Three columns each, one an axis: what makes the t of the near side, of the far one, and of a second near one.
+    // Three columns each, one per axis: scale and addition for the t of the near side, far side and second near side.
     static final int AXES = 3 * Lanes.COUNT;
     static final int NEAR_SCALE = 0;
     static final int NEAR_ADDITION = AXES;
@@ -27,27 +25,27 @@ public final class PacketBeams {
     static final int SECOND_SCALE = 4 * AXES;
     static final int SECOND_ADDITION = 5 * AXES;
 
-    /** The t at which the lines end. */
+    /** t at the ends of the lines. */
     static final int END = 6 * AXES;
 
-    /** Meters a meter of t, lowest and highest. */
+    /** Slope bounds: meters along the axis per unit of t. */
     private static final int LOW = END + Lanes.COUNT;
 
     private static final int HIGH = LOW + AXES;
 
-    /** Where the lines start, which way they go, and as how long a line. */
+    /** Origin, direction and length of the lines. */
     public static final int ORIGIN = HIGH + AXES;
 
     public static final int DIRECTION = ORIGIN + AXES;
     public static final int LENGTH = DIRECTION + AXES;
 
-    /** Of lines to the light, their cone's half angle, and the body that they start on. */
+    /** For lines to the light: tangent and secant of the cone's half angle, and the body at their start. */
     public static final int TANGENT = LENGTH + Lanes.COUNT;
 
     public static final int SECANT = TANGENT + Lanes.COUNT;
     public static final int OWN = SECANT + Lanes.COUNT;
 
-    /** Bits an axis takes in {@link #nearSides}. */
+    /** Bits per axis in {@link #nearSides}. */
     static final int SIDE_BITS = 8;
 
     static final int SIDE = (1 << SIDE_BITS) - 1;
@@ -55,20 +53,19 @@ public final class PacketBeams {
     public final float[] facts = new float[OWN + Lanes.COUNT];
 
     /**
-     * Of each lane, how far behind the low sides of {@code WideHierarchy.boxes} the near ones are, as far as the high
-     * ones or 0: along x in the lowest bits, y and z above. Less than 0 where slopes differ in sign along any axis.
+     * Per lane, the offset of the near sides from the low sides in {@code WideHierarchy.boxes}: the high sides' offset
+     * or 0. x is in the lowest bits, then y and z. Negative where the slopes differ in sign along any axis.
      */
     final int[] nearSides = new int[Lanes.COUNT];
 
     /**
-     * The rays of some pixels, as far as the closest hits so far.
+     * Holds the rays of some pixels, up to their closest hits so far.
      *
-     * @param pixels as many as there are lanes from the first on; where there are fewer rays, what the other lanes hold
-     *     means nothing
-     * @param first the place of the first pixel's number
+     * @param pixels pixel numbers, one per lane; lanes beyond the number of rays may hold any valid pixel
+     * @param first index of the first pixel number
      */
     void holdRays(float[] t, int[] pixels, int first) {
-        // Lane by lane, and for all lanes: a vector that is gathered becomes an object in some JVMs.
+        // A scalar loop: some JVMs allocate an object for a gathered vector.
         for (int lane = 0; lane < Lanes.COUNT; lane++) {
             int pixel = pixels[first + lane];
             facts[ORIGIN + lane] = t[Tile.ORIGIN_X + pixel];
@@ -91,7 +88,7 @@ public final class PacketBeams {
         finish();
     }
 
-    /** The lines from some pixels' points to the light's disc, as far as its outermost sample; the pixels as above. */
+    /** Holds the lines from some pixels' points to the light's disc, up to its outermost sample. Pixels as above. */
     public void holdLines(float[] t, int[] pixels, int first) {
         for (int lane = 0; lane < Lanes.COUNT; lane++) {
             int pixel = pixels[first + lane];
@@ -128,7 +125,7 @@ public final class PacketBeams {
         }
     }
 
-    /** As {@link Slab#set}. */
+    /** See {@link Slab#set}. */
     private void findPlanes(int axis) {
         int column = axis * Lanes.COUNT;
         FloatVector origin = FloatVector.fromArray(Lanes.FLOATS, facts, ORIGIN + column);

@@ -12,22 +12,22 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Which sphere, or the light, each ray meets first, by way of the hierarchy: a packet's rays that keep together walk it
- * as one; each of the others has a way of its own, as many as there are lanes of them level by level.
+ * Closest sphere or light per ray, through the hierarchy. A packet's coherent rays traverse it as one beam. The other
+ * rays have one beam each; as many as there are lanes are traversed level by level.
  */
 public final class PacketHits {
-    /** Where the directions' cosines about one of them are less, rays do not keep together. */
+    /** Smallest cosine between the directions of coherent rays. */
     private static final float TOGETHER_COSINE = 0.98f;
 
-    /** Fewer rays than these are better off alone. */
+    /** Fewer coherent rays than this are faster as single rays. */
     private static final int FEWEST_TOGETHER = 4;
 
-    /** Where rays meet more leaves at the mean, they are better off with those in front alone. */
+    /** With more leaves per ray on average, single rays that start with the nearest leaf are faster. */
     private static final int MOST_LEAVES = 24;
 
     private PacketHits() {}
 
-    /** Writes the bodies met and their distances. */
+    /** Writes the bodies hit and their distances. */
     public static void find(Tile tile, Drawing drawing, Walks walks) {
         tile.lonely.clear();
         tile.together.clear();
@@ -59,7 +59,7 @@ public final class PacketHits {
         }
     }
 
-    /** One packet, from where all begin. */
+    /** Traverses one packet from the tile's entrance. */
     private static void walkTogether(Drawing drawing, Tile tile, Walks walks, int number) {
         int at = tile.together.places[number];
         Beam beam = walks.beam;
@@ -87,12 +87,12 @@ public final class PacketHits {
         }
     }
 
-    /** Meters along the rays beyond which nothing matters to any of them. */
+    /** The distance in meters beyond which no hit matters to any coherent ray. */
     private static float farthest(Tile tile, int at) {
         return Float.intBitsToFloat((int) farthestBits(tile, at));
     }
 
-    /** So many of the rays on their own, from that one of them on. */
+    /** Traverses {@code count} single rays, beginning with index {@code first}. */
     private static void walkAlone(Drawing drawing, Tile tile, Walks walks, int first, int count) {
         PacketLeaves leaves = walks.packetLeaves;
         walks.packetBeams.holdRays(tile.values, tile.lonely.pixels, first);
@@ -107,7 +107,7 @@ public final class PacketHits {
         }
     }
 
-    /** One ray and the spheres of the leaves that it meets before a hit, the nearest first. */
+    /** Tests one ray against the spheres of the leaves that it meets before its closest hit, nearest leaf first. */
     private static void descend(Drawing drawing, Tile tile, Walks walks, int first, int number) {
         float[] t = tile.values;
         int pixel = tile.lonely.pixels[first + number];
@@ -126,7 +126,7 @@ public final class PacketHits {
         }
     }
 
-    /** No hit yet; rays that have ended meet nothing any more. Returns one bit a ray that goes on. */
+    /** Resets the hits; rays that have ended get distance 0. Returns one bit per ray that continues. */
     static long start(Tile tile, int at) {
         float[] t = tile.values;
         VectorMask<Float> goesOn =
@@ -137,9 +137,9 @@ public final class PacketHits {
     }
 
     /**
-     * Some spheres of a block and all rays. It calls no helper, for the reason that {@code ShadowConics} has.
+     * Tests some spheres of a block against all rays. It calls no helpers; see {@code ShadowConics}.
      *
-     * @param wanted one bit a sphere
+     * @param wanted one bit per sphere to test
      */
     static void meet(Tile tile, int at, float[] spheres, int first, long wanted) {
         float[] t = tile.values;
@@ -182,8 +182,8 @@ public final class PacketHits {
     }
 
     /**
-     * The bits, as a float, of the farthest of the closest hits of those that keep together; none is below 0, so that
-     * they are in the floats' order.
+     * The largest closest-hit distance of the coherent rays, as float bits. No value is negative, so the bits compare
+     * like the floats.
      */
     static long farthestBits(Tile tile, int at) {
         float[] t = tile.values;
@@ -194,11 +194,11 @@ public final class PacketHits {
     }
 
     /**
-     * Chooses the rays that keep {@link Tile#TOGETHER}: of those that leave the ground, or if none does of all, those
-     * with nearly the direction of the first, where they are many enough.
+     * Selects the coherent rays ({@link Tile#TOGETHER}): rays with nearly the direction of the first one. Only rays
+     * that leave the ground are considered, if there are any.
      *
-     * @param goesOn one bit a ray that goes on
-     * @return one bit a ray that keeps together
+     * @param goesOn one bit per ray that continues
+     * @return one bit per coherent ray; 0 if there are too few
      */
     static long gather(Tile tile, int at, long goesOn) {
         float[] t = tile.values;

@@ -8,26 +8,26 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * The leaves that each of some beams may meet, found level by level for all beams together: what is tested next does
- * not depend on what was found last, so that the CPU tests several nodes at a time. Without helpers, for the reason
- * that {@code ShadowConics} has.
+ * The leaves that each beam of a packet may meet, found level by level for all beams together. The next test does not
+ * depend on the last result, so the CPU overlaps the tests of several nodes. It calls no helpers; see
+ * {@code ShadowConics}.
  */
 public final class PacketLeaves {
     public static final int ROOM = 4096;
 
-    /** Links with the numbers of their beams above {@link WideHierarchy#BEAM_SHIFT}: nodes, then leaves. */
+    /** Links, with the beam's number above {@link WideHierarchy#BEAM_SHIFT}: nodes, then leaves. */
     public final int[] links = new int[ROOM + Lanes.COUNT];
 
-    /** Where the leaves begin among the links, and the place behind the last. */
+    /** Range of the leaves in {@link #links}: the first, and the place after the last. */
     public int first;
 
     public int end;
 
     /**
-     * Finds them.
+     * Finds the leaves.
      *
-     * @param count how many beams there are
-     * @return whether there was room for all
+     * @param count number of beams
+     * @return whether all links fit
      */
     public boolean find(WideHierarchy hierarchy, PacketBeams beams, int count) {
         if (Lanes.PACK && hierarchy.rootChildren < count) {
@@ -43,9 +43,9 @@ public final class PacketLeaves {
     }
 
     /**
-     * Puts the children that the beams meet behind their nodes, until only leaves are left. The order of floats above 0
-     * is that of their bits, and it does not matter which of several entries is less than 0: their maximum is found as
-     * ints, as a float's minds NaN and -0.
+     * Appends the children that the beams meet until only leaves are left. Positive floats compare like their bits, and
+     * the order of negative entries does not matter, so maxima are taken as ints, which skips the handling of NaN and
+     * -0.
      */
     private void open(WideHierarchy hierarchy, PacketBeams beams) {
         float[] boxes = hierarchy.boxes;

@@ -9,24 +9,24 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * The spheres that rays meet in the leaves that {@link PacketLeaves} has found for them: first which they are, with no
- * branch on what is found where lanes can be packed, then the nearest of each ray.
+ * The closest sphere of each ray among the leaves that {@link PacketLeaves} has found: first a list of all spheres hit,
+ * without branches where the CPU can pack lanes, then the closest per ray.
  */
 public final class RaySpheres {
     private static final int ROOM = 1024;
 
-    /** What one leaf may add behind. */
+    /** Largest number of entries that one leaf may add. */
     private static final int MOST_A_LEAF = (WideHierarchy.MORE_BLOCKS + 2) * Lanes.COUNT;
 
     /**
-     * Numbers of spheres met, counted along the blocks, with the numbers of their beams above
+     * Numbers of the spheres hit, counted along the blocks, with the beam's number above
      * {@link WideHierarchy#BEAM_SHIFT}.
      */
     private final int[] met = new int[ROOM + MOST_A_LEAF];
 
     /**
-     * How far along the ray their centers are, and by how much the squared radius is more than the squared distance
-     * from it.
+     * Per sphere hit: the distance of its center along the ray, and its squared radius less the center's squared
+     * distance from the ray.
      */
     private final float[] along = new float[ROOM + MOST_A_LEAF];
 
@@ -34,12 +34,12 @@ public final class RaySpheres {
     private int count;
 
     /**
-     * Writes the nearest of those met, and of equals the one with the lowest number.
+     * Writes the closest hits; on a tie the lowest body number wins.
      *
-     * @param first the place of the beams' first pixel in {@link Tile#lonely}
-     * @param links to leaves, with the numbers of their beams above
-     * @param from the place of the first that is looked at
-     * @param end the place behind the last
+     * @param first index of the beams' first pixel in {@link Tile#lonely}
+     * @param links links to leaves, with the beams' numbers
+     * @param from first index in {@code links}
+     * @param end index after the last one
      */
     void meet(Tile tile, PacketBeams beams, WideHierarchy hierarchy, int first, int[] links, int from, int end) {
         tile.readAhead = read(hierarchy.spheres.values, links, from, end);
@@ -52,8 +52,8 @@ public final class RaySpheres {
     }
 
     /**
-     * Reads a number of each cache line of the leaves' first blocks: memory is waited for once, not leaf by leaf. Of
-     * lines with fewer lanes some are read twice.
+     * Reads each cache line of the leaves' first blocks ahead, so that their cache misses overlap. With fewer lanes
+     * some lines are read twice.
      */
     private static float read(float[] spheres, int[] links, int from, int end) {
         float even = 0f;
@@ -66,7 +66,7 @@ public final class RaySpheres {
         return even + odd;
     }
 
-    /** Lists those met in leaves from that one on, as many as there is room for; returns the place of the next leaf. */
+    /** Lists the spheres hit in the leaves from {@code from} on while there is room; returns the next leaf's index. */
     private int list(WideHierarchy hierarchy, PacketBeams beams, int[] links, int from, int end) {
         float[] spheres = hierarchy.spheres.values;
         float[] f = beams.facts;
@@ -118,7 +118,7 @@ public final class RaySpheres {
         return next;
     }
 
-    /** Packs those lanes of what has been written from that place on; returns the place behind the last. */
+    /** Packs the given lanes of the values written at {@code at}; returns the place after the last. */
     private int keep(long lanes, int number, int at) {
         int to = at;
         for (long rest = lanes; rest != 0L; rest &= rest - 1) {

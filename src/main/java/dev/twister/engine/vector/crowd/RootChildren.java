@@ -8,18 +8,18 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Which of the root's children each of some beams may meet, a beam in each lane: the root often has fewer children than
- * there are beams. Without helpers, for the reason that {@code ShadowConics} has.
+ * The root's children that each beam of a packet may meet, with one beam per lane: the root often has fewer children
+ * than the packet has beams. It calls no helpers; see {@code ShadowConics}.
  */
 public final class RootChildren {
     private RootChildren() {}
 
     /**
-     * Writes links to those met, child by child, with the numbers of their beams above; needs a CPU that packs lanes.
+     * Writes links to the children met, child by child, with the beams' numbers above. Requires a CPU that packs lanes.
      *
-     * @param links has room for as many links as there are children and beams, and {@link Lanes#COUNT} more
-     * @param count how many beams there are
-     * @return how many links were written
+     * @param links room for children times beams, plus {@link Lanes#COUNT}
+     * @param count number of beams
+     * @return the number of links written
      */
     static int list(WideHierarchy hierarchy, PacketBeams beams, int count, int[] links) {
         float[] boxes = hierarchy.boxes;

@@ -3,15 +3,15 @@ package dev.twister.engine.vector.crowd;
 import dev.twister.kernel.NodeBox;
 
 /**
- * What a {@link Beam} is along one axis: at t it reaches from {@code originLow + t slopeLow} to {@code originHigh + t
- * slopeHigh}. A box is there from the t at which one of its sides is met, its near one, until that of the far one;
- * where the slopes differ in sign, the beam never leaves the box again, and both sides say when it comes.
+ * Extent of a {@link Beam} along one axis: from {@code originLow + t slopeLow} to {@code originHigh + t slopeHigh}. It
+ * meets a box from the t of the near side until the t of the far side. Where the slopes differ in sign, the beam never
+ * leaves the box again, and the later of both sides' t is its entry.
  */
 public final class Slab {
-    /** The far side of a box that is never left. */
+    /** Far t of a box that the beam never leaves. */
     static final float NEVER = 1e30f;
 
-    /** 0 for the low sides, 1 for the high ones. */
+    /** 0 for the low sides, 1 for the high sides. */
     int nearSide;
 
     int farSide;
@@ -21,14 +21,15 @@ public final class Slab {
     float farOrigin;
     float farScale;
 
-    /** Added to what the far side gives: 0, or {@link #NEVER}. */
+    /** Addition to the far side's t: 0, or {@link #NEVER}. */
     float farAddition;
 
-    /** The far side's scale where it is a second near one, else 0. */
+    /** The far side's scale where it is a second near side, else 0. */
     float secondScale;
 
     void set(float originLow, float originHigh, float lowestSlope, float slopeHigh) {
-        // Where the bounds close in on each other, the low one is let stand: a little more, and one case less.
+        // Converging bounds would be a case of their own; the low bound is kept at slope 0 instead, which only widens
+        // the beam.
         float slopeLow = slopeHigh < 0f ? Math.min(lowestSlope, 0f) : lowestSlope;
         boolean falls = slopeHigh <= 0f;
         boolean straddles = slopeLow < 0f && slopeHigh > 0f;

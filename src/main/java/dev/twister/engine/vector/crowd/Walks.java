@@ -1,11 +1,11 @@
 package dev.twister.engine.vector.crowd;
 
-/** One thread's tools for walks through the hierarchy. */
+/** One thread's working memory for traversals of the hierarchy. */
 public final class Walks {
-    /** All of a tile's rays, one packet, or one ray of it, on the way through the hierarchy. */
+    /** Around all of a tile's rays, one packet's, or a single ray. */
     public final Beam beam = new Beam();
 
-    /** One ray, or lines to the light, for each lane. */
+    /** One beam per lane, around a ray or its lines to the light. */
     public final PacketBeams packetBeams = new PacketBeams();
 
     public final Leaves leaves = new Leaves();
@@ -14,6 +14,6 @@ public final class Walks {
     final RaySpheres raySpheres = new RaySpheres();
     final Entrance entrance = new Entrance();
 
-    /** The leaf that a ray on its way down has come to, with the ray's number above. */
+    /** The leaf reached by a single ray, with the ray's number above. */
     final int[] leafMet = new int[1];
 }

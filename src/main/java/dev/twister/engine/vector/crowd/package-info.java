@@ -1,5 +1,5 @@
 /**
- * Walks through the hierarchy where there are many spheres: which of them rays meet, or lines to the light. What has
- * columns as its first parameter is compiled by itself ({@code StageInlining}).
+ * Traversal of the hierarchy in scenes of many spheres, for rays and for lines to the light. Methods whose first
+ * parameter is a tile or its columns are compiled separately ({@code StageInlining}).
  */
 package dev.twister.engine.vector.crowd;

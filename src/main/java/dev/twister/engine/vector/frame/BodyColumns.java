@@ -5,17 +5,17 @@ import dev.twister.kernel.Layout;
 import dev.twister.world.FrameInput;
 
 /**
- * The bodies: as columns, so that lanes can hold bodies, and in rows, so that what shading asks of one lies in one
- * cache line. Kept while the input's arrays are the same.
+ * The bodies in columns, for loads into lanes, and in rows, so that shading one body reads one cache line. Reused while
+ * the input's arrays are the same.
  */
 public final class BodyColumns {
-    /** No distance undercuts it: what has this radius is never met. */
+    /** Radius of entries that are never hit. */
     private static final float NOTHING_THERE = -1e30f;
 
-    /** What {@link #surfaces} tell of a body: its center, its radius, red, green, blue and its reflectivity. */
+    /** Floats per body in {@link #surfaces}: center, radius, red, green, blue, reflectivity. */
     public static final int SURFACE_NUMBERS = 8;
 
-    /** By how many numbers a sphere's y, z and radius lie behind its x. */
+    /** Offsets of y, z and radius from x. */
     public static final int Y = 1;
 
     public static final int Z = 2;
@@ -30,39 +30,38 @@ public final class BodyColumns {
     public float[] y = {};
     public float[] z = {};
 
-    /** The light's and the spheres'; far below zero for the plane and for the blanks that fill the last packet. */
+    /** Radii in meters; {@link #NOTHING_THERE} for the plane and for the padding of the last packet. */
     public float[] radius = {};
 
-    /** The spheres around the meshes. */
+    /** The meshes' bounding spheres. */
     public final MeshColumns meshes = new MeshColumns();
 
     /**
-     * All that shading asks, {@value #SURFACE_NUMBERS} numbers a body, at its {@link #surfacePlaces}: the spheres in
-     * the order of the hierarchy's leaves, as those that are near each other are met together. A mesh has the sphere
-     * around it.
+     * The data for shading, {@value #SURFACE_NUMBERS} floats per body at its {@link #surfacePlaces}. Spheres are in the
+     * order of the hierarchy's leaves, because neighbors are hit together. Meshes have their bounding spheres.
      */
     public float[] surfaces = {};
 
-    /** The same in columns of {@link Lanes#COUNT}, from {@link Lanes#BORDER} on, where one column holds all bodies. */
+    /** The same in columns of {@link Lanes#COUNT} from {@link Lanes#BORDER} on, if {@link #fitLanes}. */
     public final float[] surfaceColumns = new float[Lanes.BORDER + SURFACE_NUMBERS * Lanes.COUNT];
 
-    /** Of each body, where its numbers begin in {@link #surfaces}. */
+    /** Per body, the start of its data in {@link #surfaces}. */
     public int[] surfacePlaces = {};
 
-    /** Light, plane and spheres, without the blanks. */
+    /** Number of bodies (light, plane and spheres), without padding. */
     public int count;
 
-    /** How low and how high the spheres and the meshes reach, in meters. */
+    /** Lowest and highest y of the spheres and meshes, in meters. */
     float lowest;
 
     float highest;
 
-    /** One more than the highest number of a body. */
+    /** One more than the highest body number. */
     private int end;
 
     private FrameInput source;
 
-    @SuppressWarnings("ReferenceEquality") // an input's arrays never change
+    @SuppressWarnings("ReferenceEquality") // an input's arrays are immutable
     void take(FrameInput input) {
         boolean same = source != null
                 && source.bodyCount() == input.bodyCount()
@@ -137,12 +136,12 @@ public final class BodyColumns {
                 input.bodies().looks(), Layout.LOOK_STRIDE * body, surfaces, at + RED, Layout.LOOK_REFLECTIVITY + 1);
     }
 
-    /** Whether one vector holds a number of all bodies. */
+    /** Whether one vector holds a value for each body. */
     public boolean fitLanes() {
         return end <= Lanes.COUNT;
     }
 
-    /** A sphere's, from where the rest of it is, too. */
+    /** A sphere's radius, read from the cache line of its other shading data. */
     public float sphereRadius(int body) {
         return surfaces[surfacePlaces[body] + RADIUS];
     }

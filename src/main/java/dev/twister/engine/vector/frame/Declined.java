@@ -7,20 +7,17 @@ import dev.twister.kernel.Tone;
 import dev.twister.world.FrameInput;
 import java.util.function.IntPredicate;
 
-/** What of a frame lanes do not know, and so decline: the scalar kernel draws it. */
+/** The parts of a frame that lanes decline; the scalar kernel renders them. */
 public final class Declined {
-    /**
-     * Each point that is shaded is tested against every declined occluder: with more of them, the whole frame is
-     * declined.
-     */
+    /** With more declined occluders the whole frame is declined, because every shaded point is tested against each. */
     private static final int MOST_OCCLUDERS = 256;
 
-    /** A camera this near to a surface, in radii, may be inside. */
+    /** Distance from a center, in radii, within which the camera may be inside the body. */
     private static final float INSIDE = 1.0001f;
 
     /**
-     * Of a squared radius: where the square of the camera's distance from the center is as near to it, lanes' distances
-     * to the sphere are above or below 0 by rounding alone.
+     * Relative to a squared radius: if the camera's squared distance from the center differs by less, rounding decides
+     * the sign of hit distances in lanes.
      */
     private static final float ROUNDING = 2e-6f;
 
@@ -36,16 +33,16 @@ public final class Declined {
     private boolean frame;
 
     /**
-     * Declines nothing until a frame is taken.
+     * Declines nothing until {@code take} is called.
      *
-     * @param bodies tells which bodies are declined beside those that transmit in a crowd, and meshes that transmit or
+     * @param bodies the bodies to decline in addition to transmitting bodies in a crowd and to meshes that transmit or
      *     have a texture
      */
     public Declined(IntPredicate bodies) {
         this.bodies = bodies;
     }
 
-    @SuppressWarnings("ReferenceEquality") // an input's arrays never change
+    @SuppressWarnings("ReferenceEquality") // an input's arrays are immutable
     void take(FrameInput input, boolean walk) {
         if (looks != input.bodies().looks()
                 || count != input.bodyCount()
@@ -109,7 +106,7 @@ public final class Declined {
         }
     }
 
-    /** Whether view rays may start inside a body that transmits: lanes do not see it from there. */
+    /** Whether view rays may start inside a declined body that transmits; lanes do not see it from there. */
     private boolean isCameraInside(FrameInput input) {
         float[] camera = input.view().camera();
         boolean inside = false;
@@ -127,22 +124,22 @@ public final class Declined {
         return inside;
     }
 
-    /** Whether all of the frame is. */
+    /** Whether the whole frame is declined. */
     public boolean isFrame() {
         return frame;
     }
 
-    /** Whether any body is. */
+    /** Whether any body is declined. */
     public boolean isAnyBody() {
         return any;
     }
 
-    /** Whether that body is. */
+    /** Whether the body is declined. */
     public boolean isBody(int body) {
         return declined[body];
     }
 
-    /** The spheres that lanes cannot shade by. */
+    /** The declined spheres, whose shadows lanes cannot compute. */
     public BodyList occluders() {
         return occluders;
     }

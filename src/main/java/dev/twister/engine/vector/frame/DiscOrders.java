@@ -3,20 +3,20 @@ package dev.twister.engine.vector.frame;
 import java.util.Arrays;
 
 /**
- * The shadow samples of the unit disc, in the order along each of {@value #DIRECTIONS} directions: what a sphere's edge
- * leaves in doubt lies close together along the direction across the edge. Kept while the samples are the same.
+ * The shadow samples of the unit disc, sorted along each of {@value #DIRECTIONS} directions. Along the direction across
+ * a sphere's edge, the samples near the edge are contiguous. Reused while the samples are the same.
  */
 public final class DiscOrders {
-    /** With fewer samples all are looked at: {@code docs/decisions/013}. */
+    /** With fewer samples than this, all are tested; see {@code docs/decisions/013}. */
     public static final int FEW = 48;
 
-    /** Evenly about the whole circle. */
+    /** Number of directions, evenly around the circle. */
     static final int DIRECTIONS = 32;
 
-    /** Parts of equal width that the disc has along a direction. */
+    /** Number of intervals of equal width along a direction. */
     private static final int STEPS = 64;
 
-    /** The directions' parts along U and W. */
+    /** Components of the directions along U and W. */
     private static final float[] ALONG_U = new float[DIRECTIONS];
 
     private static final float[] ALONG_W = new float[DIRECTIONS];
@@ -32,13 +32,13 @@ public final class DiscOrders {
     /** x and y of the samples, direction by direction. */
     public float[] samples = {};
 
-    /** How many samples lie before each step, and all of them, direction by direction. */
+    /** Number of samples before each interval, followed by the total, direction by direction. */
     private int[] before = {};
 
     private float[] source = {};
     private int count;
 
-    @SuppressWarnings("ReferenceEquality") // an input's arrays never change
+    @SuppressWarnings("ReferenceEquality") // an input's arrays are immutable
     void take(float[] disc, int newCount) {
         if (source != disc || count != newCount) {
             source = disc;
@@ -52,7 +52,8 @@ public final class DiscOrders {
     }
 
     private void order(int direction) {
-        // A sample's number below the bits of where it lies, which are in the order of floats, as none is below 0.
+        // Sort key: the position's bits, which compare like the float because it is not negative, above the sample's
+        // number.
         long[] order = new long[count];
         for (int sample = 0; sample < count; sample++) {
             long place = Float.floatToRawIntBits(1f + Math.max(-1f, along(direction, sample)));
@@ -81,12 +82,12 @@ public final class DiscOrders {
         return Math.clamp((int) ((along + 1f) * (STEPS / 2)), 0, STEPS - 1);
     }
 
-    /** The number of the direction nearest to that one. */
+    /** The number of the direction nearest to (u, w). */
     public static int nearest(float u, float w) {
         float least = Math.min(Math.abs(u), Math.abs(w));
         float most = Math.max(Math.abs(u), Math.abs(w));
         float ratio = most > 0f ? least / most : 0f;
-        // An arc tangent in eighths of a circle, at most a two-hundredth of one wrong.
+        // Approximate arc tangent in eighths of a turn; its error is at most 0.005.
         float eighths = ratio * (1.3476f - 0.3476f * ratio);
         float quarter = Math.abs(w) > Math.abs(u) ? 2f - eighths : eighths;
         float half = u < 0f ? 4f - quarter : quarter;
@@ -102,17 +103,17 @@ public final class DiscOrders {
         return ALONG_W[direction];
     }
 
-    /** The number, in {@link #samples}, of the first sample along the direction. */
+    /** Index in {@link #samples}, in samples, of the first one along the direction. */
     public int first(int direction) {
         return direction * count;
     }
 
-    /** How many samples, or some fewer, lie before the place along the direction. */
+    /** A lower bound of the number of samples before a position along the direction. */
     public int before(int direction, float place) {
         return place <= -1f ? 0 : place >= 1f ? count : before[direction * (STEPS + 1) + step(place)];
     }
 
-    /** How many samples, or some more, lie up to the place along the direction. */
+    /** An upper bound of the number of samples up to a position along the direction. */
     public int upTo(int direction, float place) {
         return place <= -1f ? 0 : place >= 1f ? count : before[direction * (STEPS + 1) + step(place) + 1];
     }

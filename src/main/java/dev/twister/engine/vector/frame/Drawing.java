@@ -10,7 +10,7 @@ import dev.twister.kernel.Layout;
 import dev.twister.kernel.Shadow;
 import dev.twister.world.FrameInput;
 
-/** What all threads read while a frame is drawn: the input, prepared for lanes. */
+/** The state of a frame that all threads read: the input, prepared for lanes. */
 public final class Drawing {
     public final Shortcuts shortcuts;
     public final Declined declined;
@@ -21,10 +21,10 @@ public final class Drawing {
     public final DiscOrders discOrders = new DiscOrders();
     public final PaddedSky sky = new PaddedSky();
 
-    /** The light, as the one sphere of a block. */
+    /** The light, as a block of one sphere. */
     public final SphereColumns light = new SphereColumns();
 
-    /** Whether the hierarchy is walked, as there are many bodies. */
+    /** Whether this frame uses the hierarchy, because it has many bodies. */
     public boolean crowded;
 
     public FrameInput input;
@@ -36,37 +36,37 @@ public final class Drawing {
     public int pixelSamples;
     public float ambient;
 
-    /** Meters of the viewport from one pixel to the next. */
+    /** Distance between adjacent pixels on the viewport, in meters. */
     public float viewportStep;
 
     public float planeHeight;
     public float planeHalfSide;
 
-    /** The square's center. */
+    /** Center of the plane's square. */
     public float planeX;
 
     public float planeZ;
 
-    /** The shadow samples' disc: twice the light's radius. */
+    /** Radius of the disc of shadow samples: twice the light's radius. */
     public float discRadius;
 
-    /** How low and how high the disc may reach, whichever way it faces, in meters. */
+    /** Lowest and highest y of the disc in any orientation, in meters. */
     public float discLow;
 
     public float discHigh;
 
-    /** Whether any point of a sphere and any sample of the light may lie on different sides of the plane. */
+    /** Whether the plane may lie between a body's surface point and a light sample. */
     public boolean planeMayShade;
 
-    /** The unit disc's samples, x and y apart, with as many blanks behind as a load may reach too far. */
+    /** x and y of the unit disc's samples, padded by one vector. */
     public float[] discX = {};
 
     public float[] discY = {};
 
-    /** How far the outermost sample lies from the disc's center, as a part of its radius. */
+    /** Distance of the outermost sample from the disc's center, relative to its radius. */
     public float rim;
 
-    /** For frames with all shortcuts, of bodies that lanes know. */
+    /** For frames with all shortcuts and without declined bodies. */
     public Drawing() {
         this(Shortcuts.all(), new Declined(_ -> false));
     }
@@ -79,7 +79,7 @@ public final class Drawing {
     /**
      * Prepares a frame.
      *
-     * @param walk whether the hierarchy is walked
+     * @param walk whether to use the hierarchy
      */
     public void take(FrameInput newInput, Frame newFrame, boolean walk) {
         input = newInput;

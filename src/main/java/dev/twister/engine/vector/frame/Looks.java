@@ -4,19 +4,19 @@ import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.kernel.Layout;
 import dev.twister.world.FrameInput;
 
-/** What bodies are made of beyond color and reflectivity. Kept while the input's array is the same. */
+/** The bodies' material properties beyond color and reflectivity. Reused while the input's array is the same. */
 public final class Looks {
-    /** The looks from that one on are told. */
+    /** First and number of the properties held here. */
     public static final int FIRST = Layout.LOOK_ROUGHNESS;
 
     public static final int COUNT = Layout.LOOK_STRIDE - FIRST;
 
-    /** {@link Layout#LOOK_STRIDE} floats a body. */
+    /** {@link Layout#LOOK_STRIDE} floats per body. */
     public float[] values = {};
 
     /**
-     * The looks from {@link #FIRST} on in columns of {@link Lanes#COUNT}, from {@link Lanes#BORDER} on, where so many
-     * hold all bodies.
+     * The properties from {@link #FIRST} on in columns of {@link Lanes#COUNT} from {@link Lanes#BORDER} on; only filled
+     * where one vector holds all bodies.
      */
     public final float[] columns = new float[Lanes.BORDER + COUNT * Lanes.COUNT];
 
@@ -29,12 +29,12 @@ public final class Looks {
     /** Whether any body transmits. */
     public boolean transparent;
 
-    /** Whether the plane has but color and reflectivity. */
+    /** Whether the plane has only color and reflectivity. */
     public boolean plainPlane;
 
     private int bodies;
 
-    @SuppressWarnings("ReferenceEquality") // an input's arrays never change
+    @SuppressWarnings("ReferenceEquality") // an input's arrays are immutable
     void take(FrameInput input) {
         if (values != input.bodies().looks() || bodies != input.bodyEnd()) {
             values = input.bodies().looks();
@@ -65,7 +65,7 @@ public final class Looks {
         return values[Layout.LOOK_STRIDE * body + look];
     }
 
-    /** In [0, 1]. */
+    /** Transmission in [0, 1]. */
     public float transmission(int body) {
         return look(body, Layout.LOOK_TRANSMISSION);
     }

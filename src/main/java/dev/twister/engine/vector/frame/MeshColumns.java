@@ -5,25 +5,25 @@ import dev.twister.kernel.Layout;
 import dev.twister.world.FrameInput;
 import java.util.Arrays;
 
-/** The spheres around the meshes as columns, so that lanes can hold meshes. */
+/** The meshes' bounding spheres in columns, for loads into lanes. */
 public final class MeshColumns {
-    /** What has this radius is never met. */
+    /** Radius of entries that are never hit. */
     private static final float NOTHING_THERE = -1e30f;
 
     public float[] x = {};
     public float[] y = {};
     public float[] z = {};
 
-    /** Far below zero for the blanks that fill the last packet. */
+    /** Radii in meters; {@link #NOTHING_THERE} for the padding of the last packet. */
     public float[] radius = {};
 
-    /** How many meshes there are, without the blanks. */
+    /** Number of meshes, without padding. */
     public int count;
 
-    /** The body of the first. */
+    /** Body number of the first mesh. */
     public int firstBody;
 
-    /** How low and how high those that can be seen reach, in meters. */
+    /** Lowest and highest y of the visible meshes, in meters. */
     float lowest;
 
     float highest;

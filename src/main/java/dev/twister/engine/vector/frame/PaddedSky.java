@@ -4,78 +4,78 @@ import dev.twister.kernel.Layout;
 import dev.twister.world.FrameInput;
 
 /**
- * The panorama with a border of one texel, which wraps in the columns and repeats in the rows: the four texels about
- * any direction then lie at fixed distances. Kept while the input's sky is the same.
+ * The panorama with a border of one texel, wrapped horizontally and clamped vertically, so that the four texels around
+ * any direction are at fixed offsets. Reused while the input's sky is the same.
  *
- * <p>A texel is three numbers, red, green and blue: the upper halves of floats where that loses nothing (bfloat16; the
- * mantissas of a Radiance picture have eight bits, and so has a half), whole floats otherwise. Where the three of every
- * texel can share an exponent, as a Radiance picture has it, there is each texel in one int besides. The less memory,
- * the more of the sky stays near the processor.
+ * <p>A texel has three values: red, green and blue. They are stored as bfloat16 (the upper halves of floats) where that
+ * is lossless, as it is for a Radiance picture with its 8-bit mantissas; otherwise as floats. Where the three values of
+ * every texel can share an exponent, each texel is also stored as one int. Smaller texels keep more of the sky in the
+ * CPU's caches.
  */
 public final class PaddedSky {
     public static final int NUMBERS_A_TEXEL = 3;
 
-    /** Bits of a float that a half leaves out. */
+    /** Bits of a float that bfloat16 omits. */
     public static final int LOWER_BITS = 16;
 
-    /** A vector that starts at a texel may reach that many numbers, or one row, beyond the last one. */
+    /** Padding: a vector that starts at the last texel may read this many values, or one row, beyond it. */
     private static final int BLANKS = 16;
 
-    /** Rows above and below the panorama, and a blank one. */
+    /** The border rows above and below the panorama, and a row of padding. */
     private static final int MORE_ROWS = 3;
 
-    /** In a shared texel, a number's bits. */
+    /** Bits per channel in a shared texel. */
     public static final int MANTISSA_BITS = 8;
 
     public static final int MANTISSA = 255;
 
-    /** The exponent's bits in a float. */
+    /** Exponent bits of a float. */
     public static final int EXPONENT = 0x7F800000;
 
     /**
-     * The texels row by row, if all fit, or none: red, green and blue as whole numbers from the lowest bits on,
-     * {@link #MANTISSA_BITS} each, above them the exponent of what they are to be multiplied by, as a float has it. A
-     * Radiance picture is stored in this way.
+     * The texels row by row if all can share an exponent, else empty: red, green and blue as integers of
+     * {@link #MANTISSA_BITS} bits from the lowest bits on, above them the biased exponent of their common factor.
+     * Radiance pictures use the same encoding.
      */
     public int[] shared = {};
 
-    /** The texels row by row, if not {@link #halved}. */
+    /** The texels' channels row by row, unless {@link #halved}. */
     float[] floats = {};
 
-    /** The texels row by row, if {@link #halved}. */
+    /** The texels' channels row by row as bfloat16, if {@link #halved}. */
     public short[] halves = {};
 
     public boolean halved;
 
-    /** In texels, without the border. */
+    /** Size in texels, without the border. */
     public int width;
 
     public int height;
 
-    /** How far the panorama is turned to the right, in whole turns, in [0, 1). */
+    /** Rotation of the panorama to the right, in turns, in [0, 1). */
     public float turn;
 
-    /** What the texels are to be multiplied by. */
+    /** Factor for the texels. */
     public float strength;
 
     private float[] source;
 
-    /** Texels from one row to the next. */
+    /** Distance between rows, in texels. */
     public int stride() {
         return width + 2;
     }
 
-    /** One number of a texel. */
+    /** One channel of a texel. */
     public float value(int at) {
         return halved ? Float.intBitsToFloat(halves[at] << LOWER_BITS) : floats[at];
     }
 
-    /** The bits of the same as a float. */
+    /** Float bits of one channel of a texel. */
     public int bits(int at) {
         return halved ? halves[at] << LOWER_BITS : Float.floatToRawIntBits(floats[at]);
     }
 
-    @SuppressWarnings("ReferenceEquality") // an input's arrays never change
+    @SuppressWarnings("ReferenceEquality") // an input's arrays are immutable
     public void take(FrameInput input) {
         turn = input.view().properties()[Layout.SKY_TURN];
         strength = input.view().properties()[Layout.SKY_STRENGTH];
@@ -117,12 +117,12 @@ public final class PaddedSky {
         return fits;
     }
 
-    /** A number of a shared texel. */
+    /** Decodes one channel of a shared texel. */
     private static float shared(int bits, int channel) {
         return Float.intBitsToFloat(bits >>> 1 & EXPONENT) * (bits >>> (MANTISSA_BITS * channel) & MANTISSA);
     }
 
-    /** A texel whose numbers share an exponent; other numbers than the texel's where they cannot. */
+    /** Encodes a texel with a shared exponent; lossy where its channels do not fit. */
     private static int share(float[] radiance, int texel) {
         float most = Math.max(radiance[texel], Math.max(radiance[texel + 1], radiance[texel + 2]));
         int exponent = Math.getExponent(most) - (MANTISSA_BITS - 1);

@@ -1,37 +1,33 @@
 package dev.twister.engine.vector.frame;
 
-/** What makes frames faster and leaves them as they are, rounding aside. */
+/** Optional optimizations that leave the picture as it is, rounding aside. */
 public enum Shortcut {
     /**
-     * Bodies that no ray of a tile can meet, or that cannot shade it, are left out: {@code Hull}; sky and ground tiles
-     * need it.
+     * Skip bodies that no ray of a tile can hit or that cannot shade it: {@code Hull}. Sky and ground tiles need it.
      */
     CULLING,
 
-    /** Tiles whose view rays all meet the sky: {@code WholeTiles}. */
+    /** Tiles whose view rays all hit the sky: {@code WholeTiles}. */
     SKY_TILES,
 
-    /** Tiles whose view rays all meet the ground: {@code GroundAlone}. */
+    /** Tiles whose view rays all hit the ground: {@code GroundAlone}. */
     GROUND_TILES,
 
-    /** Such tiles with nothing between them and the light: {@code OpenGround}. */
+    /** Ground tiles with no occluder between them and the light: {@code OpenGround}. */
     OPEN_GROUND,
 
-    /**
-     * Directions of a tile's view rays as columns and rows of the sky by polynomials: {@code SkyChart}; sky tiles need
-     * it.
-     */
+    /** Polynomials from a tile's pixels to columns and rows of the sky: {@code SkyChart}. Sky tiles need it. */
     SKY_CHART,
 
-    /** All texels that a tile looks at as two vectors: {@code SkyWindow}. */
+    /** All texels of a tile in two vectors: {@code SkyWindow}. */
     SKY_WINDOW,
 
-    /** All texels that a packet looks at as a patch: {@code SkyRows}, {@code SkyPatches}. */
+    /** All texels of a packet as one patch: {@code SkyRows}, {@code SkyPatches}. */
     SKY_PATCHES,
 
-    /** Blocked samples by conics: {@code ShadowConics}, {@code LoneCandidates}. */
+    /** Blocked shadow samples by conics: {@code ShadowConics}, {@code LoneCandidates}. */
     CONICS,
 
-    /** Samples that are surely blocked or surely not are left out: {@code ShadowRange}; it needs conics. */
+    /** Skip samples that are certainly blocked or certainly visible: {@code ShadowRange}. Needs {@link #CONICS}. */
     SAMPLE_RANGES
 }

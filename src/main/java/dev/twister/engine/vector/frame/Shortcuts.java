@@ -1,6 +1,6 @@
 package dev.twister.engine.vector.frame;
 
-/** Which shortcuts an engine takes. */
+/** The set of shortcuts that an engine uses. */
 public final class Shortcuts {
     private final int taken;
 
@@ -8,27 +8,27 @@ public final class Shortcuts {
         this.taken = taken;
     }
 
-    /** All of them. */
+    /** All shortcuts. */
     public static Shortcuts all() {
         return new Shortcuts(-1);
     }
 
-    /** None of them. */
+    /** No shortcuts. */
     public static Shortcuts none() {
         return new Shortcuts(0);
     }
 
-    /** All but one. */
+    /** All shortcuts except one. */
     public static Shortcuts without(Shortcut shortcut) {
         return new Shortcuts(~bit(shortcut));
     }
 
-    /** Whether that one is taken. */
+    /** Whether the shortcut is enabled. */
     public boolean take(Shortcut shortcut) {
         return (taken & bit(shortcut)) != 0;
     }
 
-    @SuppressWarnings("EnumOrdinal") // asked several times a tile, where a set would be slower
+    @SuppressWarnings("EnumOrdinal") // queried several times per tile, where a set would be slower
     private static int bit(Shortcut shortcut) {
         return 1 << shortcut.ordinal();
     }

@@ -7,63 +7,66 @@ import dev.twister.world.FrameInput;
 import java.util.Arrays;
 
 /**
- * The input's hierarchy with as many children a node as there are lanes, so that one test serves them all; kept while
- * the input's is the same. A child is a node, or a leaf of spheres, which begin a block of their own. All leaves are
- * equally far below the root: a walk that goes down level by level has only leaves left once it comes to one.
+ * The input's hierarchy with as many children per node as there are lanes, so that one test covers all children. Reused
+ * while the input's hierarchy is the same. A child is a node, or a leaf of spheres that starts a new block. All leaves
+ * are at the same depth: in a level-by-level traversal nothing but leaves follows the first leaf.
  */
 public final class WideHierarchy {
-    /** Columns of a node: its children's low sides x, y, z and high sides x, y, z. */
+    /** Floats per node: its children's low sides x, y, z and high sides x, y, z, one column each. */
     public static final int BOX_STRIDE = 6 * Lanes.COUNT;
 
-    /** Where the root's boxes and links begin. */
+    /** Start of the root's boxes and links. */
     public static final int FIRST = Lanes.BORDER;
 
-    /** Above it, a link has room for the number of a beam. */
+    /** The bits of a link from here on hold the number of a beam. */
     public static final int BEAM_SHIFT = 28;
 
     public static final int ROOT = 0;
 
-    /** Set in a leaf's link. */
+    /** Flag of a link to a leaf. */
     private static final int LEAF = 1 << (BEAM_SHIFT - 1);
 
     private static final int NODE = LEAF - 1;
 
-    /** In a leaf's link, by how much its blocks are more than one, above the first block's number. */
+    /** In a leaf's link: position of the number of blocks less one, above the number of the first block. */
     private static final int BLOCKS_SHIFT = BEAM_SHIFT - 4;
 
     public static final int MORE_BLOCKS = 7;
     private static final int BLOCK = (1 << BLOCKS_SHIFT) - 1;
 
-    /** What is left of a sphere's number, counted along the blocks, with the number of a beam above. */
+    /** Mask of a sphere's number, counted along the blocks, below the number of a beam. */
     public static final int SPHERE = (1 << BEAM_SHIFT) - 1;
 
-    /** The low sides of a box that nothing meets; its high ones are their negatives. */
+    /** Low sides of an empty box; its high sides are their negatives. */
     public static final float INSIDE_OUT = 1e36f;
 
-    /** {@link #BOX_STRIDE} numbers a node, from {@link #FIRST} on. */
+    /** {@link #BOX_STRIDE} floats per node, from {@link #FIRST} on. */
     public float[] boxes = {};
 
     /**
-     * Of each child, {@link Lanes#COUNT} a node, from {@link #FIRST} on: the node's number, or what says where the
-     * leaf's blocks are.
+     * {@link Lanes#COUNT} links per node, from {@link #FIRST} on: a child node's number, or the encoded blocks of a
+     * leaf.
      */
     public int[] links = {};
 
-    /** In blocks, leaf by leaf; a leaf's last block is filled up with spheres that nothing meets. */
+    /** The spheres in blocks, leaf by leaf; a leaf's last block is padded with spheres that are never hit. */
     public final SphereColumns spheres = new SphereColumns();
 
-    /** How many children the root has. */
+    /** Number of the root's children. */
     public int rootChildren;
 
-    /** Where spheres that nothing meets are, without a radius: farther than any hit, and than any light. */
+    /** Coordinates of padding spheres, whose radius is 0: farther than any hit or light. */
     private static final float NOWHERE = 1e35f;
 
-    /** What becomes of a subtree of the source: part of a leaf or node, or one that is so high, a leaf being 1. */
+    /**
+     * A subtree of the source becomes part of a leaf or node ({@code PART}), or one of a given height, with leaves at
+     * 1.
+     */
     private static final byte PART = 0;
 
     private static final int LEVEL = 32;
 
-    /** Of each node of the source. */
+    /** The kind of each node of the source. */
     private byte[] kinds = {};
 
     private int nodes;
@@ -71,7 +74,7 @@ public final class WideHierarchy {
     private float[] source = {};
     private int sourceBodies;
 
-    @SuppressWarnings("ReferenceEquality") // an input's arrays never change
+    @SuppressWarnings("ReferenceEquality") // an input's arrays are immutable
     public void take(FrameInput input) {
         if (source != input.bodies().hierarchy() || sourceBodies != input.bodyCount()) {
             source = input.bodies().hierarchy();
@@ -92,11 +95,11 @@ public final class WideHierarchy {
     }
 
     /**
-     * Says which subtrees of the source become leaves or nodes: bottom up, so that those at the bottom, of which there
-     * are most, are the fullest.
+     * Decides bottom up which subtrees of the source become leaves or nodes, so that the lowest ones, which are the
+     * most numerous, are the fullest.
      *
-     * @return how high the subtree is, times {@link #LEVEL}, plus how many spheres (height 0) or children its topmost
-     *     part has so far
+     * @return the subtree's height times {@link #LEVEL}, plus the number of spheres (at height 0) or children in its
+     *     topmost part so far
      */
     private int group(int from) {
         int count = (int) source[from + Layout.NODE_SPHERES];
@@ -139,8 +142,8 @@ public final class WideHierarchy {
     }
 
     /**
-     * Makes a node of the leaves and nodes next below one of the source's nodes, or, where that is not as high, a node
-     * of it alone; returns its number.
+     * Creates a node from the leaves and nodes below a node of the source; where that is lower than required, the new
+     * node has it as its only child. Returns the new node's number.
      */
     private int widen(int top, int height) {
         int node = nodes;
@@ -159,7 +162,7 @@ public final class WideHierarchy {
         return node;
     }
 
-    /** Lists those below a node of the source; returns the place behind the last. */
+    /** Lists the leaves and nodes below a node of the source; returns the place after the last. */
     private int list(int from, int at) {
         int next = at;
         int left = (int) source[from + Layout.NODE_LINK];
@@ -182,7 +185,7 @@ public final class WideHierarchy {
         return (int) source[node + Layout.NODE_LINK] / Layout.SPHERE_STRIDE;
     }
 
-    /** The place behind it. */
+    /** The place after the subtree's last sphere. */
     private int lastSphere(int from) {
         int node = from;
         while (source[node + Layout.NODE_SPHERES] < 0) {
@@ -228,7 +231,7 @@ public final class WideHierarchy {
         return (link & LEAF) != 0;
     }
 
-    /** The number of the node that a link leads to. */
+    /** The node's number in a link. */
     public static int node(int link) {
         return link & NODE;
     }
@@ -247,7 +250,7 @@ public final class WideHierarchy {
         return 1 + (link >>> BLOCKS_SHIFT & MORE_BLOCKS);
     }
 
-    /** Copies spheres that follow each other in the source to the next blocks. */
+    /** Copies consecutive spheres of the source to the next blocks. */
     private void copySpheres(int first, int count) {
         int end = blocks + Math.max(1, (count + Lanes.COUNT - 1) / Lanes.COUNT);
         spheres.reserveBlocks(end);

@@ -1,5 +1,5 @@
 /**
- * What all threads read while a frame is drawn: the input, prepared for lanes, and which shortcuts are taken. The
- * compiler inlines of it what it likes; no vector is taken or returned.
+ * The state of a frame that all threads read: the input, prepared for lanes, and the enabled shortcuts. C2 decides what
+ * it inlines here, because no method takes or returns a vector.
  */
 package dev.twister.engine.vector.frame;

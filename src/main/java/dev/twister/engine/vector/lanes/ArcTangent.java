@@ -3,11 +3,11 @@ package dev.twister.engine.vector.lanes;
 import dev.twister.kernel.KernelMath;
 import jdk.incubator.vector.FloatVector;
 
-/** The scalar kernel's polynomial. */
+/** Arc tangent, by the scalar kernel's polynomial. */
 public final class ArcTangent {
     private ArcTangent() {}
 
-    /** Of ratios in [0, 1]. */
+    /** The arc tangent of ratios in [0, 1]. */
     public static FloatVector of(FloatVector ratio) {
         FloatVector s = ratio.mul(ratio);
         FloatVector polynomial = Lanes.fma(s, KernelMath.ATAN_8, KernelMath.ATAN_7);

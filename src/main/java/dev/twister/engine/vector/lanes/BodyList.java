@@ -1,6 +1,6 @@
 package dev.twister.engine.vector.lanes;
 
-/** Some of a scene's bodies, in ascending order. */
+/** A list of bodies in ascending order. */
 public final class BodyList {
     public int[] bodies = new int[16];
     public int count;
@@ -9,7 +9,7 @@ public final class BodyList {
         count = 0;
     }
 
-    /** Makes room for that number, so that adding them allocates nothing. */
+    /** Allocates room for that number of bodies. */
     public void reserve(int most) {
         if (bodies.length < most) {
             bodies = new int[most];

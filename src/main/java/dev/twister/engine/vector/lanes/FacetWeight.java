@@ -4,11 +4,11 @@ import dev.twister.kernel.Facet;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorOperators;
 
-/** What part of the light a rough surface passes on: {@link Facet#weight}. */
+/** The weight of a microfacet sample on a rough surface: {@link Facet#weight}. */
 public final class FacetWeight {
     private FacetWeight() {}
 
-    /** 1 in smooth lanes, 0 where the ray goes to the wrong side of a rough surface. */
+    /** 1 in smooth lanes; 0 where the ray leaves a rough surface on the wrong side. */
     public static FloatVector of(FloatVector roughness, FloatVector cosineIn, FloatVector cosineOut) {
         FloatVector alpha = roughness.mul(roughness);
         FloatVector squared = alpha.mul(alpha);

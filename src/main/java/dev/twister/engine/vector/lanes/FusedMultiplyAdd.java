@@ -2,17 +2,14 @@ package dev.twister.engine.vector.lanes;
 
 import dev.twister.engine.JvmOptions;
 
-/**
- * Whether the CPU multiplies and adds in one step, which those before 2013, and some small or virtual ones since, do
- * not.
- */
+/** Whether the CPU has a fused multiply-add. CPUs older than 2013 and some small or virtual ones lack it. */
 public final class FusedMultiplyAdd {
-    /** A system property that overrides what the JVM says: {@code true} or {@code false}. */
+    /** System property that overrides the JVM's setting: {@code true} or {@code false}. */
     public static final String PROPERTY = "dev.twister.vector.fma";
 
     private FusedMultiplyAdd() {}
 
-    /** As the JVM uses it; so where a JVM does not say. */
+    /** The JVM's setting; true where it is unknown. */
     public static boolean isFast() {
         String override = System.getProperty(PROPERTY);
         return override == null ? jvmUsesIt() : Boolean.parseBoolean(override);

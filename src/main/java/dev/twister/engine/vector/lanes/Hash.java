@@ -4,7 +4,7 @@ import dev.twister.kernel.Noise;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorOperators;
 
-/** The scalar kernel's {@link Noise}. */
+/** The scalar kernel's {@link Noise}, in lanes. */
 public final class Hash {
     private Hash() {}
 

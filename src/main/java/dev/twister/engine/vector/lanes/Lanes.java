@@ -8,8 +8,8 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * How wide a packet is, fixed once a class loader: the compiler makes good code of a species only where it is a
- * constant. The system property {@value #BITS_PROPERTY} (128, 256 or 512) overrides the CPU's own width.
+ * The width of a packet, constant per class loader because C2 generates good code only for a constant species. The
+ * system property {@value #BITS_PROPERTY} (128, 256 or 512) overrides the CPU's preferred width.
  */
 public final class Lanes {
     public static final String BITS_PROPERTY = "dev.twister.vector.bits";
@@ -17,20 +17,19 @@ public final class Lanes {
     public static final VectorSpecies<Float> FLOATS = species(Integer.getInteger(BITS_PROPERTY, 0));
     public static final VectorSpecies<Integer> INTS = FLOATS.withLanes(int.class);
 
-    /** A packet lies in one of a tile's blocks. */
+    /** Upper limit of the lanes, so that a packet lies within one of a tile's blocks. */
     private static final int MOST = 16;
 
-    /** Pixels a packet: 4, 8 or 16, which divides a tile's block. */
+    /** Pixels per packet: 4, 8 or 16, a divisor of a tile's block. */
     public static final int COUNT = FLOATS.length();
 
-    /** Whether lanes can be packed together by the CPU; where they cannot, {@code compress} makes objects. */
+    /** Whether the CPU can compress lanes; elsewhere {@code compress} allocates objects. */
     public static final boolean PACK = FLOATS.vectorBitSize() == 512;
 
     /**
-     * Where vectors begin in the arrays that most of them are read from and written to: behind the 16 bytes of an
-     * array's header, so many floats or ints later a cache line begins, in a JVM that lays every object on the border
-     * of one (see {@code scripts/jvm.options}). A vector that lies across two lines takes a quarter to a half longer to
-     * write and to read. In other JVMs it is a place like any other.
+     * Start of the vectors in the most used arrays. An array's header has 16 bytes, so this many floats or ints later a
+     * cache line begins, provided that the JVM aligns objects to cache lines (see {@code scripts/jvm.options}). Loads
+     * and stores across two lines take 25 to 50 % longer. In other JVMs the value has no effect.
      */
     public static final int BORDER = 12;
 
@@ -56,12 +55,12 @@ public final class Lanes {
         };
     }
 
-    /** Each lane's number. */
+    /** The number of each lane. */
     public static IntVector numbers() {
         return IntVector.fromArray(INTS, NUMBERS, 0);
     }
 
-    /** One bit each of the first lanes: that number, or all where there are fewer. */
+    /** A mask of the first {@code number} lanes, or of all where there are fewer. */
     public static long first(int number) {
         return (1L << Math.min(COUNT, number)) - 1;
     }
@@ -75,19 +74,19 @@ public final class Lanes {
     }
 
     /**
-     * {@code a * b + c}, in one step where the CPU has one: where it has none, the Vector API's own calls a library for
-     * each lane, which takes a thousand times as long.
+     * {@code a * b + c}, fused where the CPU can. Elsewhere the Vector API's own method calls a library per lane, about
+     * 1000 times slower.
      */
     public static FloatVector fma(FloatVector a, FloatVector b, FloatVector c) {
         return FUSED ? a.fma(b, c) : a.mul(b).add(c);
     }
 
-    /** The same with one number for all lanes each. */
+    /** As above, with scalar {@code b} and {@code c}. */
     public static FloatVector fma(FloatVector a, float b, float c) {
         return FUSED ? a.fma(b, c) : a.mul(b).add(c);
     }
 
-    /** The larger, lane by lane, {@code a} where either is NaN; cheaper than {@code max}, which minds NaN and -0. */
+    /** The larger value per lane; {@code a} where either is NaN. Faster than {@code max}, which handles NaN and -0. */
     public static FloatVector larger(FloatVector a, FloatVector b) {
         return a.blend(b, b.compare(VectorOperators.GT, a));
     }
@@ -96,12 +95,14 @@ public final class Lanes {
         return a.blend(b, b.compare(VectorOperators.LT, a));
     }
 
-    /** The least of all lanes; by ints in the same order, as a float's minimum minds NaN and -0 at every step. */
+    /**
+     * The minimum of all lanes, by ints in the floats' order, because a float minimum handles NaN and -0 at every step.
+     */
     public static float least(FloatVector values) {
         return ordered(ordered(values.reinterpretAsInts()).reduceLanes(VectorOperators.MIN));
     }
 
-    /** The greatest of all lanes. */
+    /** The maximum of all lanes. */
     public static float greatest(FloatVector values) {
         return ordered(ordered(values.reinterpretAsInts()).reduceLanes(VectorOperators.MAX));
     }
@@ -122,7 +123,7 @@ public final class Lanes {
         return inverse.blend(0f, zero);
     }
 
-    /** Towards zero, for values within an int's range. */
+    /** Rounds toward zero; the values must be in an int's range. */
     public static IntVector truncated(FloatVector values) {
         return (IntVector) values.convertShape(VectorOperators.F2I, INTS, 0);
     }
@@ -131,13 +132,13 @@ public final class Lanes {
         return (FloatVector) values.convertShape(VectorOperators.I2F, FLOATS, 0);
     }
 
-    /** {@code floor(values)}, for values within an int's range. */
+    /** {@code floor(values)}; the values must be in an int's range. */
     public static FloatVector floor(FloatVector values) {
         FloatVector whole = toFloats(truncated(values));
         return whole.blend(whole.sub(1f), whole.compare(VectorOperators.GT, values));
     }
 
-    /** Writes the values of those lanes close together; {@link #COUNT} places are written. */
+    /** Writes the selected lanes contiguously; {@link #COUNT} places may be overwritten. */
     public static void pack(int[] from, int first, long lanes, int[] to, int at) {
         if (PACK) {
             IntVector.fromArray(INTS, from, first)
@@ -152,7 +153,7 @@ public final class Lanes {
         }
     }
 
-    /** The same with floats. */
+    /** As above, for floats. */
     public static void pack(float[] from, int first, long lanes, float[] to, int at) {
         if (PACK) {
             FloatVector.fromArray(FLOATS, from, first)

@@ -1,18 +1,18 @@
 package dev.twister.engine.vector.lanes;
 
-/** Some of a tile's packets, each by the place of its first pixel. */
+/** A list of a tile's packets, each by the place of its first pixel. */
 public final class PacketList {
-    /** The places; only the first {@link #count} hold. */
+    /** The places; only the first {@link #count} are valid. */
     public final int[] places;
 
     public int count;
 
-    /** With room for that number. */
+    /** Allocates room for {@code most} packets. */
     PacketList(int most) {
         places = new int[most];
     }
 
-    /** All packets of a tile. */
+    /** Fills the list with all packets of a tile. */
     public void addAll() {
         for (int packet = 0; packet < places.length; packet++) {
             places[packet] = packet * Lanes.COUNT;
@@ -20,7 +20,7 @@ public final class PacketList {
         count = places.length;
     }
 
-    /** What another list has. */
+    /** Copies another list. */
     public void copy(PacketList other) {
         System.arraycopy(other.places, 0, places, 0, other.count);
         count = other.count;

@@ -1,23 +1,23 @@
 package dev.twister.engine.vector.lanes;
 
-/** Packets that look at a small patch of the sky, each with the texels that any of its lanes needs. */
+/** Packets that see a small patch of the sky, each with the range of texels that its lanes need. */
 public final class PatchList {
-    /** The places of the packets' first pixels; only the first {@link #count} of each array hold. */
+    /** Places of the packets' first pixels; only the first {@link #count} entries of each array are valid. */
     public final int[] places;
 
-    /** The patches' first columns and rows in the padded sky. */
+    /** First column and row of each patch in the padded sky. */
     public final int[] left;
 
     public final int[] top;
 
-    /** How many texels they are wide and high; only {@code SkyPatches} asks for it. */
+    /** Width and height of each patch in texels; only {@code SkyPatches} uses them. */
     public final int[] columns;
 
     public final int[] rows;
 
     public int count;
 
-    /** With room for that number. */
+    /** Allocates room for {@code most} packets. */
     PatchList(int most) {
         places = new int[most];
         left = new int[most];

@@ -1,13 +1,13 @@
 package dev.twister.engine.vector.lanes;
 
-/** Some of a tile's pixels, each by its number. */
+/** A list of a tile's pixels, each by its number. */
 public final class PixelList {
-    /** The numbers; only the first {@link #count} hold, and as many more as there are lanes may be written. */
+    /** The numbers; only the first {@link #count} are valid. {@link Lanes#COUNT} entries beyond are scratch space. */
     public final int[] pixels;
 
     public int count;
 
-    /** With room for that number. */
+    /** Allocates room for {@code most} pixels. */
     PixelList(int most) {
         pixels = new int[most + Lanes.COUNT];
     }
@@ -20,7 +20,7 @@ public final class PixelList {
      * Adds some pixels of a packet.
      *
      * @param at the packet's place
-     * @param lanes one bit a pixel that is added
+     * @param lanes one bit per pixel to add
      */
     public void add(int at, long lanes) {
         for (long rest = lanes; rest != 0L; rest &= rest - 1) {

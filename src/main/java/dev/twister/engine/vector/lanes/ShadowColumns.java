@@ -1,8 +1,8 @@
 package dev.twister.engine.vector.lanes;
 
-/** What is known of a packet's shadow candidates, {@link Lanes#COUNT} floats a fact; grows, never shrinks. */
+/** Data about a packet's shadow candidates, in columns of {@link Lanes#COUNT} floats. It grows and never shrinks. */
 public final class ShadowColumns {
-    /** The disc's axes U (its x is 0) and W. */
+    /** The disc's axes U (with x = 0) and W. */
     public static final int U_Y = Lanes.BORDER;
 
     public static final int U_Z = U_Y + Lanes.COUNT;
@@ -10,15 +10,15 @@ public final class ShadowColumns {
     public static final int W_Y = U_Y + 3 * Lanes.COUNT;
     public static final int W_Z = U_Y + 4 * Lanes.COUNT;
 
-    /** From the unit disc to the plane at distance 1. */
+    /** Factor from the unit disc to the plane at distance 1. */
     public static final int SCALE = U_Y + 5 * Lanes.COUNT;
 
-    /** How many samples are blocked. */
+    /** Number of blocked samples. */
     public static final int BLOCKED = U_Y + 6 * Lanes.COUNT;
 
     private static final int FRAME_LENGTH = U_Y + 7 * Lanes.COUNT;
 
-    /** A candidate's center along A, U and W, and its squared radius: less than 0 in lanes it cannot shade. */
+    /** A candidate's center along A, U and W, and its squared radius, negative in lanes that it cannot shade. */
     public static final int ALONG = Lanes.BORDER;
 
     public static final int ACROSS_U = ALONG + Lanes.COUNT;
@@ -26,7 +26,8 @@ public final class ShadowColumns {
     public static final int RADIUS_SQUARED = ALONG + 3 * Lanes.COUNT;
 
     /**
-     * The conic {@code xx X^2 + xy X Y + yy Y^2 + x X + y Y + c} over the unit disc, below 0 where a sample is blocked.
+     * The conic {@code xx X^2 + xy X Y + yy Y^2 + x X + y Y + c} over the unit disc; negative where a sample is
+     * blocked.
      */
     public static final int XX = ALONG + 4 * Lanes.COUNT;
 
@@ -37,8 +38,8 @@ public final class ShadowColumns {
     public static final int CONSTANT = ALONG + 9 * Lanes.COUNT;
 
     /**
-     * Along {@link #direction}, in radii of the disc: where the candidate's shadow begins and ends, from where on it
-     * hides all, and up to where.
+     * Ranges along {@link #direction}, in disc radii: where the candidate's shadow begins and ends, and where it covers
+     * the full width of the disc.
      */
     public static final int BEGIN = ALONG + 10 * Lanes.COUNT;
 
@@ -46,71 +47,73 @@ public final class ShadowColumns {
     public static final int HIDDEN_FROM = ALONG + 12 * Lanes.COUNT;
     public static final int HIDDEN_TO = ALONG + 13 * Lanes.COUNT;
 
-    /** From one candidate to the next. */
+    /** Distance between candidates. */
     public static final int STRIDE = 14 * Lanes.COUNT;
 
-    /** Where more spheres are near a packet\'s lines, its points are better off one by one. */
+    /** With more spheres near a packet's lines, its points are faster one by one. */
     public static final int MOST_TOGETHER = 32;
 
-    /** Spheres between a tile's points and the light, and those between one packet's. */
+    /** Spheres between a tile's points and the light, and those between one packet's points and the light. */
     public final BodyList tileCandidates = new BodyList();
 
     public final BodyList candidates = new BodyList();
 
-    /** One bit a lane that some candidate may shade, and one that a candidate shades wholly. */
+    /** Masks of the lanes that some candidate may shade, and of those in full shadow of one. */
     public long touched;
 
     public long dark;
 
-    /** Of the spheres near a packet's lines, one bit a lane that each may come between. */
+    /** Per sphere near a packet's lines, the mask of the lanes that it may shade. */
     public final long[] betweens = new long[MOST_TOGETHER];
 
     public final float[] frame = new float[FRAME_LENGTH];
 
-    /** The facts of {@link #candidates}. */
+    /** Data of {@link #candidates}, {@link #STRIDE} floats each. */
     public float[] facts = new float[ALONG + 16 * STRIDE];
 
-    /** The lowest conic at each sample, {@link Lanes#COUNT} floats a sample, from {@link Lanes#BORDER} on. */
+    /** The minimum of the conics at each sample, {@link Lanes#COUNT} floats per sample from {@link Lanes#BORDER} on. */
     public float[] conics = {};
 
     /**
-     * The samples, x and y of each, in order along the direction of that number of {@code DiscOrders} where they are
-     * sorted.
+     * x and y of each sample. If {@link #sorted}, they are ordered along {@link #direction}, a number of
+     * {@code DiscOrders}.
      */
     public float[] disc = {};
 
     public boolean sorted;
     public int direction;
 
-    /** Of each candidate, which of the samples are to be looked at: from that one on, to before that one. */
+    /** Range of samples to test per candidate: inclusive start and exclusive end. */
     public int[] froms = new int[16];
 
     public int[] tos = new int[16];
 
-    /** Whether conics tell what each candidate blocks, from all points that it may shade. */
+    /** Whether conics are valid for all candidates from all points that they may shade. */
     public boolean conical;
 
-    /** Forgets the last packet. */
+    /** Clears the previous packet. */
     public void startPacket() {
         candidates.clear();
         touched = 0;
         dark = 0;
     }
 
-    /** Adds a candidate that may shade some lanes, and some of them wholly. */
+    /**
+     * Adds a candidate that may shade the lanes {@code between} and fully covers the light in the lanes {@code hidden}.
+     */
     public void add(int body, long between, long hidden) {
         candidates.add(body);
         touched |= between;
         dark |= between & hidden;
     }
 
-    /** Makes room for a frame's bodies. */
+    /** Allocates room for a frame's bodies. */
     public void reserveBodies(int most) {
         tileCandidates.reserve(most);
         candidates.reserve(most);
     }
 
-    /** Makes room for the conics at that number of samples. */
+    /** Allocates room for the conics at that number of samples. */
     public void reserveConics(int samples) {
         int length = Lanes.BORDER + samples * Lanes.COUNT;
         if (conics.length < length) {
@@ -118,7 +121,7 @@ public final class ShadowColumns {
         }
     }
 
-    /** Makes room for the facts of that number of candidates. */
+    /** Allocates room for the data of that number of candidates. */
     public void reserveFacts(int count) {
         if (facts.length < ALONG + count * STRIDE) {
             int room = 2 * Integer.highestOneBit(count);

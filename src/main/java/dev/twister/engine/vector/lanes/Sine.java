@@ -4,11 +4,11 @@ import dev.twister.kernel.KernelMath;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorOperators;
 
-/** The scalar kernel's sine. */
+/** Sine, by the scalar kernel's polynomial. */
 public final class Sine {
     private Sine() {}
 
-    /** Of angles in whole turns, in [0, 1). */
+    /** The sine of angles in turns, in [0, 1). */
     public static FloatVector ofTurns(FloatVector turns) {
         FloatVector x = turns.blend(Lanes.all(0.5f).sub(turns), turns.compare(VectorOperators.GT, 0.25f))
                 .blend(turns.sub(1f), turns.compare(VectorOperators.GT, 0.75f));

@@ -3,39 +3,39 @@ package dev.twister.engine.vector.lanes;
 import java.util.Arrays;
 
 /**
- * Spheres side by side in columns of one array: what is known of the sphere at a place lies there and so many times
- * {@link #stride} further on. Some lanes behind a column's last sphere may be read, and mean nothing.
+ * Spheres in columns of one array: a sphere's values are at its place plus multiples of {@link #stride}. Lanes after a
+ * column's last sphere may be read; their values are meaningless.
  */
 public final class SphereColumns {
-    /** By how many strides the facts of a sphere lie behind its x. */
+    /** Offsets of a sphere's values from its x, in strides. */
     public static final int Y = 1;
 
     public static final int Z = 2;
     public static final int RADIUS = 3;
 
-    /** The sphere's number among the bodies: whole, and exact in a float. */
+    /** The sphere's body number, an integer that is exact as a float. */
     public static final int BODY = 4;
 
     public static final int COLUMNS = 5;
 
-    /** Where the first sphere's x lies. */
+    /** Place of the first sphere. */
     public static final int FIRST = Lanes.BORDER;
 
     public float[] values = {};
 
-    /** From one column to the next. */
+    /** Distance between columns. */
     public int stride;
 
-    /** From one packet of spheres to the next. */
+    /** Distance between packets of spheres. */
     public int step;
 
-    /** Where, in blocks, the number of the sphere among the bodies lies whose number along the blocks that is. */
+    /** In blocks: the place of the body number of the sphere with that number along the blocks. */
     public static int bodyPlace(int sphere) {
         return FIRST + (sphere / Lanes.COUNT * COLUMNS + BODY) * Lanes.COUNT + sphere % Lanes.COUNT;
     }
 
     /**
-     * Makes room for that number of spheres, one column whole behind the other; what was there is lost where they grow.
+     * Allocates room for that number of spheres, one complete column after the other. The content is lost if it grows.
      */
     public void reserveList(int most) {
         if (stride < most + Lanes.COUNT) {
@@ -45,7 +45,7 @@ public final class SphereColumns {
         }
     }
 
-    /** Makes room for that number of blocks of {@link Lanes#COUNT} spheres; what is there stays. */
+    /** Allocates room for that number of blocks of {@link Lanes#COUNT} spheres, and keeps the content. */
     public void reserveBlocks(int most) {
         stride = Lanes.COUNT;
         step = COLUMNS * Lanes.COUNT;
@@ -55,11 +55,11 @@ public final class SphereColumns {
     }
 
     /**
-     * Copies some spheres of others, close together; room is needed for one packet more.
+     * Copies some spheres of a packet contiguously. The target needs room for a whole packet.
      *
-     * @param to the place of the first
-     * @param from the place of the others' first
-     * @param lanes one bit a sphere that is copied
+     * @param to place of the first copy
+     * @param from place of the source packet
+     * @param lanes one bit per sphere to copy
      */
     public void copy(int to, SphereColumns others, int from, long lanes) {
         for (int column = 0; column < COLUMNS; column++) {

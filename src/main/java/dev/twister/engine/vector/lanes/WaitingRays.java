@@ -3,16 +3,16 @@ package dev.twister.engine.vector.lanes;
 import java.util.Arrays;
 
 /**
- * Rays that wait to be followed, by how many surfaces they have left. Those that have left the most go first where they
- * fill a tile, so that no more than {@value #ROOM} of a kind wait.
+ * Branch rays that wait to be followed, by their bounce. The highest bounce that fills a tile goes first, so at most
+ * {@value #ROOM} rays wait per bounce.
  */
 public final class WaitingRays {
     private static final int ROOM = 3 * Tile.SIZE;
 
-    /** From one column to the next. */
+    /** Distance between columns. */
     private static final int STRIDE = ROOM + Lanes.COUNT;
 
-    /** Which of a tile's columns wait. */
+    /** The tile columns that are saved. */
     private static final int[] COLUMNS = {
         Tile.DIRECTION_X,
         Tile.DIRECTION_Y,
@@ -34,7 +34,7 @@ public final class WaitingRays {
     private float[][] rays = {};
     private int[] counts = {};
 
-    /** Makes room for rays that have left that number of surfaces. */
+    /** Allocates room for rays up to that number of bounces. */
     public void reserve(int bounces) {
         if (counts.length <= bounces) {
             int before = counts.length;
@@ -46,7 +46,7 @@ public final class WaitingRays {
         }
     }
 
-    /** How many surfaces those that go next have left; less than 0 where none wait. */
+    /** The bounce of the rays to follow next; negative if none wait. */
     public int next() {
         int fullest = -1;
         int first = -1;
@@ -57,7 +57,7 @@ public final class WaitingRays {
         return fullest < 0 ? first : fullest;
     }
 
-    /** Moves as many rays as fit into the tile's columns; tells how many. */
+    /** Moves as many rays as fit into the tile's columns; returns their number. */
     public int take(Tile tile, int bounce) {
         int count = Math.min(counts[bounce], Tile.SIZE);
         counts[bounce] -= count;
@@ -71,8 +71,8 @@ public final class WaitingRays {
      * Adds the rays of some lanes of a packet.
      *
      * @param at the packet's place
-     * @param lanes one bit a ray
-     * @param from of each of the columns that wait, in which of the tile's columns it is
+     * @param lanes one bit per ray
+     * @param from for each saved column, the tile column to read it from
      */
     public void add(Tile tile, int at, long lanes, int bounce, int[] from) {
         float[] to = rays[bounce];

@@ -9,22 +9,22 @@ import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Which boxes a packet's rays may meet: {@link NodeBox#entry}. */
+/** Box tests of a packet's rays: {@link NodeBox#entry}. */
 final class BoxLanes {
     /**
-     * What boxes are grown by, as a part of their distance: {@link NodeBox}'s, and what it takes that distances are
-     * products less products here, each rounded.
+     * Growth of boxes relative to their distance: that of {@link NodeBox}, and more because distances here are
+     * differences of two rounded products.
      */
     private static final float GROWTH = 1.5f * NodeBox.GROWTH;
 
-    /** The same as a part of the origin's coordinates. */
+    /** Additional growth relative to the origin's coordinates. */
     private static final float ROUNDING = 0.25f;
 
     private BoxLanes() {}
 
     /**
-     * Writes the directions' inverses and what those make of the origins, which boxes' growth does for all rays, as
-     * none in the hierarchy is farther away, and which sides of a box are near.
+     * Writes the inverse directions and their products with the origins, the growth of all boxes, and the near sides.
+     * One growth serves all rays: it is derived from the farthest point of the root's box.
      */
     static void aim(Tile tile, PacketWalk walk) {
         float[] r = walk.rays;
@@ -61,18 +61,18 @@ final class BoxLanes {
     }
 
     /**
-     * Goes down to the next leaf whose box any ray may meet before its end, testing both children of a node at a time.
-     * What is above 0 is in the order of its bits, and it does not matter which of several is below: the largest and
-     * least are found as ints.
+     * Continues to the next leaf whose box any ray may meet before its end. Both children of a node are tested
+     * together. Positive floats compare like their bits, and the order of negative values does not matter, so minima
+     * and maxima are taken as ints.
      *
-     * @return where the leaf is, or {@link Layout#NO_NODE} where there is none
+     * @return the leaf's place, or {@link Layout#NO_NODE} if there is none
      */
     static int nextLeaf(Tile tile, PacketWalk walk) {
         float[] r = walk.rays;
         float[] boxes = walk.boxes;
         int[] stack = walk.stack;
         int[] entries = walk.entries;
-        // Kept with each node that waits: where its box begins for the first of the rays.
+        // A waiting node whose smallest entry lies beyond every ray's end is skipped.
         int farthest = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.END)
                 .reinterpretAsInts()
                 .reduceLanes(VectorOperators.MAX);

@@ -8,27 +8,27 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** What is between the corners of the triangle that each lane of a packet has met: {@link MeshSurface}. */
+/** Interpolation over the triangle that each lane has hit: {@link MeshSurface}. */
 final class CornerLanes {
-    /** The corners A, B and C, x, y and z of each; later the normals there. */
+    /** Corners A, B and C with x, y and z each; later the normals there. */
     static final int CORNERS = Lanes.BORDER;
 
-    /** The numbers of their vertices. */
+    /** The corners' vertex numbers. */
     static final int VERTICES = CORNERS + Layout.TRIANGLE_VERTICES * Lanes.COUNT;
 
-    /** Which part of the point is B's, and which is C's. */
+    /** Barycentric weights of B and C at the hit point. */
     private static final int PART_B = CORNERS + Layout.TRIANGLE_STRIDE * Lanes.COUNT;
 
     private static final int PART_C = PART_B + Lanes.COUNT;
 
-    /** A normal in the mesh's coordinates, of any length. */
+    /** A point or normal in the mesh's coordinates; normals have any length. */
     private static final int NORMAL = PART_B + 2 * Lanes.COUNT;
 
     static final int LENGTH = NORMAL + 3 * Lanes.COUNT;
 
     private CornerLanes() {}
 
-    /** Writes the parts, as {@code Triangle.part} has them. */
+    /** Writes the barycentric weights, like {@code Triangle.part}. */
     static void weigh(Tile tile, PacketWalk walk, float[] corners) {
         float[] r = walk.rays;
         FloatVector axis = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.AXIS);
@@ -69,9 +69,9 @@ final class CornerLanes {
     }
 
     /**
-     * Writes the points.
+     * Writes the hit points.
      *
-     * @param rows where the rows to the world's coordinates begin in the hierarchy
+     * @param rows start of the rows of the mesh-to-world transform in the hierarchy
      */
     static void findPoints(Tile tile, int at, float[] corners, long lanes, float[] hierarchy, int rows) {
         FloatVector b = FloatVector.fromArray(Lanes.FLOATS, corners, PART_B);
@@ -101,7 +101,7 @@ final class CornerLanes {
         }
     }
 
-    /** Writes the faces' normals in the mesh's coordinates, with 1 as the largest coordinate. */
+    /** Writes the face normals in the mesh's coordinates, scaled so that the largest component is 1. */
     static void findFaces(Tile tile, float[] corners) {
         FloatVector x = FloatVector.fromArray(Lanes.FLOATS, corners, CORNERS);
         FloatVector y = FloatVector.fromArray(Lanes.FLOATS, corners, CORNERS + Lanes.COUNT);
@@ -128,7 +128,7 @@ final class CornerLanes {
         z.mul(scale).intoArray(corners, NORMAL + 2 * Lanes.COUNT);
     }
 
-    /** Mixes the corners' normals; where they cancel, the face's stays. */
+    /** Interpolates the corners' normals; keeps the face normal where they cancel out. */
     static void mixNormals(Tile tile, float[] corners) {
         FloatVector b = FloatVector.fromArray(Lanes.FLOATS, corners, PART_B);
         FloatVector c = FloatVector.fromArray(Lanes.FLOATS, corners, PART_C);
@@ -153,7 +153,7 @@ final class CornerLanes {
                 .intoArray(corners, NORMAL + 2 * Lanes.COUNT);
     }
 
-    /** Writes the normals as unit vectors of the world to the tile's columns from that one on. */
+    /** Writes the normals as unit vectors in world space to the tile's columns from {@code column} on. */
     static void turnNormals(
             Tile tile, int at, float[] corners, int column, long lanes, float[] hierarchy, int instance) {
         float[] t = tile.values;
@@ -180,7 +180,7 @@ final class CornerLanes {
                 .intoArray(t, at + column + 2 * Tile.SIZE);
     }
 
-    /** Turns the normals to the side of the faces from which the rays come. */
+    /** Turns the normals to the side of the face that the ray comes from. */
     static void face(Tile tile, int at, long lanes) {
         float[] t = tile.values;
         FloatVector faceX = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.FACE_X);

@@ -9,11 +9,11 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** A packet's rays in the coordinates of an instance's mesh: {@link Instance}, and as {@link Triangle} takes them. */
+/** A packet's rays in the coordinates of an instance's mesh ({@link Instance}), prepared for {@link Triangle}. */
 final class InstanceLanes {
     private InstanceLanes() {}
 
-    /** Writes the rays of another walk, and their ends, in the coordinates that some rows lead to. */
+    /** Transforms another traversal's rays by the given rows, and copies their ends. */
     static void transform(Tile tile, PacketWalk from, PacketWalk to, float[] hierarchy, int rows) {
         float[] f = from.rays;
         float[] r = to.rays;
@@ -39,8 +39,8 @@ final class InstanceLanes {
     }
 
     /**
-     * Writes the axes along which the directions are longest, and the shear that turns the rays there; returns one bit
-     * for each axis that is the longest of any ray that takes part, and goes the way of the first of them.
+     * Writes the dominant axis of each direction and the shear along it. Selects the first active ray for the traversal
+     * order. Returns one bit per axis that is dominant for any active ray.
      */
     static long shear(Tile tile, PacketWalk walk) {
         float[] r = walk.rays;
@@ -76,10 +76,10 @@ final class InstanceLanes {
     }
 
     /**
-     * Writes which triangle of a body each ray leaves.
+     * Writes the triangle of the body that each ray leaves, which the ray ignores.
      *
      * @param leaving the tile's column of the bodies that the rays leave
-     * @param triangles the tile's column of their triangles
+     * @param triangles the tile's column of the triangles that the rays leave
      */
     static void ignore(Tile tile, PacketWalk walk, int at, int leaving, int triangles, int body) {
         float[] t = tile.values;

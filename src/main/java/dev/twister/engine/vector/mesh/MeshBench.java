@@ -3,17 +3,17 @@ package dev.twister.engine.vector.mesh;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.shadow.ShadowBench;
 
-/** One thread's tools for meshes. */
+/** One thread's working memory for meshes. */
 public final class MeshBench {
-    /** Through the hierarchy over the instances, and through that over an instance's triangles. */
+    /** Traversals of the hierarchy over instances and of that over an instance's triangles. */
     final PacketWalk world = new PacketWalk();
 
     final PacketWalk mesh = new PacketWalk();
 
-    /** How many samples are blocked in each lane. */
+    /** Number of blocked samples per lane. */
     final float[] blocked = new float[Lanes.BORDER + Lanes.COUNT];
 
-    /** 1 in the lanes whose lines are aimed at the sample. */
+    /** 1 in the lanes with a line to the current sample. */
     final float[] aimed = new float[Lanes.BORDER + Lanes.COUNT];
 
     /** Columns of {@link CornerLanes}. */
@@ -21,7 +21,7 @@ public final class MeshBench {
 
     final ShadowBench shadows;
 
-    /** With the shadows of the same thread. */
+    /** Shares the shadow columns of the same thread. */
     public MeshBench(ShadowBench shadows) {
         this.shadows = shadows;
     }

@@ -9,13 +9,11 @@ import dev.twister.world.Bodies;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorOperators;
 
-/** Which triangle the rays meet before what they have met: {@code MeshHit} of the kernel, a packet at a time. */
+/** Closest triangles of the rays, packet by packet: {@code MeshHit} of the kernel. */
 public final class MeshHits {
     private MeshHits() {}
 
-    /**
-     * Mends the hits and distances of the live rays, and writes the instances and triangles, where a mesh is closer.
-     */
+    /** Replaces hits and distances of the live rays where a mesh is closer, and writes instances and triangles. */
     public static void find(Drawing drawing, Tile tile, MeshBench bench) {
         for (int k = 0; k < tile.live.count; k++) {
             find(drawing, tile, bench, tile.live.places[k]);
@@ -39,7 +37,7 @@ public final class MeshHits {
         }
     }
 
-    /** Writes the packet's rays as those of a walk; returns the first lane that goes on, or less than 0. */
+    /** Copies the packet's rays to a traversal; returns the first live lane, or a negative number if there is none. */
     static long start(Tile tile, PacketWalk walk, int at) {
         float[] t = tile.values;
         float[] r = walk.rays;
@@ -83,9 +81,7 @@ public final class MeshHits {
         System.arraycopy(mesh.rays, PacketWalk.END, bench.world.rays, PacketWalk.END, Lanes.COUNT);
     }
 
-    /**
-     * Starts the walk through an instance's triangles; returns one bit for each axis that is the longest of any ray.
-     */
+    /** Starts the traversal of an instance's triangles; returns one bit per axis that is dominant for any ray. */
     static int enter(Bodies bodies, Tile tile, MeshBench bench, int instance) {
         float[] hierarchy = bodies.hierarchy();
         PacketWalk mesh = bench.mesh;

@@ -10,22 +10,19 @@ import dev.twister.kernel.Layout;
 import dev.twister.world.Bodies;
 import java.util.Arrays;
 
-/**
- * Which samples of the light meshes hide from the points of a tile: {@code MeshShadow} of the kernel, a packet at a
- * time.
- */
+/** Light samples that meshes block from the points of a tile, packet by packet: {@code MeshShadow} of the kernel. */
 public final class MeshShadows {
-    /** Stands for a point whose light a mesh lets pass in part: the kernel finds how much. */
+    /** Marks a point whose light passes a transmitting mesh; the kernel computes its visible part. */
     public static final float UNKNOWN = -1f;
 
-    /** Where there are more meshes, each ray looks for its own. */
+    /** With more meshes, the test of all bounding spheres is skipped. */
     private static final int MOST_MESHES = 256;
 
     private MeshShadows() {}
 
     /**
-     * Makes the light invisible where meshes hide all of it; where they hide a part, writes how many samples those are,
-     * and lists the packets. Leaves the packets out that have no open lanes any more.
+     * Sets the visible part to 0 where meshes block all samples. Where they block some, writes their number and lists
+     * the packet. Packets without open lanes are removed from {@link Tile#shadows}.
      */
     public static void find(Drawing drawing, Tile tile, MeshBench bench) {
         tile.meshShadows.clear();
@@ -45,7 +42,7 @@ public final class MeshShadows {
         tile.shadows.count = kept;
     }
 
-    /** Whether the sphere around any mesh reaches between the packet's open points and the light's disc. */
+    /** Whether any mesh's bounding sphere lies between the packet's open points and the light's disc. */
     private static boolean mayBlock(Drawing drawing, Tile tile, int at, long open) {
         MeshColumns meshes = drawing.bodies.meshes;
         boolean may = meshes.count > MOST_MESHES;
@@ -55,7 +52,7 @@ public final class MeshShadows {
         return may;
     }
 
-    /** Looks at the samples of one packet; returns one bit a lane that is still open. */
+    /** Tests the samples of one packet; returns one bit per lane that is still open. */
     private static long find(Drawing drawing, Tile tile, MeshBench bench, int at, long open) {
         long unknown = 0L;
         long lit = open;
@@ -78,7 +75,7 @@ public final class MeshShadows {
         return open & ~dark;
     }
 
-    /** Takes the rays that are blocked out of the walk; returns one bit a ray that a body that transmits has met. */
+    /** Ends the blocked rays; returns one bit per ray that has hit a transmitting body. */
     private static long walk(Drawing drawing, Tile tile, MeshBench bench, int at) {
         Bodies bodies = drawing.input.bodies();
         float[] hierarchy = bodies.hierarchy();

@@ -10,11 +10,11 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Meshes where they are met: {@code MeshSurface} of the kernel. */
+/** Surface data of mesh hits: {@code MeshSurface} of the kernel. */
 public final class MeshSurfaceLanes {
     private MeshSurfaceLanes() {}
 
-    /** Lists the packets that met meshes, and writes the points, the normals and the faces' normals. */
+    /** Lists the packets with mesh hits, and writes hit points, normals and face normals. */
     public static void find(Drawing drawing, Tile tile, MeshBench bench) {
         Bodies bodies = drawing.input.bodies();
         float[] hierarchy = bodies.hierarchy();
@@ -34,14 +34,14 @@ public final class MeshSurfaceLanes {
         }
     }
 
-    /** One bit a lane that met a mesh. */
+    /** One bit per lane with a mesh hit. */
     static long met(Tile tile, int at, int firstMesh) {
         return FloatVector.fromArray(Lanes.FLOATS, tile.values, at + Tile.HIT)
                 .compare(VectorOperators.GE, firstMesh)
                 .toLong();
     }
 
-    /** One bit a lane that met that instance last. */
+    /** One bit per lane whose last mesh hit was this instance. */
     static long ofInstance(Tile tile, int at, int number) {
         return FloatVector.fromArray(Lanes.FLOATS, tile.values, at + Tile.INSTANCE)
                 .compare(VectorOperators.EQ, number)
@@ -69,7 +69,7 @@ public final class MeshSurfaceLanes {
         CornerLanes.face(tile, at, lanes);
     }
 
-    /** Copies the corners of each lane's triangle, and the numbers of their vertices. */
+    /** Copies the corners of each lane's triangle and their vertex numbers. */
     private static void fetch(float[] t, float[] meshes, float[] corners, int at, long lanes, int triangles) {
         for (long rest = lanes; rest != 0L; rest &= rest - 1) {
             int lane = Long.numberOfTrailingZeros(rest);
@@ -94,7 +94,7 @@ public final class MeshSurfaceLanes {
         }
     }
 
-    /** Makes the light invisible where faces look away from it, and leaves the packets without shadows out. */
+    /** Sets the visible part to 0 where the face looks away from the light, and closes those lanes. */
     public static void darken(Tile tile, int firstMesh) {
         float[] t = tile.values;
         for (int k = 0; k < tile.meshes.count; k++) {
@@ -122,7 +122,7 @@ public final class MeshSurfaceLanes {
         }
     }
 
-    /** Lets the rays that go on leave the triangles that they have met. */
+    /** Sets the triangles that the secondary rays leave. */
     public static void leave(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.meshes.count; k++) {

@@ -3,18 +3,18 @@ package dev.twister.engine.vector.mesh;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.kernel.Layout;
 
-/** A packet's rays in the coordinates of a hierarchy, and what of it they have still to visit. */
+/** A packet's rays in the coordinates of a hierarchy, and their traversal stack. */
 final class PacketWalk {
-    /** The ray: where it starts, its direction of any length, and {@code NodeBox.inverse} of that. */
+    /** The ray: origin, direction of any length, and {@code NodeBox.inverse} of the direction. */
     static final int ORIGIN = Lanes.BORDER;
 
     static final int DIRECTION = ORIGIN + 3 * Lanes.COUNT;
     static final int INVERSE = ORIGIN + 6 * Lanes.COUNT;
 
-    /** How many lengths of the direction matter; less than 0 in lanes that take no part. */
+    /** End of the ray in lengths of the direction; negative in inactive lanes. */
     static final int END = ORIGIN + 9 * Lanes.COUNT;
 
-    /** As {@code Triangle.distance} takes them: the longest axis, the origin along the axes, and the shear. */
+    /** Inputs of {@code Triangle.distance}: dominant axis, origin along the permuted axes, and shear. */
     static final int AXIS = ORIGIN + 10 * Lanes.COUNT;
 
     static final int FIRST = ORIGIN + 11 * Lanes.COUNT;
@@ -28,8 +28,8 @@ final class PacketWalk {
     static final int IGNORED = ORIGIN + 17 * Lanes.COUNT;
 
     /**
-     * Of the triangle looked at last: the areas opposite its corners, and how deep those are; or, of each ray's
-     * triangle, the two sheared coordinates of its corners.
+     * Of the current triangle: the areas opposite its corners, and the corners' depths. In {@link CornerLanes}: the
+     * sheared coordinates of the corners of each ray's triangle.
      */
     static final int AREA_A = ORIGIN + 18 * Lanes.COUNT;
 
@@ -39,45 +39,45 @@ final class PacketWalk {
     static final int DEPTH_B = ORIGIN + 22 * Lanes.COUNT;
     static final int DEPTH_C = ORIGIN + 23 * Lanes.COUNT;
 
-    /** The origin times the direction's inverse, less than 0 where that is above: added to a side times the inverse. */
+    /** Minus the origin times the inverse direction: the addition in the slab test. */
     static final int BEHIND = ORIGIN + 24 * Lanes.COUNT;
 
     private static final int LENGTH = ORIGIN + 27 * Lanes.COUNT;
 
     final float[] rays = new float[LENGTH];
 
-    /** Nodes as {@link Layout} has them, and where the first of them is. */
+    /** Nodes laid out as in {@link Layout}, and the place of the root. */
     float[] boxes = {};
 
     int nodes;
 
-    /** What each box is grown by, in the coordinates' unit. */
+    /** Growth of each box, in the coordinates' unit. */
     float growth;
 
-    /** Along each axis, 1 where rays come to a box's low side first, -1 where to its high one. */
+    /** Per axis: 1 where rays meet a box's low side first, -1 where they meet its high side first. */
     final float[] side = new float[3];
 
-    /** Whether rays differ in that. */
+    /** Whether that differs between rays. */
     boolean mixed;
 
-    /** Where nodes are that are to be visited. */
+    /** Places of the nodes to visit. */
     final int[] stack = new int[Layout.MOST_ANCESTORS + 2];
 
-    /** The bits of how many lengths of the direction lie before each of them, at the least. */
+    /** Per node on the stack, the bits of its smallest entry among the rays, in lengths of the direction. */
     final int[] entries = new int[Layout.MOST_ANCESTORS + 2];
 
     int waiting;
 
-    /** The root as long as it has not been looked at, then {@link Layout#NO_NODE}. */
+    /** The root until it has been visited, then {@link Layout#NO_NODE}. */
     int start;
 
-    /** A direction that some ray has: of two nodes, the one that it comes to first is visited first. */
+    /** The direction of one ray, which decides which of two children is visited first. */
     float towardsX;
 
     float towardsY;
     float towardsZ;
 
-    /** Prepares for a walk from the root. */
+    /** Prepares a traversal from the root. */
     void start(float[] newBoxes, int newNodes) {
         boxes = newBoxes;
         nodes = newNodes;
@@ -85,7 +85,7 @@ final class PacketWalk {
         waiting = 0;
     }
 
-    /** Goes the way of the ray of that lane. */
+    /** Uses the ray of a lane for the order of the traversal. */
     void follow(int lane) {
         towardsX = rays[DIRECTION + lane];
         towardsY = rays[DIRECTION + Lanes.COUNT + lane];

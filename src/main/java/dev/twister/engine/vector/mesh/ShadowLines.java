@@ -9,14 +9,14 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** The lines from a packet's points to samples of the light, as rays of a walk. */
+/** Lines from a packet's points to light samples, as rays of a traversal. */
 final class ShadowLines {
-    /** The end of a line that takes no part any more. */
+    /** End of an inactive line. */
     private static final float BLOCKED = -1f;
 
     private ShadowLines() {}
 
-    /** Writes the disc's axes as each point sees it, and where the lines start. */
+    /** Writes each point's disc axes and the origins of its lines. */
     static void findAxes(Tile tile, int at, Drawing drawing, MeshBench bench) {
         ShadowFrame.findAxes(tile, at, drawing, bench.shadows.columns);
         float[] t = tile.values;
@@ -27,9 +27,9 @@ final class ShadowLines {
     }
 
     /**
-     * Aims some lanes' lines at a sample of the unit disc, and ends them there; returns the first of the lanes.
+     * Aims the lines of some lanes at a sample of the unit disc, where they end; returns the first of those lanes.
      *
-     * @param lanes one bit each, at least one
+     * @param lanes one bit per lane, at least one
      */
     static long aim(Tile tile, int at, MeshBench bench, long lanes, float discX, float discY) {
         float[] t = tile.values;
@@ -62,7 +62,7 @@ final class ShadowLines {
         return Long.numberOfTrailingZeros(lanes);
     }
 
-    /** Counts the aimed lines that were blocked; returns one bit for each. */
+    /** Counts the aimed lines that were blocked; returns one bit per blocked line. */
     static long count(Tile tile, MeshBench bench) {
         VectorMask<Float> blocked = FloatVector.fromArray(Lanes.FLOATS, bench.world.rays, PacketWalk.END)
                 .compare(VectorOperators.LT, 0f)
@@ -73,14 +73,14 @@ final class ShadowLines {
         return blocked.toLong();
     }
 
-    /** One bit a lane with as many blocked lines. */
+    /** One bit per lane in which all samples are blocked. */
     static long hidden(Tile tile, MeshBench bench, int samples) {
         return FloatVector.fromArray(Lanes.FLOATS, bench.blocked, Lanes.BORDER)
                 .compare(VectorOperators.GE, samples)
                 .toLong();
     }
 
-    /** Closes the lanes in the dark, and writes what is known of others. */
+    /** Closes the lanes in full shadow, and writes the blocked samples of partly shaded lanes. */
     static void finish(Tile tile, int at, MeshBench bench, long dark, long part, long unknown) {
         float[] t = tile.values;
         FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.VISIBLE)

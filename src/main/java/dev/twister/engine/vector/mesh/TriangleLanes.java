@@ -9,18 +9,18 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Where a packet's rays meet triangles: {@link Triangle#distance}, rounded as there. Without helpers, for the reason
- * that {@code ShadowConics} has.
+ * Triangle tests of a packet's rays: {@link Triangle#distance}, with the same rounding. They call no helpers; see
+ * {@code ShadowConics}.
  */
 final class TriangleLanes {
     private TriangleLanes() {}
 
     /**
-     * Finds the next triangle that lies around any ray whose longest axis is that one, and writes its areas and depths.
+     * Finds the next triangle around any ray with the given dominant axis, and writes its areas and depths.
      *
-     * @param triangles where the mesh's first triangle is
-     * @param from the first triangle that is looked at
-     * @param end the first that is not looked at any more
+     * @param triangles place of the mesh's first triangle
+     * @param from first triangle to test
+     * @param end index after the last one
      * @return the triangle, or {@code end}
      */
     static int next(Tile tile, PacketWalk walk, int triangles, int from, int end, int axis) {
@@ -89,8 +89,8 @@ final class TriangleLanes {
     }
 
     /**
-     * Ends the rays of that axis that meet the triangle found last before their ends there, and writes it as their hit:
-     * of triangles as near, the one of the lower body, and of one body the lower one.
+     * Shortens the rays of the given axis that hit the current triangle, and writes it as their hit. On a tie the lower
+     * body wins, and within a body the lower triangle.
      */
     static void keepNearest(Tile tile, PacketWalk walk, int at, int axis, int triangle, int instance, int body) {
         float[] t = tile.values;
@@ -136,7 +136,7 @@ final class TriangleLanes {
                 .intoArray(t, at + Tile.TRIANGLE);
     }
 
-    /** Takes the rays of that axis that meet the triangle found last out of the walk; returns one bit for each. */
+    /** Ends the rays of the given axis that hit the current triangle; returns one bit per ended ray. */
     static long block(Tile tile, PacketWalk walk, int axis, int triangle) {
         float[] r = walk.rays;
         FloatVector a = FloatVector.fromArray(Lanes.FLOATS, r, PacketWalk.AREA_A);

@@ -1,5 +1,5 @@
 /**
- * Meshes in lanes: a packet's rays go together through the hierarchy over the instances, and in each one's coordinates
- * through that over its triangles, as {@code MeshHit} and {@code MeshShadow} of the kernel do for one ray.
+ * Meshes in lanes. A packet's rays together traverse the hierarchy over instances and then, in mesh coordinates, the
+ * hierarchy over an instance's triangles. The kernel's {@code MeshHit} and {@code MeshShadow} do this for a single ray.
  */
 package dev.twister.engine.vector.mesh;

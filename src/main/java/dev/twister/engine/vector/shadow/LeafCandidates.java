@@ -10,19 +10,19 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * In which of the leaves that {@link PacketLeaves} has found for some points there are spheres that may come between
- * the point and the light: most have none, and then nothing more is asked of them.
+ * The leaves of {@link PacketLeaves} that contain a possible occluder of their beam's point. Most leaves contain none
+ * and are dropped here.
  */
 public final class LeafCandidates {
-    /** Links to the leaves that hold any, with the numbers of their beams above. */
+    /** Links to the leaves with possible occluders, with the beams' numbers. */
     final int[] links = new int[PacketLeaves.ROOM + Lanes.COUNT];
 
     int count;
 
-    /** One bit a beam that any of them is for. */
+    /** One bit per beam with possible occluders. */
     int shaded;
 
-    /** Finds them by {@link Shadow#judge}'s margins, and without its frame. */
+    /** Selects the leaves with the margins of {@link Shadow#judge}, without its frame. */
     void find(WideHierarchy hierarchy, PacketBeams beams, PacketLeaves leaves) {
         float[] spheres = hierarchy.spheres.values;
         float[] f = beams.facts;

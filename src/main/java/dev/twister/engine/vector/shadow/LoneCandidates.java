@@ -13,18 +13,18 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * The spheres that may come between one point and the light's disc, in the frame of {@link Shadow}; grows, never
+ * The possible occluders between one point and the light's disc, in the frame of {@link Shadow}. It grows and never
  * shrinks.
  */
 public final class LoneCandidates {
-    /** Columns of facts: a, u, w and the squared radius. */
+    /** Columns: center along A, U and W, and squared radius. */
     private static final int A = 0;
 
     private static final int U = 1;
     private static final int W = 2;
     private static final int RADIUS_SQUARED = 3;
 
-    /** The conic of {@link ShadowConics} over the unit disc. */
+    /** Coefficients of the {@link ShadowConics} conic over the unit disc. */
     private static final int XX = 4;
 
     private static final int XY = 5;
@@ -34,7 +34,7 @@ public final class LoneCandidates {
     private static final int CONSTANT = 9;
 
     /**
-     * 1 where the sphere lies wholly between the point and the disc and is not too small: the conic decides; else 0.
+     * 1 where the conic is valid: the sphere lies entirely between the point and the disc and is not too small; else 0.
      */
     private static final int CONICAL = 10;
 
@@ -43,13 +43,13 @@ public final class LoneCandidates {
     private final float[][] facts = new float[COLUMNS][8 * Lanes.COUNT];
     private int count;
 
-    /** Meters to the disc. */
+    /** Distance to the disc in meters. */
     private float distance;
 
-    /** From the unit disc to the plane at distance 1. */
+    /** Factor from the unit disc to the plane at distance 1. */
     private float scale;
 
-    /** a, u, w and the squared radii of the spheres judged last, {@link Lanes#COUNT} each. */
+    /** A, U, W and squared radius of the spheres judged last, {@link Lanes#COUNT} floats each. */
     private final float[] judged = new float[4 * Lanes.COUNT];
 
     private float slope;
@@ -67,7 +67,7 @@ public final class LoneCandidates {
     private float wY;
     private float wZ;
 
-    /** Forgets the candidates of the point before; this one's axes are the kernel's. */
+    /** Clears the candidates and sets up a point. Its axes are computed as in the kernel. */
     void start(float[] t, int pixel, float discRadius) {
         count = 0;
         distance = t[pixel + Tile.LIGHT_DISTANCE];
@@ -91,10 +91,10 @@ public final class LoneCandidates {
     }
 
     /**
-     * Adds those of some spheres that are candidates; returns whether one of them hides the whole disc.
+     * Adds the candidates among some spheres; returns whether one of them blocks the whole disc.
      *
-     * @param first the first sphere's place in the columns
-     * @param number how many there are
+     * @param first place of the first sphere in the columns
+     * @param number number of spheres
      */
     boolean add(SphereColumns spheres, int first, int number) {
         boolean dark = false;
@@ -106,12 +106,12 @@ public final class LoneCandidates {
         return dark;
     }
 
-    /** The same with the spheres of a leaf. */
+    /** As above, for the spheres of a leaf. */
     boolean add(WideHierarchy hierarchy, int leaf) {
         return add(hierarchy.spheres, WideHierarchy.firstBlock(leaf), WideHierarchy.blocks(leaf) * Lanes.COUNT);
     }
 
-    /** Makes room for as many candidates as there are lanes, twice. */
+    /** Allocates room for two more vectors of candidates. */
     private void reserve() {
         if (facts[A].length < count + 2 * Lanes.COUNT) {
             for (int column = 0; column < COLUMNS; column++) {
@@ -120,7 +120,9 @@ public final class LoneCandidates {
         }
     }
 
-    /** {@link Shadow#judge}, a sphere in each lane: adds the candidates, and returns whether one hides the disc. */
+    /**
+     * {@link Shadow#judge} with one sphere per lane: adds the candidates; returns whether one blocks the whole disc.
+     */
     private boolean judge(float[] spheres, int stride, int at, long wanted) {
         FloatVector x = FloatVector.fromArray(Lanes.FLOATS, spheres, at).sub(pointX);
         FloatVector y = FloatVector.fromArray(Lanes.FLOATS, spheres, at + SphereColumns.Y * stride)
@@ -178,7 +180,7 @@ public final class LoneCandidates {
         return dark;
     }
 
-    /** Writes the candidates' conics, and whether they decide. */
+    /** Writes the candidates' conics and whether they are valid. */
     private void findConics(boolean decide) {
         float nearDisc = distance * ShadowConics.WITHIN;
         float radiiWide = slope / ShadowConics.MOST_RADII_WIDE;
@@ -208,7 +210,7 @@ public final class LoneCandidates {
         }
     }
 
-    /** The visible part of the disc, past the candidates; by conics where they decide, or ray by ray. */
+    /** The visible part of the disc, by conics where they are valid, otherwise ray by ray. */
     float visible(float[] discX, float[] discY, int samples, boolean conics) {
         findConics(conics);
         int blocked = 0;
@@ -219,7 +221,7 @@ public final class LoneCandidates {
         return 1f - (float) blocked / samples;
     }
 
-    /** One bit a wanted sample that any candidate blocks. */
+    /** One bit per wanted sample that any candidate blocks. */
     private long blocked(float[] discX, float[] discY, int sample, long wanted) {
         FloatVector x = FloatVector.fromArray(Lanes.FLOATS, discX, sample);
         FloatVector y = FloatVector.fromArray(Lanes.FLOATS, discY, sample);
@@ -244,7 +246,7 @@ public final class LoneCandidates {
         return hit;
     }
 
-    /** One bit a sample that a candidate blocks: {@link Shadow}'s own test. */
+    /** One bit per sample that a candidate blocks: {@link Shadow}'s own test. */
     private long blocks(int candidate, float[] discX, float[] discY, int sample) {
         float a = facts[A][candidate];
         float u = facts[U][candidate];

@@ -11,13 +11,13 @@ import dev.twister.engine.vector.lanes.SphereColumns;
 import dev.twister.engine.vector.lanes.Tile;
 
 /**
- * The visible part of the light where the points of a packet have little in common, point by point: lanes hold boxes
- * and spheres on the way to the candidates, and samples at its end.
+ * The visible part of the light, point by point, for packets whose points are not coherent. Lanes hold boxes and
+ * spheres while candidates are collected, then samples.
  */
 public final class LoneShadows {
     private LoneShadows() {}
 
-    /** Writes the visible parts at the packet's open points, out of the spheres that are near any of them. */
+    /** Writes the visible part at each open point of a packet, given the spheres near any of them. */
     static void findAmong(SphereColumns near, int count, Tile tile, int at, Drawing drawing, ShadowBench bench) {
         float[] t = tile.values;
         LoneCandidates candidates = bench.lone;
@@ -30,7 +30,7 @@ public final class LoneShadows {
         }
     }
 
-    /** The same at the points of {@link Tile#lonely}, by way of the whole hierarchy. */
+    /** As above for the points of {@link Tile#lonely}, through the hierarchy. */
     static void find(Drawing drawing, Tile tile, ShadowBench bench) {
         for (int first = 0; first < tile.lonely.count; first += Lanes.COUNT) {
             find(drawing, tile, bench, first, Math.min(Lanes.COUNT, tile.lonely.count - first));
@@ -68,7 +68,7 @@ public final class LoneShadows {
                 drawing.discX, drawing.discY, drawing.shadowSamples, drawing.shortcuts.take(Shortcut.CONICS));
     }
 
-    /** Lists the candidates out of the leaves found; returns whether one of them hides the whole disc. */
+    /** Collects the candidates from the leaves found; returns whether one of them blocks the whole disc. */
     private static boolean addLeaves(ShadowBench bench, int beam, WideHierarchy hierarchy, LoneCandidates candidates) {
         LeafCandidates leaves = bench.leafCandidates;
         boolean dark = false;
@@ -79,7 +79,7 @@ public final class LoneShadows {
         return dark;
     }
 
-    /** The same out of the whole hierarchy, from the nearest leaf on. */
+    /** As above, from the whole hierarchy, nearest leaf first. */
     private static boolean descend(
             ShadowBench bench, Tile tile, int pixel, WideHierarchy hierarchy, LoneCandidates candidates) {
         Beam beam = bench.walks.beam;

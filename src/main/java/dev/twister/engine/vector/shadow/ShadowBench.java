@@ -7,9 +7,9 @@ import dev.twister.engine.vector.lanes.ShadowColumns;
 import dev.twister.engine.vector.lanes.SphereColumns;
 import dev.twister.engine.vector.shortcut.Hull;
 
-/** One thread's tools for shadows. */
+/** One thread's working memory for shadows. */
 public final class ShadowBench {
-    /** Where more are near, each point looks for its own. */
+    /** With more spheres near a packet, each point traverses the hierarchy by itself. */
     static final int MOST_NEAR = 256;
 
     public final ShadowColumns columns = new ShadowColumns();
@@ -19,20 +19,20 @@ public final class ShadowBench {
 
     final Walks walks;
 
-    /** The spheres near a packet's lines to the light. */
+    /** Spheres near a packet's lines to the light. */
     final SphereColumns near = new SphereColumns();
 
-    /** Those of one point at a time. */
+    /** Candidates of a single point. */
     final LoneCandidates lone = new LoneCandidates();
 
     final LeafCandidates leafCandidates = new LeafCandidates();
 
-    /** With the walks of the same thread. */
+    /** Shares the traversals of the same thread. */
     public ShadowBench(Walks walks) {
         this.walks = walks;
     }
 
-    /** Makes room for a frame. */
+    /** Allocates room for a frame. */
     public void start(Drawing drawing) {
         columns.reserveBodies(drawing.input.bodyCount());
         near.reserveList(MOST_NEAR + Lanes.COUNT);

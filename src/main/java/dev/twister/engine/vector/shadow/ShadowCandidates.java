@@ -13,11 +13,11 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Which spheres may come between a packet's points and the light's disc: {@link Shadow}'s culling. */
+/** Spheres that may lie between a packet's points and the light's disc: the culling of {@link Shadow}. */
 public final class ShadowCandidates {
     private ShadowCandidates() {}
 
-    /** Writes the disc's half angles, as far as its outermost sample, for all packets with open lanes. */
+    /** Writes the disc's half angles, up to its outermost sample, for all packets with open lanes. */
     public static void findDiscs(Tile tile, Drawing drawing) {
         float[] t = tile.values;
         for (int k = 0; k < tile.shadows.count; k++) {
@@ -32,8 +32,8 @@ public final class ShadowCandidates {
     }
 
     /**
-     * Lists one packet's candidates, out of its tile's. Makes the lanes wholly in the dark invisible, and leaves open
-     * only those whose samples must be counted.
+     * Lists one packet's candidates among those of its tile. Sets the visible part of fully shaded lanes to 0, and
+     * keeps only the lanes open whose samples must be counted.
      *
      * @param at the packet's place
      * @return whether any lane is still open
@@ -55,7 +55,7 @@ public final class ShadowCandidates {
         return finish(tile, at, scratch) != 0;
     }
 
-    /** The same out of the spheres that are near the packet's lines, at most {@link ShadowColumns#MOST_TOGETHER}. */
+    /** As above, among the spheres near the packet's lines, at most {@link ShadowColumns#MOST_TOGETHER}. */
     static boolean findAmong(SphereColumns near, int count, Tile tile, int at, Drawing drawing, ShadowBench bench) {
         ShadowColumns scratch = bench.columns;
         scratch.startPacket();
@@ -77,7 +77,7 @@ public final class ShadowCandidates {
         }
     }
 
-    /** As {@link #between} of each of some spheres. */
+    /** {@link #between} for each of some spheres. */
     static void betweens(Tile tile, int at, SphereColumns near, int count, long[] betweens) {
         float[] t = tile.values;
         float[] spheres = near.values;
@@ -118,7 +118,7 @@ public final class ShadowCandidates {
         }
     }
 
-    /** Makes the lanes in the dark invisible; returns one bit a lane that is still open. */
+    /** Sets the visible part of fully shaded lanes to 0; returns one bit per lane that is still open. */
     static long finish(Tile tile, int at, ShadowColumns scratch) {
         float[] t = tile.values;
         long undecided = scratch.touched & ~scratch.dark;
@@ -133,7 +133,7 @@ public final class ShadowCandidates {
         Lanes.all(0f).blend(1f, VectorMask.fromLong(Lanes.FLOATS, undecided)).intoArray(t, at + Tile.SHADOW_OPEN);
     }
 
-    /** One bit an open lane. */
+    /** One bit per open lane. */
     public static long open(Tile tile, int at) {
         float[] t = tile.values;
         return Lanes.load(t, at + Tile.SHADOW_OPEN)
@@ -141,7 +141,7 @@ public final class ShadowCandidates {
                 .toLong();
     }
 
-    /** One bit an open lane whose point lies on the ground. */
+    /** One bit per open lane whose point lies on the ground. */
     static long openOnGround(Tile tile, int at) {
         float[] t = tile.values;
         return Lanes.load(t, at + Tile.HIT)
@@ -150,13 +150,13 @@ public final class ShadowCandidates {
                 .toLong();
     }
 
-    /** Leaves those lanes open alone. */
+    /** Keeps only the given lanes open. */
     static void narrow(Tile tile, int at, long lanes) {
         float[] t = tile.values;
         Lanes.all(0f).blend(1f, VectorMask.fromLong(Lanes.FLOATS, lanes)).intoArray(t, at + Tile.SHADOW_OPEN);
     }
 
-    /** One bit a lane where the sphere may meet the cone from the point to the disc. */
+    /** One bit per lane where the sphere may meet the cone from the point to the disc. */
     public static long between(float[] t, int at, BodyColumns bodies, int body) {
         float[] spheres = bodies.surfaces;
         int sphere = bodies.surfacePlaces[body];
@@ -188,7 +188,7 @@ public final class ShadowCandidates {
                 .toLong();
     }
 
-    /** One bit a lane whose point may be shaded by what lanes do not know: some spheres, and the plane. */
+    /** One bit per lane whose point may be shaded by what lanes decline: some spheres, and the plane. */
     public static long declined(Tile tile, int at, Drawing drawing) {
         BodyList occluders = drawing.declined.occluders();
         long declined = drawing.planeMayShade ? acrossPlane(tile, at, drawing) : 0L;
@@ -198,7 +198,9 @@ public final class ShadowCandidates {
         return declined;
     }
 
-    /** One bit a lane of a sphere's point that has the plane between itself and a part of the light's disc. */
+    /**
+     * One bit per lane whose point is on a sphere or mesh and has the plane between it and part of the light's disc.
+     */
     private static long acrossPlane(Tile tile, int at, Drawing drawing) {
         FloatVector y = Lanes.load(tile.values, at + Tile.POINT_Y);
         VectorMask<Float> below = y.compare(VectorOperators.LE, drawing.planeHeight);
@@ -216,7 +218,7 @@ public final class ShadowCandidates {
                         .toLong();
     }
 
-    /** One bit an open lane whose point neither lies on the sphere nor inside it. */
+    /** One bit per open lane whose point is neither on the sphere nor inside it. */
     static long isOutside(Tile tile, int at, BodyColumns bodies, int body) {
         float[] t = tile.values;
         float[] spheres = bodies.surfaces;
@@ -233,8 +235,8 @@ public final class ShadowCandidates {
     }
 
     /**
-     * One bit a lane where the sphere surely hides the whole disc: it lies wholly between, and its cone, as seen from
-     * the point, holds the disc's.
+     * One bit per lane where the sphere certainly blocks the whole disc: it lies entirely between, and its cone seen
+     * from the point contains the disc's cone.
      */
     static long hidesDisc(Tile tile, int at, BodyColumns bodies, int body) {
         float[] t = tile.values;

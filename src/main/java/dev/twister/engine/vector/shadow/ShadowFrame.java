@@ -13,11 +13,11 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Candidates as a packet's points see them, in the frame of {@link Shadow}. */
+/** Candidates relative to a packet's points, in the frame of {@link Shadow}. */
 public final class ShadowFrame {
     private ShadowFrame() {}
 
-    /** Writes the disc's axes for each lane. */
+    /** Writes each lane's disc axes. */
     public static void findAxes(Tile tile, int at, Drawing drawing, ShadowColumns scratch) {
         float[] t = tile.values;
         float[] frame = scratch.frame;
@@ -41,7 +41,7 @@ public final class ShadowFrame {
                 .intoArray(frame, ShadowColumns.SCALE);
     }
 
-    /** Writes the candidates' places in the frame. */
+    /** Writes the candidates' centers in the frame. */
     static void placeAll(Tile tile, int at, BodyColumns bodies, ShadowColumns scratch) {
         BodyList found = scratch.candidates;
         scratch.reserveFacts(found.count);
@@ -50,7 +50,7 @@ public final class ShadowFrame {
         }
     }
 
-    /** Writes the squared radii, or less than 0 in lanes that a sphere cannot shade. */
+    /** Writes the squared radii, negative in lanes that the sphere cannot shade. */
     static void limitAll(Tile tile, int at, BodyColumns bodies, ShadowColumns scratch) {
         BodyList found = scratch.candidates;
         for (int c = 0; c < found.count; c++) {
@@ -59,7 +59,7 @@ public final class ShadowFrame {
         }
     }
 
-    /** Writes whether conics do for each candidate, as seen from every lane that it may shade. */
+    /** Writes whether the conics are valid for all candidates and lanes. */
     static void judgeAll(Tile tile, int at, Drawing drawing, ShadowColumns scratch) {
         BodyColumns bodies = drawing.bodies;
         BodyList found = scratch.candidates;
@@ -107,10 +107,9 @@ public final class ShadowFrame {
     }
 
     /**
-     * One bit a lane that the sphere may shade, but not wholly from between the point and the disc, or that is too
-     * small for its conic. Between, every line to the disc that meets the sphere does so in front of the point, which
-     * is outside, and before the disc: the center is in front of every plane through the point across such a line, and
-     * the sphere ends before the disc.
+     * One bit per lane that the sphere may shade, but whose conic is invalid: because the sphere does not lie entirely
+     * between the point and the disc, or is too small. It lies between if its center is in front of the plane through
+     * the point perpendicular to every line to the disc that meets the sphere, and if the sphere ends before the disc.
      */
     private static long needsRays(float[] t, int at, float radius, ShadowColumns scratch, int to) {
         FloatVector along = Lanes.load(scratch.facts, to + ShadowColumns.ALONG);

@@ -6,11 +6,11 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Blocked samples in any case, ray by ray: {@link dev.twister.kernel.SoftShadow}'s own test. */
+/** Blocked samples in the general case, ray by ray: the test of {@link dev.twister.kernel.Shadow}. */
 public final class ShadowRays {
     private ShadowRays() {}
 
-    /** Counts the samples that any of the candidates blocks. */
+    /** Counts the samples that any candidate blocks. */
     static void countAny(ShadowColumns scratch, float[] distances, int at, float[] disc, int samples) {
         FloatVector blocked = Lanes.all(0f);
         for (int sample = 0; sample < samples; sample++) {
@@ -23,7 +23,7 @@ public final class ShadowRays {
         blocked.intoArray(scratch.frame, ShadowColumns.BLOCKED);
     }
 
-    /** One bit a lane whose sample a candidate blocks. */
+    /** One bit per lane whose sample the candidate blocks. */
     private static long blocks(ShadowColumns scratch, int from, float discX, float discY, float[] distances, int at) {
         float[] candidates = scratch.facts;
         FloatVector scale = Lanes.load(scratch.frame, ShadowColumns.SCALE);

@@ -13,12 +13,12 @@ import dev.twister.engine.vector.shortcut.ShadowRange;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorOperators;
 
-/** The visible part of the light at the points of a tile. */
+/** The visible part of the light at a tile's points. */
 public final class Shadows {
-    /** Fewer points than these are better off one by one from the start. */
+    /** Fewer points than this are faster one by one. */
     private static final int FEWEST_TOGETHER = 1 + Lanes.COUNT / 4;
 
-    /** Where its lines meet more leaves, they are not even looked into. */
+    /** With more leaves on its lines, a packet is handled point by point. */
     private static final int MOST_LEAVES = 36;
 
     private Shadows() {}
@@ -36,7 +36,7 @@ public final class Shadows {
         }
     }
 
-    /** The same for a tile of {@code GroundAlone}. */
+    /** As above, for a tile of {@code GroundAlone}. */
     public static void findOnGround(Tile tile, Drawing drawing, ShadowBench bench, Hull ground) {
         if (tile.shadows.count > 0) {
             sampleAmongFew(drawing, tile, bench, ground);
@@ -52,7 +52,8 @@ public final class Shadows {
     }
 
     /**
-     * Points on the ground and on spheres are looked at apart: between them there are many spheres that shade neither.
+     * Handles points on the ground and on spheres separately, because the spheres between the two groups may shade
+     * neither.
      */
     private static void sampleInCrowd(Drawing drawing, Tile tile, ShadowBench bench) {
         float radius = drawing.discRadius * drawing.rim;
@@ -90,7 +91,10 @@ public final class Shadows {
         }
     }
 
-    /** Lists the spheres that the beam may meet; returns how many: above {@link ShadowBench#MOST_NEAR} any number. */
+    /**
+     * Lists the spheres that the beam may meet; returns their number, or any number above
+     * {@link ShadowBench#MOST_NEAR}.
+     */
     private static int findNear(WideHierarchy hierarchy, ShadowBench bench) {
         Leaves leaves = bench.walks.leaves;
         SphereColumns spheres = hierarchy.spheres;
@@ -123,7 +127,7 @@ public final class Shadows {
         }
     }
 
-    /** Counts samples for a packet with lanes neither in the light nor in the dark. */
+    /** Counts the samples of a packet with lanes in the penumbra. */
     private static void sample(Drawing drawing, Tile tile, ShadowBench bench, int at) {
         ShadowFrame.findAxes(tile, at, drawing, bench.columns);
         ShadowFrame.placeAll(tile, at, drawing.bodies, bench.columns);
@@ -137,7 +141,7 @@ public final class Shadows {
         finish(tile, drawing, bench, at);
     }
 
-    /** Writes how many samples are blocked. */
+    /** Writes the number of blocked samples. */
     public static void count(Tile tile, Drawing drawing, ShadowBench bench, int at) {
         ShadowColumns scratch = bench.columns;
         if (!scratch.conical) {

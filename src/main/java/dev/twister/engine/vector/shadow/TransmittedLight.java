@@ -12,7 +12,7 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** The visible part of the light behind spheres of which some transmit, ray by ray: {@link Shadow}. */
+/** The visible part of the light behind transmitting spheres, ray by ray: {@link Shadow}. */
 final class TransmittedLight {
     private TransmittedLight() {}
 
@@ -46,7 +46,7 @@ final class TransmittedLight {
         }
     }
 
-    /** Writes the squared radii, or less than 0 in lanes that a sphere cannot shade. */
+    /** Writes the squared radii, negative in lanes that the sphere cannot shade. */
     private static void limitAll(Tile tile, int at, Drawing drawing, ShadowColumns scratch) {
         BodyColumns bodies = drawing.bodies;
         BodyList found = scratch.candidates;
@@ -74,7 +74,7 @@ final class TransmittedLight {
         Lanes.all(-1f).blend(radiusSquared, shades).intoArray(facts, to + ShadowColumns.RADIUS_SQUARED);
     }
 
-    /** The mean over the samples of what all spheres let pass. */
+    /** Writes the mean over the samples of the product of all candidates' transmissions. */
     static void average(Tile tile, int at, Drawing drawing, ShadowColumns scratch) {
         float[] t = tile.values;
         float[] disc = drawing.input.view().shadowDisc();

@@ -1,5 +1,5 @@
 /**
- * The visible part of the light at a tile's points. What has columns as its first parameter is compiled by itself
- * ({@code StageInlining}).
+ * The visible part of the light at a tile's points. Methods whose first parameter is a tile or its columns are compiled
+ * separately ({@code StageInlining}).
  */
 package dev.twister.engine.vector.shadow;

@@ -6,52 +6,52 @@ import dev.twister.engine.vector.lanes.ShadowColumns;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.kernel.Layout;
 
-/** Which shortcuts apply to a tile, and to the rays of a bounce. */
+/** Decides which shortcuts apply to a tile and to the rays of a bounce. */
 public final class Choices {
-    /** How a tile is drawn. */
+    /** Ways to render a tile. */
     public enum Way {
-        /** Nothing but sky. */
+        /** Only sky. */
         SKY,
-        /** Ground in the light that mirrors the sky alone, or nothing. */
+        /** Fully lit ground that reflects only the sky, or nothing. */
         OPEN_GROUND,
-        /** Ground in the light that mirrors bodies. */
+        /** Fully lit ground that reflects bodies. */
         LIT_GROUND,
-        /** Nothing but ground. */
+        /** Only ground. */
         GROUND,
-        /** Ray by ray. */
+        /** Anything else, ray by ray. */
         ANY
     }
 
     private final TileSky sky;
 
-    /** What may come between a tile's ground and the light. */
+    /** Possible occluders between a tile's ground and the light. */
     private final ShadowColumns shadows;
 
-    /** The region that holds the live rays. */
+    /** The region of the live rays. */
     private final Hull rays = new Hull();
 
-    /** The region between what the tile's view rays meet of the plane and the light, in a tile of ground. */
+    /** For ground tiles: the region between the visible part of the plane and the light. */
     private final Hull ground = new Hull();
 
-    /** The region that holds the mirror images of the view rays of such a tile. */
+    /** For ground tiles: the region of the mirrored view rays. */
     private final Hull mirrored = new Hull();
 
     /**
-     * With the sky of the same thread.
+     * Shares the sky of the same thread.
      *
-     * @param shadows those of the same thread
+     * @param shadows shadow columns of the same thread
      */
     public Choices(TileSky sky, ShadowColumns shadows) {
         this.sky = sky;
         this.shadows = shadows;
     }
 
-    /** Between the ground of a tile of ground and the light. */
+    /** The region between the ground and the light, valid for ground tiles. */
     public Hull ground() {
         return ground;
     }
 
-    /** How a tile is drawn; lists what its view rays may meet. */
+    /** Chooses how to render a tile, and lists the bodies that its view rays may hit. */
     public Way choose(Tile tile, Drawing drawing) {
         Way way = Way.ANY;
         if (!drawing.crowded) {
@@ -63,7 +63,7 @@ public final class Choices {
         return way;
     }
 
-    /** Lists what the tile's view rays may meet. */
+    /** Lists the bodies that the tile's view rays may hit. */
     public void cullViewRays(Drawing drawing, Tile tile) {
         rays.holdViewRays(tile, drawing);
         cull(tile, drawing);
@@ -97,7 +97,7 @@ public final class Choices {
         return OpenGround.mirrors(drawing) && !mirrorsSkyAlone(drawing, tile) ? Way.LIT_GROUND : Way.OPEN_GROUND;
     }
 
-    /** Whether nothing is between a tile's ground and the light. */
+    /** Whether no occluder is between a tile's ground and the light. */
     private boolean isLit(Drawing drawing) {
         boolean lit = drawing.shortcuts.take(Shortcut.OPEN_GROUND)
                 && OpenGround.suits(drawing)
@@ -127,10 +127,10 @@ public final class Choices {
     }
 
     /**
-     * Lists what the live rays may meet; tells whether they all rise above the ground.
+     * Lists the bodies that the live rays may hit; returns whether all rays rise above the ground.
      *
-     * @param bounce how many surfaces they have left
-     * @param offPlane whether they are the mirror images of all of the tile's view rays
+     * @param bounce number of surfaces that the rays have left
+     * @param offPlane whether the rays are the mirror images of all of the tile's view rays
      */
     public boolean cull(Tile tile, Drawing drawing, int bounce, boolean offPlane) {
         if (offPlane) {

@@ -12,28 +12,29 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Tiles all of whose view rays meet the plane, and nothing before it: what other stages ask of every lane is known
- * there. The normal points up, all lanes have met the same, and mirrored rays only turn upwards or downwards.
+ * Ground tiles: all view rays hit the plane first. The steps here are specialized: the normal points up, all lanes have
+ * the same hit, and reflection only negates y.
  */
 public final class GroundAlone {
-    /** Of tiles that see neither a sphere nor the light. */
+    /** What a tile without spheres and light shows. */
     enum View {
-        /** All view rays look past the plane. */
+        /** All view rays miss the plane. */
         NOTHING,
-        /** All of them meet it, and what its highlight asks of the stages here is so. */
+        /** All view rays hit the plane, and its specular exponent is an integer, as the steps here require. */
         GROUND,
-        /** It may be that some do. */
+        /** Undecided: some view rays may hit the plane. */
         PART
     }
 
-    /** So much of the plane's half side within its edges it is met for sure. */
+    /** Part of the plane's half side within which a hit is certain. */
     private static final float WITHIN = 0.9999f;
 
     private GroundAlone() {}
 
     /**
-     * What a tile sees whose view rays meet no sphere and not the light: the part of the level in view is a
-     * quadrilateral, which lies in the plane's square if its corners do. If so, {@code ground} starts around it.
+     * Classifies a tile whose view rays hit neither spheres nor the light. The visible part of the plane's level is a
+     * quadrilateral; it lies in the plane's square if its corners do. In that case {@code ground} is set to start
+     * around it.
      */
     static View view(Tile tile, Drawing drawing, Hull ground) {
         float[] camera = drawing.input.view().camera();
@@ -51,7 +52,7 @@ public final class GroundAlone {
             leastZ = Math.min(leastZ, z);
             mostX = Math.max(mostX, x);
             mostZ = Math.max(mostZ, z);
-            // Beyond what is a number somewhere a ray is level, or nearly so.
+            // Where along overflows, a ray is level or almost level.
             meets = along > 0f && along < Float.MAX_VALUE;
         }
         View view = View.PART;
@@ -79,7 +80,7 @@ public final class GroundAlone {
         return power == (int) power;
     }
 
-    /** Lists all live packets as ground, and writes what they met, where, and a whole throughput. */
+    /** Lists all live packets as ground, and writes hits, hit points and a throughput of 1. */
     public static void meet(Tile tile, Drawing drawing) {
         tile.skies.clear();
         tile.lights.clear();
@@ -97,7 +98,7 @@ public final class GroundAlone {
             tile.grounds.add(at);
             tile.surfaces.add(at);
             FloatVector along = Lanes.all(down).div(Lanes.load(t, at + Tile.DIRECTION_Y));
-            // Rounded as the kernel's points are: far away, rounding decides which check is met.
+            // Rounded like the kernel's points: far away, rounding decides which square of the checker is hit.
             Lanes.load(t, at + Tile.DIRECTION_X).mul(along).add(fromX).intoArray(t, at + Tile.POINT_X);
             Lanes.all(height).intoArray(t, at + Tile.POINT_Y);
             Lanes.load(t, at + Tile.DIRECTION_Z).mul(along).add(fromZ).intoArray(t, at + Tile.POINT_Z);
@@ -106,7 +107,7 @@ public final class GroundAlone {
         }
     }
 
-    /** What {@code LightDirection} does. */
+    /** Replaces {@code LightDirection}. */
     public static void findLight(Tile tile, Drawing drawing) {
         tile.shadows.clear();
         BodyColumns bodies = drawing.bodies;
@@ -136,7 +137,7 @@ public final class GroundAlone {
         }
     }
 
-    /** What {@code Highlight.findCosines} and {@code Highlight.sort} do: all shine to the same power. */
+    /** Replaces {@code Highlight.findCosines} and {@code Highlight.sort}: all lanes have the same exponent. */
     public static void findHighlight(Tile tile, Drawing drawing) {
         tile.onePower.clear();
         tile.wholePowers.clear();
@@ -161,7 +162,7 @@ public final class GroundAlone {
         }
     }
 
-    /** Mirrors the live rays and starts them at the plane. */
+    /** Reflects the live rays and moves their origins to the plane. */
     public static void leave(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {

@@ -17,28 +17,28 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * A region that holds all rays of a tile: every point within {@code radius} of a cone, cut off where the rays end. The
- * cone's half angle is negative where the region narrows along its axis, as it does from surfaces to a small light.
+ * A region that contains all rays of a tile: every point within {@code radius} of a cone, up to the end of the rays.
+ * The cone's half angle is negative where the region narrows along its axis, as between surfaces and a small light.
  *
- * <p>With a and c a center's distances along the axis and across it, {@code c * cos - a * sin - radius} is at most its
- * distance from the region.
+ * <p>With a center's distances a along the axis and c across it, {@code c * cos - a * sin - radius} is a lower bound of
+ * its distance from the region.
  */
 public final class Hull {
-    /** Culling must err on one side only: this share of all distances is added to what the kernel adds to a reach. */
+    /** Keeps culling conservative: this part of all distances is added to the kernel's margins. */
     private static final float ABSOLUTE_MARGIN = 1e-4f;
 
-    /** Of a cosine. */
+    /** Margin for a cosine. */
     private static final float ROUNDING = 1e-6f;
 
-    /** Below it a cone is as good as everything. */
+    /** With a smaller cosine the region counts as unbounded. */
     private static final float LEAST_COSINE = 0.02f;
 
     private static final float BIGGEST = 1e30f;
 
-    /** Where there are more, a look at all of them a tile takes longer than it saves. */
+    /** With more meshes, testing all of them per tile costs more than it saves. */
     private static final int MOST_MESHES = 256;
 
-    /** Of a square's half side, from its middle to a corner. */
+    /** Half diagonal of a square relative to its half side. */
     private static final float SQUARE_DIAGONAL = 1.4142135f;
 
     float baseX;
@@ -51,15 +51,15 @@ public final class Hull {
     float cosine;
     float sine;
 
-    /** Meters along the axis to where the region ends. */
+    /** Distance along the axis to the end of the region, in meters. */
     float end;
 
-    /** Whether the region is everything. */
+    /** Whether the region is unbounded. */
     boolean everything;
 
     private final float[] lanes = new float[Lanes.COUNT];
 
-    /** Holds a tile's view rays: a cone from the camera about its middle that its corners, and so all of it, lie in. */
+    /** Holds a tile's view rays: a cone from the camera around the tile's center that contains the tile's corners. */
     void holdViewRays(Tile tile, Drawing drawing) {
         float[] camera = drawing.input.view().camera();
         float half = 0.5f * Tile.SIDE;
@@ -73,12 +73,12 @@ public final class Hull {
                 CameraLanes.turned(u, v, camera, 0),
                 CameraLanes.turned(u, v, camera, 1),
                 CameraLanes.turned(u, v, camera, 2));
-        // From the middle a corner is that far, whichever way, and so seen under an angle of at most that sine.
+        // Distance from the center to any corner; its sine bounds the angle.
         float sine = SQUARE_DIAGONAL * half * step / length;
         holdCone((float) Math.sqrt(Math.max(0f, 1f - sine * sine)));
     }
 
-    /** The rays of some packets that go on: a cone about their mean direction from a ball about their origins. */
+    /** Holds the live rays of some packets: a cone around their mean direction, from a ball around their origins. */
     void holdRays(Tile tile, PacketList packets) {
         float[] t = tile.values;
         FloatVector sumX = Lanes.all(0f);
@@ -100,7 +100,7 @@ public final class Hull {
         holdCone(length > 0f ? leastCosine(tile, packets) : 0f);
     }
 
-    /** In any order, unlike a vector's own sum. */
+    /** Sums in unspecified order, but faster than {@code reduceLanes}, which sums in order. */
     private float sumOfLanes() {
         float sum = 0f;
         for (float lane : lanes) {
@@ -109,7 +109,7 @@ public final class Hull {
         return sum;
     }
 
-    /** Points the axis there, and tells the vector's length. */
+    /** Sets the axis; returns the vector's length. */
     float setAxis(float x, float y, float z) {
         axisX = x;
         axisY = y;
@@ -117,7 +117,7 @@ public final class Hull {
         return normalizeAxis();
     }
 
-    /** Widens about the axis, without an end, to rays of which the widest has that cosine, rounding allowed for. */
+    /** Sets an endless cone around the axis for rays with at least the given cosine, with a margin for rounding. */
     void holdCone(float leastCosine) {
         cosine = leastCosine - ROUNDING;
         everything = cosine < LEAST_COSINE;
@@ -134,7 +134,7 @@ public final class Hull {
         return length;
     }
 
-    /** Of the angles between the axis and the rays that go on. */
+    /** Smallest cosine between the axis and a live ray. */
     private float leastCosine(Tile tile, PacketList packets) {
         float[] t = tile.values;
         FloatVector least = Lanes.all(1f);
@@ -151,7 +151,7 @@ public final class Hull {
         return Lanes.least(least);
     }
 
-    /** Starts at the camera: all view rays do. */
+    /** Starts at a point, such as the camera. */
     void startAt(float x, float y, float z) {
         baseX = x;
         baseY = y;
@@ -159,7 +159,7 @@ public final class Hull {
         radius = 0f;
     }
 
-    /** Starts in the ball about a level rectangle. */
+    /** Starts in the ball around a level rectangle. */
     void startIn(float leastX, float mostX, float y, float leastZ, float mostZ) {
         startAt(0.5f * (leastX + mostX), y, 0.5f * (leastZ + mostZ));
         float halfX = 0.5f * (mostX - leastX);
@@ -167,12 +167,12 @@ public final class Hull {
         radius = (float) Math.sqrt(halfX * halfX + halfZ * halfZ);
     }
 
-    /** Whether the ball that the region starts in is within that number of meters of the origin in x and in z. */
+    /** Whether the region's start is within the given distance, in meters, of the origin in x and in z. */
     boolean isWithin(float meters) {
         return Math.max(Math.abs(baseX), Math.abs(baseZ)) + radius <= meters;
     }
 
-    /** Holds what another region holds. */
+    /** Copies another region. */
     void hold(Hull other) {
         baseX = other.baseX;
         baseY = other.baseY;
@@ -187,21 +187,21 @@ public final class Hull {
         everything = other.everything;
     }
 
-    /** Holds the rays' mirror images in the level plane of that height instead. */
+    /** Mirrors the region in the level plane of the given height. */
     void mirror(float height) {
         baseY = 2f * height - baseY;
         axisY = -axisY;
     }
 
-    /** Whether all rays start above that height and rise. */
+    /** Whether all rays start above the given height and rise. */
     boolean rises(float height) {
         float level = (float) Math.sqrt(Math.max(0f, 1f - axisY * axisY));
         return !everything && baseY - radius > height && axisY * cosine > level * sine;
     }
 
     /**
-     * Starts in a ball about the origins of the live rays, or the points of the lanes whose {@code lanes} column is
-     * above 0.
+     * Starts in a ball around the points in the {@code column} of those lanes whose {@code lanes} column is positive:
+     * origins of live rays, or surface points.
      */
     public void startAround(Tile tile, PacketList packets, int column, int lanes) {
         float halfX = spread(tile, packets, column, lanes);
@@ -213,10 +213,10 @@ public final class Hull {
         radius = (float) Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
     }
 
-    /** What {@link #spread} found last. */
+    /** Second result of {@link #spread}. */
     private float middle;
 
-    /** Half of what the lanes spread along one axis; sets the middle. */
+    /** Half the extent of the lanes along one axis; sets {@link #middle} to its center. */
     float spread(Tile tile, PacketList packets, int column, int lanes) {
         float[] t = tile.values;
         FloatVector least = Lanes.all(BIGGEST);
@@ -234,7 +234,7 @@ public final class Hull {
         return 0.5f * (high - low);
     }
 
-    /** Narrows or widens to a ball: after {@link #startAround}, the region is the two balls' convex hull. */
+    /** Ends in a ball: after {@link #startAround}, the region is the convex hull of both balls. */
     void endIn(float x, float y, float z, float endRadius) {
         axisX = x - baseX;
         axisY = y - baseY;
@@ -247,16 +247,14 @@ public final class Hull {
         end = length + endRadius;
     }
 
-    /**
-     * Ends at the light, as far as its outermost sample, and lists the spheres in between as the shadows' candidates.
-     */
+    /** Ends at the light, up to its outermost sample, and lists the spheres in between as shadow candidates. */
     public void listTowardsLight(ShadowColumns columns, Drawing drawing) {
         BodyColumns bodies = drawing.bodies;
         endIn(bodies.x[Layout.LIGHT], bodies.y[Layout.LIGHT], bodies.z[Layout.LIGHT], drawing.discRadius * drawing.rim);
         cull(drawing, Layout.FIRST_SPHERE, columns.tileCandidates);
     }
 
-    /** Lists the bodies that may reach into the region as those that a tile's rays may meet. */
+    /** Lists the bodies that may reach into the region as those that a tile's rays may hit. */
     void cull(Tile tile, Drawing drawing) {
         cull(drawing, Layout.LIGHT, tile.candidates);
     }
@@ -289,7 +287,7 @@ public final class Hull {
         return touched;
     }
 
-    /** One bit a sphere of the columns, from {@code at} on, that may reach into the region. */
+    /** One bit per sphere of the packet at {@code at} that may reach into the region. */
     long touching(float[] columnX, float[] columnY, float[] columnZ, float[] radii, int at) {
         FloatVector x = Lanes.load(columnX, at).sub(baseX);
         FloatVector y = Lanes.load(columnY, at).sub(baseY);

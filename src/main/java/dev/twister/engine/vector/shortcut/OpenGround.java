@@ -14,23 +14,26 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Tiles of {@link GroundAlone} with nothing between them and the light. No direction is made a unit vector there: with
- * v to the eye and l to the light, of which the normal sees the heights alone, the highlight's cosine is that of
- * {@code l |v| + v |l|}, and one division serves it and the light's cosine. All lanes are drawn, those beyond the
- * frame's edge as well.
+ * Ground tiles with nothing between the ground and the light. No direction is normalized: with v to the eye and l to
+ * the light, the half vector is parallel to {@code l |v| + v |l|}. One division serves the cosines of both highlight
+ * and light. All lanes are rendered, including those outside the frame.
  */
 public final class OpenGround {
     /**
-     * How far in x and in z, in meters: beyond, this rounding and the kernel's meet other checks in too many pixels.
+     * Limit of x and z in meters. Farther out, rounding here differs from the kernel's and selects other squares of the
+     * checker in too many pixels.
      */
     static final float REACH = 256f;
 
     private OpenGround() {}
 
-    /** In meters: below, products of distances to eye and light may be 0, by which nothing is to be divided. */
+    /**
+     * Minimum height in meters. Below it, the products of the distances to eye and light may underflow to 0 and are
+     * divisors.
+     */
     private static final float LEAST_HEIGHT = 1e-6f;
 
-    /** Whether there can be such tiles in a frame: eye and light are above the ground, so that no cosine is below 0. */
+    /** Whether the frame may have such tiles: eye and light must be above the ground, so that no cosine is negative. */
     static boolean suits(Drawing drawing) {
         return eyeHeight(drawing) > LEAST_HEIGHT && lightHeight(drawing) > LEAST_HEIGHT;
     }
@@ -43,17 +46,17 @@ public final class OpenGround {
         return drawing.bodies.y[Layout.LIGHT] - drawing.planeHeight;
     }
 
-    /** The highlight's power; {@link GroundAlone} has whole ones only. */
+    /** The highlight's exponent; always an integer in {@link GroundAlone}. */
     static int power(Drawing drawing) {
         return (int) drawing.bodies.reflectivity(Layout.PLANE);
     }
 
-    /** Whether the ground mirrors anything. */
+    /** Whether the ground reflects other rays. */
     static boolean mirrors(Drawing drawing) {
         return drawing.bounceLimit > 0 && power(drawing) > 0;
     }
 
-    /** Adds what the ground of a whole tile sends towards the eye. */
+    /** Adds the ground's color in a whole tile. */
     public static void add(Drawing drawing, Tile tile) {
         meet(tile, drawing);
         findCosines(tile, drawing);
@@ -64,7 +67,7 @@ public final class OpenGround {
         shade(tile, drawing);
     }
 
-    /** Writes where the view rays meet the plane. */
+    /** Writes the view rays' hit points on the plane. */
     static void meet(Tile tile, Drawing drawing) {
         float[] camera = drawing.input.view().camera();
         float[] offsets = drawing.input.view().pixelSamples();
@@ -97,7 +100,7 @@ public final class OpenGround {
         }
     }
 
-    /** Writes the cosines of the light and, squared, of the highlight. */
+    /** Writes the light's cosine and the square of the highlight's cosine. */
     static void findCosines(Tile tile, Drawing drawing) {
         float[] camera = drawing.input.view().camera();
         float lightX = drawing.bodies.x[Layout.LIGHT];
@@ -131,7 +134,7 @@ public final class OpenGround {
         }
     }
 
-    /** From the highlight's squared cosine to the cosine, for odd powers. */
+    /** Replaces the highlight's squared cosine by the cosine, for odd exponents. */
     static void root(Tile tile) {
         float[] t = tile.values;
         for (int at = 0; at < Tile.SIZE; at += Lanes.COUNT) {
@@ -139,7 +142,7 @@ public final class OpenGround {
         }
     }
 
-    /** Raises the highlight's cosines to their power, half of it where they are squared, and weighs them. */
+    /** Raises the highlight's cosines to the exponent (squared ones to half of it), and applies their weight. */
     static void raise(Tile tile, Drawing drawing) {
         int whole = power(drawing);
         int power = whole % 2 == 0 ? whole / 2 : whole;
@@ -158,14 +161,14 @@ public final class OpenGround {
         }
     }
 
-    /** Adds the same, and starts the live rays that the ground mirrors. */
+    /** Adds the ground's color, and starts the reflected rays. */
     public static void addAndLeave(Drawing drawing, Tile tile) {
         add(drawing, tile);
         CameraLanes.aim(tile, drawing);
         mirror(tile, drawing);
     }
 
-    /** Turns the live view rays into their mirror images, which start where they meet the plane. */
+    /** Reflects the live view rays at their hit points. */
     static void mirror(Tile tile, Drawing drawing) {
         tile.spheres.clear();
         float[] t = tile.values;
@@ -179,7 +182,7 @@ public final class OpenGround {
         }
     }
 
-    /** Adds what the ground sends towards the eye, and writes what part of the mirrored rays' light reaches it. */
+    /** Adds the ground's color, and writes the throughput of the reflected rays. */
     static void shade(Tile tile, Drawing drawing) {
         float[] properties = drawing.input.view().properties();
         BodyColumns bodies = drawing.bodies;
@@ -201,7 +204,7 @@ public final class OpenGround {
             FloatVector z = Lanes.load(t, at + Tile.POINT_Z).add(Material.CHECKER_SHIFT);
             IntVector wholeX = Lanes.truncated(x);
             IntVector wholeZ = Lanes.truncated(z);
-            // What is above has been rounded up to it, and belongs to the square before.
+            // Truncation rounds negative values up, to the next square; the comparison detects that.
             VectorMask<Float> aboveX = Lanes.toFloats(wholeX).compare(VectorOperators.GT, x);
             VectorMask<Float> aboveZ = Lanes.toFloats(wholeZ).compare(VectorOperators.GT, z);
             VectorMask<Float> odd = wholeX.add(wholeZ)

@@ -8,34 +8,33 @@ import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Blocked samples where every candidate lies wholly between the points and the disc, and is not small for its distance.
- * A line through (1, x, y) then decides: it meets the sphere at (a, u, w) where {@code (u y - w x)^2 + (u - a x)^2 + (w
- * - a y)^2 <= r^2 (1 + x^2 + y^2)}, a conic in (x, y), so that a sample costs five multiplications a candidate.
+ * Blocked samples where every candidate lies entirely between the points and the disc and is large enough for its
+ * distance. In this case the line test suffices: a line through (1, x, y) meets the sphere at (a, u, w) where {@code (u
+ * y - w x)^2 + (u - a x)^2 + (w - a y)^2 <= r^2 (1 + x^2 + y^2)}. This is a conic in (x, y) and costs five
+ * multiplications per sample and candidate.
  *
- * <p>The loops call the Vector API itself, and of helpers {@link Lanes#fma} alone: one of several operations that the
- * compiler has met first on its own may be too large to be inlined, and its vectors become objects, in some JVMs and
- * not in others.
+ * <p>The loops call the Vector API directly, and of the helpers only {@link Lanes#fma}. C2 may have compiled a larger
+ * helper separately before; then it is too large to be inlined, and its vectors become objects, in some runs of the JVM
+ * and not in others.
  */
 public final class ShadowConics {
-    /** Of a sphere that counts as wholly between: so much farther within than it need be, as rounding may be wrong. */
+    /** Margin, as a factor, for the tests whether a sphere lies entirely between. */
     public static final float WITHIN = 0.9995f;
 
     /**
-     * How many of its own radii the light's cone may reach off its axis where a sphere is. A conic's numbers are
-     * squares of the sphere's place, and small differences of large ones: of a smaller sphere farther off too little
-     * would be left of the squared radius.
+     * Largest offset of the light's cone from its axis at the sphere, in radii of the sphere. The conic's coefficients
+     * are small differences of large squares; for smaller or more distant spheres too few bits of the squared radius
+     * would remain.
      */
     public static final float MOST_RADII_WIDE = 16f;
 
-    /** Where the second candidate's facts begin. */
+    /** Offset of the second candidate's data. */
     private static final int SECOND = ShadowColumns.STRIDE;
 
-    /**
-     * From the bit of a number below 0, where a sample is blocked, to a 1: fewer steps than to compare and to choose.
-     */
+    /** Shift that turns the sign bit of a negative number, a blocked sample, into 1; faster than compare and blend. */
     private static final int SIGN = 31;
 
-    /** A conic where nothing blocks: any number above 0. */
+    /** Initial value of the conics: any positive number, which means not blocked. */
     private static final float ABOVE = 1f;
 
     private ShadowConics() {}
@@ -58,12 +57,12 @@ public final class ShadowConics {
             Lanes.fma(scaledU, scaledU, rest).intoArray(candidates, at + ShadowColumns.YY);
             a.mul(u).mul(-2f).intoArray(candidates, at + ShadowColumns.X);
             a.mul(w).mul(-2f).intoArray(candidates, at + ShadowColumns.Y);
-            // No sphere that cannot shade has a conic below 0: its squared radius counts as -1.
+            // A sphere that cannot shade has a squared radius of -1, so its conic is never negative.
             Lanes.fma(u, u, w.mul(w)).sub(radiusSquared).intoArray(candidates, at + ShadowColumns.CONSTANT);
         }
     }
 
-    /** Adds the samples in the candidates' ranges that any of them blocks. */
+    /** Adds the samples in the candidates' ranges that any candidate blocks. */
     public static void count(ShadowColumns scratch) {
         if (ShadowRange.areApart(scratch)) {
             for (int c = 0; c < scratch.candidates.count; c++) {
@@ -80,7 +79,7 @@ public final class ShadowConics {
         }
     }
 
-    /** Those of one candidate. */
+    /** Counts the samples that one candidate blocks. */
     static void countOne(ShadowColumns scratch, int candidate) {
         float[] facts = scratch.facts;
         float[] disc = scratch.disc;
@@ -106,8 +105,8 @@ public final class ShadowConics {
     }
 
     /**
-     * Those of one candidate where they are few. The count stays in memory: as a vector that a loop of one round hands
-     * on, it would become an object in some JVMs.
+     * As above, for few samples. The count is kept in memory: as a vector carried through a loop with a single
+     * iteration it becomes an object in some runs of the JVM.
      */
     static void countFew(ShadowColumns scratch, int candidate) {
         float[] facts = scratch.facts;
@@ -132,8 +131,8 @@ public final class ShadowConics {
     }
 
     /**
-     * Adds the samples that any of two candidates blocks, of those from where the first range begins to where the last
-     * ends.
+     * Counts the samples that either of two candidates blocks, from the start of the first range to the end of the
+     * last.
      */
     private static void countTwo(ShadowColumns scratch) {
         float[] facts = scratch.facts;
@@ -167,7 +166,7 @@ public final class ShadowConics {
                 .intoArray(scratch.frame, ShadowColumns.BLOCKED);
     }
 
-    /** The same with any number of candidates. */
+    /** As above, for any number of candidates. */
     private static void countAny(ShadowColumns scratch) {
         int from = Integer.MAX_VALUE;
         int to = 0;
@@ -184,9 +183,7 @@ public final class ShadowConics {
         countLowest(scratch, samples);
     }
 
-    /**
-     * Lowers what is there at each sample of a candidate's range to its conic, the first sample there being that one.
-     */
+    /** Lowers the stored values of a candidate's samples to its conic. {@code from} is the sample stored first. */
     static void lower(ShadowColumns scratch, int from, int candidate) {
         int of = candidate * ShadowColumns.STRIDE;
         float[] facts = scratch.facts;
@@ -210,7 +207,7 @@ public final class ShadowConics {
         }
     }
 
-    /** Counts the samples at which the lowest conic is below 0. */
+    /** Counts the samples whose lowest conic is negative. */
     static void countLowest(ShadowColumns scratch, int samples) {
         float[] conics = scratch.conics;
         IntVector blocked = IntVector.zero(Lanes.INTS);

@@ -12,32 +12,30 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Which samples are to be looked at, in the order along one of {@link DiscOrders}' directions. A candidate's shadow
- * begins and ends somewhere along it, and what lies before and behind is free of it; and from some place on it may hide
- * all.
+ * The range of samples to test, in the order along one direction of {@link DiscOrders}. A candidate's shadow covers an
+ * interval along it. Samples outside are visible, and beyond some position all samples may be blocked.
  *
- * <p>The planes through the point that touch the sphere at (a, u, w) and are across the direction meet the disc's plane
- * at {@code (a c -+ r sqrt(a^2 + c^2 - r^2)) / (a^2 - r^2) / s} radii from its center, c being the sphere's center
- * along the direction and s the scale: the shadow lies between them. And the conic of {@link ShadowConics} is nowhere
- * in the unit disc above {@code s^2 (a^2 + u^2 + w^2 - r^2) + u^2 + w^2 - r^2 + 2 a s (|l| - c X)} at X along the
- * direction, l being the center's place beside it: that is below 0 on one side of some X.
+ * <p>The planes through the point that touch the sphere at (a, u, w) and are perpendicular to the direction meet the
+ * disc's plane at {@code (a c -+ r sqrt(a^2 + c^2 - r^2)) / (a^2 - r^2) / s} radii from its center, where c is the
+ * sphere's center along the direction and s the scale. The shadow lies between them. Within the unit disc the conic of
+ * {@link ShadowConics} is at most {@code s^2 (a^2 + u^2 + w^2 - r^2) + u^2 + w^2 - r^2 + 2 a s (|l| - c X)} at X along
+ * the direction, where l is the center's position across it. This bound is negative on one side of some X.
  */
 public final class ShadowRange {
     /**
-     * By how much more of the disc's radius a shadow begins sooner, ends later and hides all later, as rounding may be
-     * wrong.
+     * Margin for rounding, in disc radii, by which intervals of shadow are widened and those of full shadow narrowed.
      */
     private static final float MARGIN = 2e-3f;
 
-    /** Where the point is so near to the sphere, as a part of its squared radius, that the shadow may have no end. */
+    /** With a squared distance below this many squared radii, the shadow may be unbounded. */
     private static final float NEAR = 1.01f;
 
-    /** Along a direction, a place behind all samples; and before them with the other sign. */
+    /** A position beyond all samples along a direction; negated, one before all samples. */
     private static final float BEYOND = 2f;
 
     private ShadowRange() {}
 
-    /** Chooses the direction, from the disc's center to the first candidate as one of the packet's points sees it. */
+    /** Chooses the direction from the disc's center to the first candidate, seen from one of the packet's points. */
     public static void choose(ShadowColumns scratch, Drawing drawing) {
         scratch.sorted = scratch.conical
                 && drawing.shadowSamples >= DiscOrders.FEW
@@ -49,7 +47,7 @@ public final class ShadowRange {
         }
     }
 
-    /** Writes where each candidate's shadow begins and ends, and where it hides all, as each lane sees it. */
+    /** Writes each candidate's interval of shadow and of full shadow, per lane. */
     public static void findPlaces(Tile tile, int at, ShadowColumns scratch) {
         if (scratch.sorted) {
             for (int c = 0; c < scratch.candidates.count; c++) {
@@ -107,8 +105,7 @@ public final class ShadowRange {
     }
 
     /**
-     * Finds the range of each candidate's samples that are to be looked at, and counts those that are hidden from all
-     * lanes without a look.
+     * Finds the range of samples to test per candidate, and counts those that are blocked in all lanes without a test.
      */
     public static void find(ShadowColumns scratch, Drawing drawing) {
         if (scratch.sorted) {
@@ -143,7 +140,9 @@ public final class ShadowRange {
         Lanes.all(from + samples - to).intoArray(scratch.frame, ShadowColumns.BLOCKED);
     }
 
-    /** Whether no sample is to be looked at for two candidates: each may then be counted by itself. */
+    /**
+     * Whether the candidates' ranges do not overlap, so that each can be counted separately. Only up to two candidates.
+     */
     static boolean areApart(ShadowColumns scratch) {
         int count = scratch.candidates.count;
         return count == 1

@@ -9,49 +9,50 @@ import dev.twister.kernel.Layout;
 import jdk.incubator.vector.FloatVector;
 
 /**
- * Where the view rays of a block of tiles look in the panorama: cubic polynomials of the pixel's place, across and
- * down, for what {@code SkyDirection} finds with two arc tangents a pixel. They meet it in 4 x 4 nodes, from the
- * block's first pixel to its last, and are used only where they are as exact between as a column is as a float.
+ * Maps the view rays of a block of tiles to positions in the panorama, by cubic polynomials of the pixel's column and
+ * row. They replace the two arc tangents per pixel in {@code SkyDirection}. The polynomials are exact at 4 x 4 nodes,
+ * from the block's first pixel to its last, and are used only where their error in between is no larger than a float's
+ * rounding.
  *
- * <p>With e the sine of the angle from one node to the next, at most, over the cosine of the elevation, the nth
- * derivative of an angle about the vertical along a line of pixels is at most {@code (n - 1)! e^n} a step of the nodes,
- * as it is the imaginary part of a logarithm; twice that holds an elevation. A cubic polynomial through four nodes a
- * step apart is so at most {@code 2 * 3! / 4! * e^4} away.
+ * <p>Let e be the sine of the largest angle between adjacent nodes, divided by the cosine of the elevation. Along a
+ * line of pixels, the nth derivative of the azimuth per step of the nodes is at most {@code (n - 1)! e^n}, because the
+ * azimuth is the imaginary part of a logarithm. Twice that bounds the derivative of the elevation. A cubic polynomial
+ * through four nodes one step apart therefore has an error of at most {@code 2 * 3! / 4! * e^4}.
  */
 public final class SkyChart {
-    /** Of the nodes along each side; as many as a polynomial's coefficients. */
+    /** Nodes along each side; equal to the number of a cubic polynomial's coefficients. */
     private static final int SIDE = 4;
 
     private static final int NODES = SIDE * SIDE;
 
-    /** In radians: two units in the last place of a whole turn as a float. */
+    /** Largest accepted error in radians: two units in the last place of a full turn as a float. */
     private static final float MOST_ERROR = 1e-6f;
 
-    /** Tiles side by side in the largest block. */
+    /** Number of tiles across the largest block. */
     private static final int MOST_TILES = 4;
 
-    /** Blocks are made so large that elevations up to that cosine, squared, are as exact as that. */
+    /** Squared cosine of the elevation up to which the size of the blocks is chosen to meet {@link #MOST_ERROR}. */
     private static final float USUAL_LEVEL_SQUARED = 0.5f;
 
-    /** From a tile's first pixel to its middle. */
+    /** Distance from a tile's first pixel to its center. */
     private static final float MIDDLE = 0.5f * (Tile.SIDE - 1);
 
-    /** A slope may be so much steeper between nodes, and rounding that many texels wrong. */
+    /** Margins: factor for the slope between nodes, and texels for rounding. */
     private static final float GENEROUS = 1.01f;
 
     private static final float MORE = 0.01f;
 
     private static final int BLOCKS_ACROSS = Tile.SIDE / Tile.BLOCK_SIDE;
 
-    /** The nodes as rays; the places of the first sixteen are theirs. */
+    /** The nodes as rays, in the first sixteen places. */
     private final Tile nodes = new Tile();
 
-    /** Of column and row in the padded sky: {@code down^j across^i} has the factor at {@code 4 j + i}. */
+    /** Coefficients of column and row in the padded sky; that of {@code down^j across^i} is at {@code 4 j + i}. */
     private final float[] columnFactors = new float[NODES];
 
     private final float[] rowFactors = new float[NODES];
 
-    /** For each block of pixels across a tile, the factors of {@code down^j} in its columns of pixels. */
+    /** Per block of pixels across a tile, the coefficients of {@code down^j} for each of its pixel columns. */
     private final float[] columnsAcross = new float[Lanes.BORDER + BLOCKS_ACROSS * SIDE * Lanes.COUNT];
 
     private final float[] rowsAcross = new float[columnsAcross.length];
@@ -59,18 +60,18 @@ public final class SkyChart {
     private final float[][] factorsOfBoth = {columnFactors, rowFactors};
     private final float[][] acrossOfBoth = {columnsAcross, rowsAcross};
 
-    /** Pixels across the block of tiles. */
+    /** Width of the block of tiles in pixels. */
     private int width;
 
-    /** Whether not even blocks of one tile at the horizon are small enough. */
+    /** Whether even a block of one tile at the horizon exceeds the error. */
     private boolean hopeless;
 
-    /** Radians from one pixel to the next, at most. */
+    /** Largest angle between adjacent pixels, in radians. */
     private float step;
 
     private boolean exact;
 
-    /** How many columns and rows of the sky a step of a pixel across and one down take together, at most. */
+    /** Largest number of sky columns and rows per step of one pixel across plus one down. */
     private float columnsAStep;
 
     private float rowsAStep;
@@ -82,7 +83,7 @@ public final class SkyChart {
         }
     }
 
-    /** Begins a frame. */
+    /** Prepares a frame. */
     void start(Drawing drawing) {
         step = drawing.viewportStep / drawing.input.view().camera()[Layout.CAMERA_EYE_DISTANCE];
         int tiles = MOST_TILES;
@@ -99,12 +100,12 @@ public final class SkyChart {
         }
     }
 
-    /** Whether the frame's pixels are so large that not even two tiles are one block. */
+    /** Whether the frame's pixels are so large that a block has only one tile. */
     boolean isCoarse() {
         return width <= Tile.SIDE;
     }
 
-    /** Pixels from one node to the next. */
+    /** Distance between nodes in pixels. */
     private float stepAcross() {
         return (width - 1) / (SIDE - 1f);
     }
@@ -113,7 +114,7 @@ public final class SkyChart {
         return (Tile.SIDE - 1) / (SIDE - 1f);
     }
 
-    /** In radians, at most, where the cosine of the elevation is at least that, squared. */
+    /** Bound of the error in radians, for the given minimum of the squared cosine of the elevation. */
     private float error(int pixelsAcross, float levelSquared) {
         float across = (pixelsAcross - 1) / (SIDE - 1f) * step;
         float down = stepDown() * step;
@@ -122,7 +123,7 @@ public final class SkyChart {
         return 0.5f * (acrossSquared * acrossSquared + downSquared * downSquared);
     }
 
-    /** Whether the polynomials are exact enough for the tile; finds those of its block first, if they are another's. */
+    /** Whether the polynomials are accurate enough for the tile; computes those of its block if necessary. */
     boolean covers(Tile tile, Drawing drawing) {
         if (hopeless) {
             return false;
@@ -144,7 +145,7 @@ public final class SkyChart {
         return exact;
     }
 
-    /** Far enough from the zenith and the nadir, and not across the panorama's seam, which would cut a corner off. */
+    /** Whether the block is far enough from zenith and nadir and does not cross the panorama's seam. */
     private boolean judge(int skyWidth) {
         float[] t = nodes.values;
         float steepest = 0f;
@@ -173,7 +174,8 @@ public final class SkyChart {
     }
 
     /**
-     * Has the window take what a covered tile's view rays look at, or their mirror images; tells whether there is room.
+     * Loads the texels that a covered tile's view rays see, or their mirror images, into the window; returns whether
+     * they fit.
      */
     boolean open(SkyWindow window, Tile tile, Drawing drawing, boolean mirrored) {
         float[] offsets = drawing.input.view().pixelSamples();
@@ -200,7 +202,9 @@ public final class SkyChart {
         return sum;
     }
 
-    /** From values at the nodes, counted from the first one's, as that keeps the rounding small. */
+    /**
+     * Computes the coefficients from the nodes' values, relative to the first value, which keeps rounding errors small.
+     */
     private void findFactors(int column, float[] factors) {
         float[] t = nodes.values;
         float first = t[column];
@@ -216,7 +220,9 @@ public final class SkyChart {
         factors[0] += first;
     }
 
-    /** Replaces values at 0, 1, 2 and 3, {@code stride} apart, by the factors of the cubic polynomial through them. */
+    /**
+     * Replaces values at 0, 1, 2 and 3, {@code stride} apart, by the coefficients of the cubic polynomial through them.
+     */
     private static void solve(float[] values, int first, int stride) {
         float start = values[first];
         float one = values[first + stride] - start;
@@ -227,7 +233,7 @@ public final class SkyChart {
         values[first + 3 * stride] = 0.5f * (one - two) + three / 6f;
     }
 
-    /** Works out what the pixels of a column of a covered tile share. */
+    /** Computes the coefficients that are shared by a pixel column of a covered tile. */
     void spread(Tile tile, Drawing drawing) {
         for (int k = 0; k < factorsOfBoth.length; k++) {
             spread(drawing, tile, factorsOfBoth[k], acrossOfBoth[k]);
@@ -254,15 +260,15 @@ public final class SkyChart {
     }
 
     /**
-     * Writes the columns and rows of the padded sky that a covered tile's view rays look at.
+     * Writes the columns and rows of the padded sky that a covered tile's view rays see.
      *
-     * @param mirrored whether it is the rays' mirror images in a level plane that look
+     * @param mirrored whether the rays are mirrored in a level plane
      */
     void place(Tile tile, Drawing drawing, boolean mirrored) {
         float[] offsets = drawing.input.view().pixelSamples();
         float inverse = 1f / stepDown();
         float from = (offsets[Layout.SAMPLE_STRIDE * tile.sample + 1] - offsets[1]) * inverse;
-        // The rows of a direction and its mirror image are as far from either end.
+        // The rows of a direction and its mirror image are symmetric about the horizon.
         float turned = mirrored ? -1f : 1f;
         float end = mirrored ? drawing.sky.height + 1f : 0f;
         float[] t = tile.values;

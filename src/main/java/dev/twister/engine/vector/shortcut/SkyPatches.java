@@ -11,16 +11,16 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * The panorama's radiance where all lanes of a packet look at a few neighboring texels, as view rays do: each texel is
- * read once and weighed in all lanes, which is the bilinear mean with the weights of far texels 0.
+ * Radiance of the panorama where all lanes of a packet see a few adjacent texels, as view rays do. Each texel is read
+ * once and weighted in all lanes; the bilinear weights of more distant texels are 0.
  */
 public final class SkyPatches {
-    /** Texels from which on it is faster to look up lane by lane: {@code docs/decisions/018}. */
+    /** With more texels, per-lane lookup is faster; see {@code docs/decisions/018}. */
     private static final int MOST_TEXELS = 2 * Lanes.COUNT;
 
     private SkyPatches() {}
 
-    /** Splits the packets that met the sky by whether they look at a patch. */
+    /** Separates the packets that see a patch from the scattered ones. */
     static void sort(Tile tile) {
         float[] t = tile.values;
         PatchList patches = tile.skyPatches;
@@ -50,7 +50,7 @@ public final class SkyPatches {
         }
     }
 
-    /** Adds the patches' radiance to the lanes that met nothing. */
+    /** Adds the patches' radiance to the lanes that hit nothing. */
     static void add(Tile tile, PaddedSky sky) {
         float[] t = tile.values;
         PatchList patches = tile.skyPatches;
@@ -62,7 +62,7 @@ public final class SkyPatches {
             FloatVector green = Lanes.all(0f);
             FloatVector blue = Lanes.all(0f);
             for (int row = 0; row < patches.rows[k]; row++) {
-                // A texel's part along one side: 1 at its center, 0 from the next texel's center on.
+                // Weight along one side: 1 at the texel's center, 0 from the next texel's center on.
                 FloatVector high =
                         Lanes.larger(Lanes.all(1f).sub(toBottom.sub(row).abs()), Lanes.all(0f));
                 int texel = PaddedSky.NUMBERS_A_TEXEL * ((patches.top[k] + row) * sky.stride() + patches.left[k]);

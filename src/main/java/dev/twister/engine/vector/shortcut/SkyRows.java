@@ -13,24 +13,24 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * What {@link SkyPatches} does, for 16 lanes and a sky in halves: a row of a patch is one vector, and each lane picks
- * its four texels out of three rows. Without helpers, for the reason that {@link ShadowConics} has; not even
- * {@link Lanes#fma}, as every CPU with that number of lanes has what it asks for.
+ * {@link SkyPatches} for 16 lanes and a sky in bfloat16: each row of a patch is one vector, and each lane selects its
+ * four texels from three rows. It calls no helpers; see {@link ShadowConics}. {@link Lanes#fma} is not needed either,
+ * because every CPU with 16 lanes has a fused multiply-add.
  */
 public final class SkyRows {
-    /** Whether a row of a patch fits a vector. */
+    /** Whether a vector holds a row of a patch. */
     static final boolean FIT = Lanes.COUNT == 16;
 
-    /** A lane's left texel may be this number of columns from the leftmost one; five texels are fifteen numbers. */
+    /** Largest offset of a lane's left texel from the patch's first column; five texels are fifteen values. */
     private static final int MOST_TO_RIGHT = 3;
 
-    /** A lane's upper texel may be this number of rows from the uppermost one. */
+    /** Largest offset of a lane's upper texel from the patch's first row. */
     private static final int MOST_TO_BOTTOM = 1;
 
-    /** Of two vectors, the second one's lanes are counted on from the first one's 16. */
+    /** Bits of a lane's index: in a selection from two vectors, the second one's lanes start at 16. */
     private static final int LANE_BITS = 4;
 
-    /** Added to small numbers, rounds them to whole ones, which are then a float's lowest bits. */
+    /** Adding it rounds small numbers to integers, which are then in the float's lowest bits. */
     static final float ROUNDER = 3 << 22;
 
     private static final VectorSpecies<Short> HALVES = ShortVector.SPECIES_256;
@@ -38,8 +38,8 @@ public final class SkyRows {
     private SkyRows() {}
 
     /**
-     * Splits the packets that met the sky by whether they look at a patch. It starts one column before that of a lane,
-     * which holds as well as the leftmost one and is found sooner, and in the upper of two rows.
+     * Separates the packets that see a patch from the scattered ones. A patch starts one column before that of any
+     * lane, which is found faster than the leftmost one, and in the upper of two rows.
      */
     static void sort(Tile tile) {
         float[] t = tile.values;
@@ -73,7 +73,7 @@ public final class SkyRows {
         }
     }
 
-    /** Adds the patches' radiance to the lanes that met nothing. */
+    /** Adds the patches' radiance to the lanes that hit nothing. */
     static void add(Tile tile, PaddedSky sky) {
         float[] t = tile.values;
         short[] halves = sky.halves;
@@ -91,8 +91,7 @@ public final class SkyRows {
             IntVector third = ((IntVector) ShortVector.fromArray(HALVES, halves, texel + 2 * below)
                             .convertShape(VectorOperators.ZERO_EXTEND_S2I, Lanes.INTS, 0))
                     .lanewise(VectorOperators.LSHL, PaddedSky.LOWER_BITS);
-            // Half a texel to the left, whose nearest whole number is the texel to the left; of a whole one it may be
-            // either.
+            // Half a texel to the left, so that rounding gives the left texel; for an integer either neighbor is right.
             FloatVector toRight = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.SKY_TO_RIGHT)
                     .sub(patches.left[k] + 0.5f);
             FloatVector toBottom = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.SKY_TO_BOTTOM)
@@ -101,7 +100,7 @@ public final class SkyRows {
             FloatVector row = toBottom.add(ROUNDER);
             toRight = toRight.sub(column.sub(ROUNDER)).add(0.5f);
             toBottom = toBottom.sub(row.sub(ROUNDER)).add(0.5f);
-            // The rounder's own bits are above those that choose a lane.
+            // The rounder's own bits are above those that select a lane.
             IntVector number = column.reinterpretAsInts()
                     .add(column.reinterpretAsInts().lanewise(VectorOperators.LSHL, 1))
                     .add(row.reinterpretAsInts().lanewise(VectorOperators.LSHL, LANE_BITS));

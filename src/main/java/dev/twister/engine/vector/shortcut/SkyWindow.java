@@ -10,23 +10,19 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * The texels of the sky that a tile's rays look at, where so few are enough that a color of all of them is two vectors
- * of 16 lanes, out of which each lane picks its four. Without helpers, for the reason that {@link ShadowConics} has;
- * not even {@link Lanes#fma}, as in {@link SkyRows}.
+ * The texels of the sky that a tile's rays see, if they are few enough that each color channel fits two vectors of 16
+ * lanes, from which each lane selects its four. It calls no helpers; see {@link ShadowConics} and {@link SkyRows}.
  */
 public final class SkyWindow {
-    /** Whether there are as many lanes. */
+    /** Whether vectors have 16 lanes. */
     static final boolean FIT = Lanes.COUNT == 16;
 
-    /** Texels of a vector, and of two. */
+    /** Texels per vector and in total. */
     private static final int HALF = 16;
 
     private static final int MOST = 2 * HALF;
 
-    /**
-     * The bits of the texels' colors, row by row: red ones from {@link Lanes#BORDER} on, then green ones, then blue
-     * ones.
-     */
+    /** The texels' float bits, row by row: red from {@link Lanes#BORDER} on, then green, then blue. */
     private final int[] texels = new int[Lanes.BORDER + PaddedSky.NUMBERS_A_TEXEL * MOST];
 
     private int left;
@@ -35,7 +31,7 @@ public final class SkyWindow {
     private int rows;
     private float strength;
 
-    /** Takes the texels about these columns and rows of the padded sky; tells whether there is room for them. */
+    /** Loads the texels for a range of columns and rows of the padded sky; returns whether they fit. */
     boolean take(PaddedSky sky, float leftmost, float uppermost, float rightmost, float lowermost) {
         left = Math.max(0, (int) leftmost);
         top = Math.max(0, (int) uppermost);
@@ -63,7 +59,7 @@ public final class SkyWindow {
         }
     }
 
-    /** Adds the radiance to the lanes that met nothing. */
+    /** Adds the radiance to the lanes that hit nothing. */
     void add(Tile tile) {
         float[] t = tile.values;
         int[] colors = texels;

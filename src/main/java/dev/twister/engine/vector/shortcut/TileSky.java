@@ -6,17 +6,14 @@ import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.engine.vector.step.SkyRadiance;
 
-/** The sky that a tile's rays look at, by the fastest way that applies. */
+/** The sky that a tile's rays see, by the fastest method that applies. */
 public final class TileSky {
-    /**
-     * Fewer packets go by arc tangents, as a chart has its nodes to find first; from how many on it pays was not
-     * measured.
-     */
+    /** With fewer packets, arc tangents are used, because a chart has a cost per block. The limit is an estimate. */
     private static final int LEAST_CHARTED = Tile.SIZE / Lanes.COUNT / 4;
 
     /**
-     * During the first tiles, this many, of small pictures, the code of large ones also runs on dummy data, so that C2
-     * compiles it early: engines are warmed up by small pictures.
+     * Number of small tiles during which the code for large frames also runs on dummy data, so that C2 compiles it
+     * early: small frames warm up an engine.
      */
     private static final int REHEARSALS = 20_000;
 
@@ -24,24 +21,22 @@ public final class TileSky {
     private final SkyWindow window = new SkyWindow();
     private int rehearsals;
 
-    /** Prepares for a frame. */
+    /** Prepares a frame. */
     public void start(Drawing drawing) {
         chart.start(drawing);
     }
 
-    /**
-     * Whether the chart has the directions of all of a tile's view rays, and of their mirror images in a level plane.
-     */
+    /** Whether the chart covers a tile's view rays and their mirror images in a level plane. */
     boolean isCharted(Drawing drawing, Tile tile) {
         return drawing.shortcuts.take(Shortcut.SKY_CHART) && chart.covers(tile, drawing);
     }
 
-    /** The same, if enough of the packets meet the sky for it to pay. */
+    /** Whether the chart covers the tile and enough packets see the sky for it to be faster. */
     public boolean pays(Tile tile, Drawing drawing) {
         return tile.skies.count >= LEAST_CHARTED && isCharted(drawing, tile);
     }
 
-    /** Adds the sky that a charted tile's view rays look at, or their mirror images. */
+    /** Adds the sky that a charted tile's view rays see, or their mirror images. */
     public void addCharted(Tile tile, Drawing drawing, boolean mirrored) {
         place(drawing, tile, mirrored);
         if (isInWindow(drawing, tile, mirrored)) {
@@ -56,14 +51,14 @@ public final class TileSky {
         chart.place(tile, drawing, mirrored);
     }
 
-    /** Whether the window holds all texels that a charted tile looks at; fetches them. */
+    /** Loads the texels that a charted tile sees into the window; returns whether they fit. */
     private boolean isInWindow(Drawing drawing, Tile tile, boolean mirrored) {
         return SkyWindow.FIT
                 && drawing.shortcuts.take(Shortcut.SKY_WINDOW)
                 && chart.open(window, tile, drawing, mirrored);
     }
 
-    /** Adds the sky at the columns and rows that the tile's packets look at. */
+    /** Adds the sky at the columns and rows of the tile's packets. */
     public static void add(Tile tile, Drawing drawing) {
         if (!drawing.shortcuts.take(Shortcut.SKY_PATCHES)) {
             tile.scatteredSkies.copy(tile.skies);
@@ -83,7 +78,7 @@ public final class TileSky {
         }
     }
 
-    /** With whatever chart and window hold: only lanes come of it. */
+    /** Runs the code on whatever chart and window hold; the result is discarded. */
     void rehearse(Tile clear, Drawing drawing) {
         if (chart.isCoarse() && rehearsals < REHEARSALS) {
             rehearsals++;

@@ -6,17 +6,17 @@ import dev.twister.engine.vector.step.CameraLanes;
 import dev.twister.kernel.Layout;
 import java.util.Arrays;
 
-/** Tiles that look alike in all pixels: what never changes in them is written once. */
+/** Tiles whose pixels are all handled alike, so that their constant columns are written only once. */
 public final class WholeTiles {
     private final TileSky sky;
 
-    /** All sky. */
+    /** Tile of sky. */
     private final Tile clear = new Tile();
 
-    /** All {@link OpenGround}. */
+    /** Tile of {@link OpenGround}. */
     private final Tile open = new Tile();
 
-    /** With the sky of the same thread. */
+    /** Shares the sky of the same thread. */
     public WholeTiles(TileSky sky) {
         this.sky = sky;
         for (Tile skyward : new Tile[] {clear, open}) {
@@ -27,12 +27,12 @@ public final class WholeTiles {
         Arrays.fill(clear.values, Tile.THROUGHPUT, Tile.THROUGHPUT + Tile.SIZE, 1f);
     }
 
-    /** Gives the JVM something to compile, where pictures are too small for what larger ones come to. */
+    /** Runs code that small frames do not reach, so that C2 compiles it early. */
     public void rehearse(Drawing drawing) {
         sky.rehearse(clear, drawing);
     }
 
-    /** The same tile of the frame, whose view rays meet nothing. */
+    /** Renders a tile whose view rays hit nothing; returns a tile with the result. */
     public Tile addSky(Tile tile, Drawing drawing) {
         clear.moveTo(tile);
         CameraLanes.blacken(clear);
@@ -43,7 +43,7 @@ public final class WholeTiles {
         return clear;
     }
 
-    /** The same tile of the frame, whose view rays meet lit ground that mirrors the sky alone, or nothing. */
+    /** Renders a tile of lit ground that reflects only the sky, or nothing; returns a tile with the result. */
     public Tile addOpenGround(Tile tile, Drawing drawing) {
         open.moveTo(tile);
         CameraLanes.blacken(open);

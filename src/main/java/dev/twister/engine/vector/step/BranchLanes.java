@@ -9,11 +9,9 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** The rays that go on from surfaces of any material: {@link Branch}. Here all of them wait, and fill packets anew. */
+/** Secondary rays of surfaces of any material: {@link Branch}. In lanes, all of them wait and fill new packets. */
 public final class BranchLanes {
-    /**
-     * Where what waits of a reflected ray is in the tile, in the order of {@link WaitingRays}; and of a refracted one.
-     */
+    /** Tile columns with the data of a reflected and of a refracted ray, in the order of {@link WaitingRays}. */
     private static final int[] REFLECTED = from(Tile.DIRECTION_X);
 
     private static final int[] REFRACTED = from(Tile.REFRACTED_X);
@@ -40,7 +38,7 @@ public final class BranchLanes {
         };
     }
 
-    /** Lets the reflected and the refracted rays of all surfaces wait. */
+    /** Queues the reflected and refracted rays of all surfaces. */
     public static void split(Tile tile, WaitingRays rays, int bounce) {
         for (int k = 0; k < tile.surfaces.count; k++) {
             int at = tile.surfaces.places[k];
@@ -58,7 +56,7 @@ public final class BranchLanes {
         }
     }
 
-    /** Writes the tints of the reflected rays; returns one bit a ray that goes on. */
+    /** Writes the tints of the reflected rays; returns one bit per ray that continues. */
     static long reflect(Tile tile, int at) {
         float[] t = tile.values;
         FloatVector part = Lanes.load(t, at + Tile.THROUGHPUT);
@@ -78,7 +76,7 @@ public final class BranchLanes {
                 .toLong();
     }
 
-    /** The same of the refracted rays. */
+    /** As above, for the refracted rays. */
     static long refract(Tile tile, int at) {
         float[] t = tile.values;
         FloatVector part = Lanes.load(t, at + Tile.REFRACTED_PART);
@@ -97,7 +95,7 @@ public final class BranchLanes {
                 .toLong();
     }
 
-    /** Takes rays that have left that number of surfaces up again, with black colors and a whole throughput. */
+    /** Resumes waiting rays of a bounce, with black colors and a throughput of 1. */
     public static void resume(Tile tile, WaitingRays rays, int bounce) {
         int count = rays.take(tile, bounce);
         float[] t = tile.values;
@@ -113,7 +111,7 @@ public final class BranchLanes {
         tile.rays = count;
     }
 
-    /** Adds what the rays have found to the pixels that they are drawn for. */
+    /** Adds the rays' colors to the pixels that they contribute to. */
     public static void add(Tile rays, Tile pixels) {
         float[] from = rays.values;
         float[] to = pixels.values;

@@ -6,11 +6,11 @@ import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.kernel.Layout;
 import jdk.incubator.vector.FloatVector;
 
-/** Starts one view ray in each lane. */
+/** Starts one view ray per lane. */
 public final class CameraLanes {
     private CameraLanes() {}
 
-    /** Lists the packets with a pixel of the frame in them as live: all of most tiles. */
+    /** Lists the packets that overlap the frame as live; in most tiles these are all. */
     public static void listInside(Tile tile, Drawing drawing) {
         if (tile.left + Tile.SIDE <= drawing.width && tile.top + Tile.SIDE <= drawing.rows) {
             tile.live.addAll();
@@ -30,7 +30,7 @@ public final class CameraLanes {
         place(tile, drawing.input.view().camera());
     }
 
-    /** The rays' directions, through the current samples. */
+    /** Writes the rays' directions through the current samples. */
     public static void aim(Tile tile, Drawing drawing) {
         float[] camera = drawing.input.view().camera();
         float[] offsets = drawing.input.view().pixelSamples();
@@ -45,7 +45,7 @@ public final class CameraLanes {
         float forwardX = eye * camera[Layout.CAMERA_FORWARD];
         float forwardY = eye * camera[Layout.CAMERA_FORWARD + 1];
         float forwardZ = eye * camera[Layout.CAMERA_FORWARD + 2];
-        // Read once: for all that the compiler knows, each store of a lane might change the camera.
+        // Loaded once: C2 must assume that each store to a column may change the camera.
         float rightX = camera[Layout.CAMERA_RIGHT];
         float rightY = camera[Layout.CAMERA_RIGHT + 1];
         float rightZ = camera[Layout.CAMERA_RIGHT + 2];
@@ -71,7 +71,7 @@ public final class CameraLanes {
     }
 
     /**
-     * One coordinate of a ray through a corner of the tile, of no certain length.
+     * One component of a ray's direction through a corner of the tile; the vector is not normalized.
      *
      * @param corner 0 to 3
      * @param axis 0 for x, 1 for y, 2 for z
@@ -86,14 +86,14 @@ public final class CameraLanes {
                 axis);
     }
 
-    /** One coordinate of a ray through that place of the viewport, of no certain length. */
+    /** One component of a ray's direction through (u, v) on the viewport; the vector is not normalized. */
     public static float turned(float u, float v, float[] camera, int axis) {
         return u * camera[Layout.CAMERA_RIGHT + axis]
                 + v * camera[Layout.CAMERA_UP + axis]
                 + camera[Layout.CAMERA_EYE_DISTANCE] * camera[Layout.CAMERA_FORWARD + axis];
     }
 
-    /** Puts all rays at the camera, leaving nothing, with a whole throughput. */
+    /** Moves all rays to the camera, where they leave no body, with a throughput of 1. */
     public static void place(Tile tile, float[] camera) {
         float x = camera[Layout.CAMERA_POSITION];
         float y = camera[Layout.CAMERA_POSITION + 1];
@@ -109,7 +109,7 @@ public final class CameraLanes {
         }
     }
 
-    /** Makes the lanes' colors black. */
+    /** Sets the lanes' colors to black. */
     public static void blacken(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {

@@ -14,14 +14,14 @@ import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Facets of surfaces, and the rays that they reflect: {@link dev.twister.kernel.Facet}. */
+/** Microfacets of surfaces and reflection at them: {@link dev.twister.kernel.Facet}. */
 public final class FacetLanes {
-    /** Turns that make a cosine of a sine. */
+    /** Offset in turns that makes a sine a cosine. */
     private static final float COSINE = 0.25f;
 
     private FacetLanes() {}
 
-    /** Writes the facets of some packets; a smooth surface is its own. */
+    /** Writes the facets of some packets; a smooth surface has its normal as the facet. */
     public static void find(Drawing drawing, Tile tile, PacketList packets, int bounce) {
         face(tile, packets);
         if (tile.rough.count > 0) {
@@ -37,7 +37,7 @@ public final class FacetLanes {
         }
     }
 
-    /** Turns the normals against the rays. */
+    /** Turns the normals toward the rays' origins. */
     static void face(Tile tile, PacketList packets) {
         float[] t = tile.values;
         for (int k = 0; k < packets.count; k++) {
@@ -56,7 +56,7 @@ public final class FacetLanes {
         }
     }
 
-    /** Writes a number of the sample, shifted by a hash of each pixel. */
+    /** Writes one of the sample's random numbers, shifted by a hash of each pixel. */
     static void findNumbers(Tile tile, Drawing drawing, int place, int column) {
         float[] t = tile.values;
         float shared = drawing.input.view().pixelSamples()[Layout.SAMPLE_STRIDE * tile.sample + place];
@@ -75,7 +75,7 @@ public final class FacetLanes {
         }
     }
 
-    /** Writes the ways that rays came, in the stretched frames of surfaces whose normals the facets are so far. */
+    /** Writes the view directions in the stretched tangent frames. The facet columns still hold the normals. */
     static void findViews(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.rough.count; k++) {
@@ -110,8 +110,8 @@ public final class FacetLanes {
     }
 
     /**
-     * Makes the views unit vectors, and replaces the second numbers by heights on the cap of directions that are
-     * visible.
+     * Normalizes the view directions, and replaces the second random numbers by heights on the cap of visible
+     * directions.
      */
     static void findHeights(Tile tile) {
         float[] t = tile.values;
@@ -133,7 +133,7 @@ public final class FacetLanes {
         }
     }
 
-    /** Adds what lies at those heights, one axis a call. */
+    /** Adds one component of the cap's points at those heights. */
     static void addAround(Tile tile, float turn, int axis) {
         float[] t = tile.values;
         for (int k = 0; k < tile.rough.count; k++) {
@@ -147,7 +147,7 @@ public final class FacetLanes {
         }
     }
 
-    /** Turns the sums into facets. */
+    /** Unstretches the sums into facet normals in the tangent frame. */
     static void unstretch(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.rough.count; k++) {
@@ -164,7 +164,7 @@ public final class FacetLanes {
         }
     }
 
-    /** Turns those out of the surfaces' frames. */
+    /** Transforms the facet normals from the tangent frames to world space. */
     static void tilt(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.rough.count; k++) {
@@ -192,7 +192,7 @@ public final class FacetLanes {
         }
     }
 
-    /** Mirrors some packets' rays at the facets; a rough surface passes on a part of their throughput. */
+    /** Reflects some packets' rays at their facets; rough surfaces reduce the throughput. */
     public static void reflect(Tile tile, PacketList packets) {
         if (tile.rough.count > 0) {
             weigh(tile);
@@ -200,7 +200,7 @@ public final class FacetLanes {
         turn(tile, packets);
     }
 
-    /** Leaves what rough surfaces reflect of the throughput. */
+    /** Multiplies the throughput by the weight of the facet sample on rough surfaces. */
     static void weigh(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.rough.count; k++) {

@@ -8,13 +8,13 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Whether the plane is met before any sphere: {@link dev.twister.kernel.Intersection#plane}. */
+/** Whether the plane is hit before any sphere: {@link dev.twister.kernel.Intersection#plane}. */
 public final class GroundHit {
     private GroundHit() {}
 
     /**
-     * Mends the hits and distances where the plane is closer. A level ray's distance is infinite or not a number, and
-     * fails every comparison.
+     * Replaces hits and distances where the plane is closer. A level ray's distance is infinite or NaN and fails every
+     * comparison.
      */
     public static void find(Tile tile, Drawing drawing) {
         float height = drawing.planeHeight;

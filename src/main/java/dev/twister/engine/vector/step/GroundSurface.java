@@ -10,7 +10,7 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** The plane where it is met: points, normals and the checker's colors, written to all lanes of a packet. */
+/** Surface data of the plane: points, normals and checker colors, written to all lanes of a packet. */
 public final class GroundSurface {
     private GroundSurface() {}
 
@@ -23,7 +23,7 @@ public final class GroundSurface {
         float[] t = tile.values;
         for (int k = 0; k < tile.grounds.count; k++) {
             int at = tile.grounds.places[k];
-            // The other lanes stay where they are: a miss's distance would make numbers that are none.
+            // The other lanes use distance 0: a miss's distance would produce NaN.
             FloatVector distance = Lanes.all(0f)
                     .blend(
                             Lanes.load(t, at + Tile.DISTANCE),

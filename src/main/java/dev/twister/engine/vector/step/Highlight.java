@@ -11,7 +11,7 @@ import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** The specular part of Blinn-Phong: {@link Light#specular}. */
+/** The specular term of Blinn-Phong: {@link Light#specular}. */
 public final class Highlight {
     private Highlight() {}
 
@@ -23,7 +23,8 @@ public final class Highlight {
     }
 
     /**
-     * Writes {@code max(0, N.H)}, at most 1, to the specular column; 0 for NaN, which lanes without a surface may hold.
+     * Writes {@code max(0, N.H)}, at most 1, to the specular column. It is 0 for NaN, which lanes without a surface may
+     * hold.
      */
     static void findCosines(Tile tile) {
         float[] t = tile.values;
@@ -42,8 +43,8 @@ public final class Highlight {
     }
 
     /**
-     * Writes what the cosines' powers are to be multiplied by, 0 where nothing shines, and lists the packets where
-     * anything does by what powers those are; the others' specular column is 0 from here on.
+     * Writes the factors for the cosines' powers, 0 in lanes without a highlight. Lists the packets with highlights by
+     * the kind of their exponents, and sets the specular column of the others to 0.
      */
     static void sort(Tile tile) {
         tile.onePower.clear();
@@ -84,7 +85,7 @@ public final class Highlight {
         }
     }
 
-    /** Raises the cosines to the reflectivities' powers and multiplies them by their weights where anything shines. */
+    /** Raises the cosines to the reflectivities and applies the factors, in packets with highlights. */
     public static void raise(Tile tile) {
         if (tile.onePower.count > 0) {
             raiseAll(tile);
@@ -99,7 +100,7 @@ public final class Highlight {
         }
     }
 
-    /** All lanes to the power of the first that shines, by repeated squaring, times their weights. */
+    /** Raises all lanes to the packet's exponent by repeated squaring, and applies their factors. */
     static void raiseAll(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.onePower.count; k++) {
@@ -116,7 +117,7 @@ public final class Highlight {
         }
     }
 
-    /** Each lane to its own power's whole part, times that column's number. */
+    /** Raises each lane to the integer part of its exponent, and multiplies by the {@code factor} column. */
     static void raiseEach(Tile tile, PacketList packets, int factor) {
         float[] t = tile.values;
         for (int k = 0; k < packets.count; k++) {
@@ -135,7 +136,7 @@ public final class Highlight {
         }
     }
 
-    /** Each lane to its own power's fraction, to a column of its own: a square root for each of its binary digits. */
+    /** Raises each lane to the fractional part of its exponent, with a square root per binary digit. */
     static void findFractions(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.fractionPowers.count; k++) {

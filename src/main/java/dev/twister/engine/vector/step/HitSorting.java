@@ -7,11 +7,11 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Sorts packets by what their lanes met; a packet may be in several lists. */
+/** Sorts packets by what their lanes hit; a packet may be in several lists. */
 public final class HitSorting {
     private HitSorting() {}
 
-    /** Fills the lists where no ray of the tile can meet anything. */
+    /** Fills the lists if no ray of the tile can hit anything. */
     public static void sortSkies(Tile tile) {
         clear(tile);
         float[] t = tile.values;

@@ -9,17 +9,17 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** The light as the surfaces see it, and whether anything in between would change them. */
+/** Direction of the light from the surfaces, and the points where a shadow would be visible. */
 public final class LightDirection {
     private LightDirection() {}
 
-    /** Writes how the surfaces see the light, and lists where shadows would show. */
+    /** Writes direction and distance of the light, and lists the packets where shadows would be visible. */
     public static void find(Drawing drawing, Tile tile) {
         findDirections(tile, drawing.bodies);
         sort(tile, drawing.ambient);
     }
 
-    /** Writes the unit vectors to the light, the distances, and the cosines against the normals. */
+    /** Writes the unit vectors to the light, the distances, and the cosines with the normals. */
     static void findDirections(Tile tile, BodyColumns bodies) {
         float lightX = bodies.x[Layout.LIGHT];
         float lightY = bodies.y[Layout.LIGHT];
@@ -46,7 +46,7 @@ public final class LightDirection {
         }
     }
 
-    /** Makes everything visible, and lists the packets with lanes where a shadow would show. */
+    /** Sets the visible part to 1, and lists the packets with lanes where a shadow would be visible. */
     static void sort(Tile tile, float ambient) {
         tile.shadows.clear();
         float[] t = tile.values;

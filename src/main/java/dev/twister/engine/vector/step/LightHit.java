@@ -7,7 +7,7 @@ import dev.twister.kernel.Layout;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorOperators;
 
-/** The light where it is met: its own color, unshaded. */
+/** Hits of the light: its own color, unshaded. */
 public final class LightHit {
     private LightHit() {}
 

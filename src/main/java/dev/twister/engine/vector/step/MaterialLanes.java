@@ -9,11 +9,11 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** What surfaces are made of beyond color and reflectivity: {@link dev.twister.kernel.Material}. */
+/** Material properties of surfaces beyond color and reflectivity: {@link dev.twister.kernel.Material}. */
 public final class MaterialLanes {
     private MaterialLanes() {}
 
-    /** Writes the columns from {@link Tile#ROUGHNESS} on; 0 in lanes that met no surface. */
+    /** Writes the columns from {@link Tile#ROUGHNESS} on; 0 in lanes without a surface. */
     public static void find(Drawing drawing, Tile tile) {
         if (drawing.bodies.fitLanes()) {
             pick(tile, drawing.looks);
@@ -37,7 +37,7 @@ public final class MaterialLanes {
         }
     }
 
-    /** Where one vector holds a column of all bodies. */
+    /** For scenes in which one vector holds a column of all bodies. */
     static void pick(Tile tile, Looks looks) {
         float[] t = tile.values;
         float[] columns = looks.columns;
@@ -54,7 +54,7 @@ public final class MaterialLanes {
         }
     }
 
-    /** Lane by lane. */
+    /** Copies lane by lane. */
     static void copy(Tile tile, Looks looks) {
         float[] t = tile.values;
         float[] values = looks.values;

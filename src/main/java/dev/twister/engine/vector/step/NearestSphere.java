@@ -10,14 +10,14 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Which sphere, or the light, each ray meets first: {@link Intersection#sphere}. */
+/** Closest sphere or light per ray: {@link Intersection#sphere}. */
 public final class NearestSphere {
     private NearestSphere() {}
 
     /**
-     * Writes the bodies met and their distances; {@code candidates} are all that could be met, in ascending order. The
-     * nearest of each lane is in memory from candidate to candidate: carried through a loop in a variable it becomes an
-     * object in some runs. No helper is called, for the reason that {@code ShadowConics} has.
+     * Writes the bodies hit and their distances. {@code candidates} lists all bodies that can be hit, in ascending
+     * order. The closest hit stays in memory between candidates, because as a variable carried through the loop it
+     * becomes an object in some runs of the JVM. No helpers are called; see {@code ShadowConics}.
      */
     public static void find(Tile tile, BodyColumns bodies, BodyList candidates) {
         float[] t = tile.values;

@@ -9,14 +9,13 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** What passes a surface that transmits, and which way: {@link dev.twister.kernel.Refraction}. */
+/** Refracted rays and their share of the light: {@link dev.twister.kernel.Refraction}. */
 public final class RefractionLanes {
     private RefractionLanes() {}
 
     /**
-     * Writes the refracted rays and their parts of the throughput, and adds what is reflected besides to the
-     * throughput, which is what the mirror sends on. The facets are known, and the rays are still those that have met
-     * the surfaces.
+     * Writes the refracted rays and their part of the throughput, and adds the Fresnel reflection to the throughput of
+     * the reflected rays. Requires the facets and the incoming rays.
      */
     public static void find(Drawing drawing, Tile tile) {
         findAll(tile, drawing.looks.transmits(Layout.PLANE));
@@ -43,8 +42,8 @@ public final class RefractionLanes {
     }
 
     /**
-     * Writes what makes the refracted ray of the ray and the facet to the columns of x and y, and Fresnel's reflectance
-     * to z.
+     * Writes the factors of facet and incoming ray in the refracted direction to columns x and y, and the Fresnel
+     * reflectance to z.
      */
     static void findReflectances(Tile tile, int at) {
         float[] t = tile.values;
@@ -73,7 +72,7 @@ public final class RefractionLanes {
         before.sub(passed).intoArray(t, at + Tile.REFRACTED_X);
     }
 
-    /** Of the throughput, what is refracted; and adds what is reflected. */
+    /** Writes the refracted part of the throughput, and adds the reflected part to the throughput. */
     static void findParts(Tile tile, int at) {
         float[] t = tile.values;
         FloatVector reflectance = Lanes.load(t, at + Tile.REFRACTED_Z);
@@ -88,7 +87,7 @@ public final class RefractionLanes {
         throughput.blend(throughput.add(passing.mul(reflectance)), transmits).intoArray(t, at + Tile.THROUGHPUT);
     }
 
-    /** By Snell's law. */
+    /** Writes the refracted directions by Snell's law. */
     static void findDirections(Tile tile, int at) {
         float[] t = tile.values;
         FloatVector ratio = Lanes.load(t, at + Tile.REFRACTED_Y);
@@ -105,7 +104,7 @@ public final class RefractionLanes {
         z.mul(inverse).intoArray(t, at + Tile.REFRACTED_Z);
     }
 
-    /** What passes the plane, which is as thin as a sheet, is what it reflects, on its other side. */
+    /** For the plane, which is infinitely thin: its transmitted ray is the reflected one on the other side. */
     static void passSheet(Tile tile, int at) {
         float[] t = tile.values;
         VectorMask<Float> sheet = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.EQ, Layout.PLANE);
@@ -131,7 +130,7 @@ public final class RefractionLanes {
         Lanes.load(t, at + Tile.REFRACTED_Z).blend(z.mul(inverse), sheet).intoArray(t, at + Tile.REFRACTED_Z);
     }
 
-    /** Leaves what rough surfaces let pass of the refracted rays' parts. */
+    /** Multiplies the refracted parts by the weight of the facet sample on rough surfaces. */
     static void weigh(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.rough.count; k++) {

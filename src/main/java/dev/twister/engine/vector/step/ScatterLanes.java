@@ -9,13 +9,13 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Adds what the surfaces send towards the eye, and turns the rays that go on. */
+/** Adds the surfaces' reflected light, and reflects the rays that continue. */
 public final class ScatterLanes {
     private ScatterLanes() {}
 
     /**
-     * Adds {@code T * (lightColor * spec + (1 - k) * C * lit)} and leaves {@code T * k * lit}; lists the packets with a
-     * lane that goes on as live.
+     * Adds {@code T * (lightColor * spec + (1 - k) * C * lit)} and sets the throughput to {@code T * k * lit}. Lists
+     * the packets with a lane that continues as live.
      */
     public static void shade(Tile tile, Drawing drawing) {
         BodyColumns bodies = drawing.bodies;
@@ -30,7 +30,7 @@ public final class ScatterLanes {
             int at = tile.surfaces.places[k];
             VectorMask<Float> here = Lanes.load(t, at + Tile.HIT).compare(VectorOperators.GE, Layout.PLANE);
             FloatVector throughput = Lanes.all(0f).blend(Lanes.load(t, at + Tile.THROUGHPUT), here);
-            // 0 for NaN, which lanes without a surface may hold: a throughput of 0 times NaN is NaN.
+            // max(0, x) is 0 for NaN, which lanes without a surface may hold: even a throughput of 0 times NaN is NaN.
             FloatVector cosine = Lanes.larger(Lanes.all(0f), Lanes.load(t, at + Tile.NORMAL_DOT_LIGHT));
             FloatVector lit = Lanes.larger(cosine.mul(Lanes.load(t, at + Tile.VISIBLE)), Lanes.all(ambient));
             FloatVector mirror = Lanes.load(t, at + Tile.REFLECTIVITY).mul(mirrorScale);
@@ -50,7 +50,7 @@ public final class ScatterLanes {
         }
     }
 
-    /** Mirrors the live rays at the surfaces and starts them there. */
+    /** Reflects the directions of the live rays. */
     public static void reflect(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {
@@ -76,7 +76,7 @@ public final class ScatterLanes {
         }
     }
 
-    /** Starts the live rays at the surfaces they leave. */
+    /** Moves the origins of the live rays to the surfaces that they leave. */
     public static void leave(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {

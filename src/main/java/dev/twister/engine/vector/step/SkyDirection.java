@@ -9,19 +9,17 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/**
- * Where in the panorama each ray looks: {@link dev.twister.kernel.SkyLookup}'s column and row, with its arc tangent.
- */
+/** Position of each ray in the panorama: column and row of {@link dev.twister.kernel.Sky}, with its arc tangent. */
 public final class SkyDirection {
     private static final float TURNS_PER_RADIAN = 0.15915494f;
     private static final float HALF_TURNS_PER_RADIAN = 0.31830987f;
 
-    /** Less than any coordinate that matters, more than 0: keeps 0 / 0 away. */
+    /** Smaller than any relevant coordinate and positive: avoids 0 / 0. */
     private static final float TINY = 1e-37f;
 
     private SkyDirection() {}
 
-    /** Writes the columns and rows of the padded sky that the packets that met it look at. */
+    /** Writes column and row in the padded sky for the packets that hit the sky. */
     public static void find(PaddedSky sky, Tile tile) {
         findRatios(tile);
         findArcTangents(tile, Tile.SKY_TO_RIGHT);
@@ -31,10 +29,9 @@ public final class SkyDirection {
     }
 
     /**
-     * Starts on the angles: writes the smaller of |x| and |z| over the larger to the column of
-     * {@link Tile#SKY_TO_RIGHT}, for those about the vertical, and the smaller of |y| and the length of (x, z) over the
-     * larger to that of {@link Tile#SKY_TO_BOTTOM}, for those above the horizon. One division serves both, as dividing
-     * takes longest.
+     * Writes the ratios for the arc tangents: min / max of |x| and |z|, for the azimuth, to {@link Tile#SKY_TO_RIGHT},
+     * and min / max of |y| and the length of (x, z), for the elevation, to {@link Tile#SKY_TO_BOTTOM}. Both share one
+     * division, the slowest operation.
      */
     static void findRatios(Tile tile) {
         float[] t = tile.values;
@@ -54,7 +51,7 @@ public final class SkyDirection {
         }
     }
 
-    /** Replaces a column's ratios, in [0, 1], by their arc tangents: the scalar kernel's polynomial. */
+    /** Replaces a column's ratios in [0, 1] by their arc tangents, by the scalar kernel's polynomial. */
     static void findArcTangents(Tile tile, int column) {
         float[] t = tile.values;
         for (int k = 0; k < tile.skies.count; k++) {
@@ -64,8 +61,8 @@ public final class SkyDirection {
     }
 
     /**
-     * Turns the arc tangents into angles about the vertical, in [-pi, pi], and those into columns of the padded sky, in
-     * texels, whole where a texel's center is.
+     * Turns the arc tangents into azimuths in [-pi, pi] and then into columns of the padded sky, in texels, with
+     * integers at texel centers.
      */
     static void findColumns(Tile tile, PaddedSky sky) {
         float[] t = tile.values;
@@ -82,7 +79,7 @@ public final class SkyDirection {
                     .mul(TURNS_PER_RADIAN)
                     .add(0.5f)
                     .sub(sky.turn);
-            // The border counts 1 more, and the texels' centers lie half a texel in.
+            // The border adds 1, and a texel's center is half a texel in.
             turns.blend(turns.add(1f), turns.compare(VectorOperators.LT, 0f))
                     .mul(sky.width)
                     .add(0.5f)
@@ -90,9 +87,7 @@ public final class SkyDirection {
         }
     }
 
-    /**
-     * Turns the arc tangents into angles above the horizon, in [-pi / 2, pi / 2], and those into rows in the same way.
-     */
+    /** Turns the arc tangents into elevations in [-pi / 2, pi / 2] and then into rows. */
     static void findRows(Tile tile, PaddedSky sky) {
         float[] t = tile.values;
         for (int k = 0; k < tile.skies.count; k++) {

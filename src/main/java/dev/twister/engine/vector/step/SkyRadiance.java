@@ -10,17 +10,16 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * The panorama's radiance, bilinear between four texels, where the lanes of a packet look here and there: texels are
- * fetched pixel by pixel, and weighed in lanes.
+ * Bilinear radiance of the panorama for packets whose lanes see scattered texels. Texels are fetched pixel by pixel and
+ * interpolated in lanes.
  *
- * <p>Vectors have the packets' width, as everywhere but where {@code SkyRows} unpacks shorts: the compiler asks the
- * Vector API's own methods which widths they have met, and makes objects of vectors where it does not know which is
- * next.
+ * <p>All vectors have the packet's width, except in {@code SkyRows}, which unpacks shorts: the Vector API's methods
+ * profile the widths that they see, and C2 allocates vectors where the profile is ambiguous.
  */
 public final class SkyRadiance {
     private SkyRadiance() {}
 
-    /** Adds the radiance at their columns and rows to the scattered packets. */
+    /** Adds the radiance to the scattered packets. */
     public static void lookUp(PaddedSky sky, Tile tile) {
         listPixels(tile);
         findTexels(tile, sky);
@@ -29,7 +28,7 @@ public final class SkyRadiance {
         add(tile, sky);
     }
 
-    /** Lists the pixels that met nothing. */
+    /** Lists the pixels that hit nothing. */
     static void listPixels(Tile tile) {
         float[] t = tile.values;
         int count = 0;
@@ -59,7 +58,7 @@ public final class SkyRadiance {
         }
     }
 
-    /** Fetches the four texels about every listed pixel's direction, one pixel a step. */
+    /** Fetches the four texels around each listed pixel's direction, pixel by pixel. */
     static void fetch(Tile tile, PaddedSky sky) {
         if (sky.isShared()) {
             fetchShared(tile, sky);
@@ -103,7 +102,7 @@ public final class SkyRadiance {
         }
     }
 
-    /** Turns shared texels into numbers. */
+    /** Decodes shared texels. */
     static void unpack(Tile tile, PaddedSky sky) {
         if (sky.isShared()) {
             for (int corner = 0; corner < Tile.CORNERS * Tile.SIZE; corner += Tile.SIZE) {
@@ -133,7 +132,7 @@ public final class SkyRadiance {
         }
     }
 
-    /** Adds the radiance between the texels to the lanes that met nothing. */
+    /** Adds the interpolated radiance to the lanes that hit nothing. */
     static void add(Tile tile, PaddedSky sky) {
         for (int channel = 0; channel < PaddedSky.NUMBERS_A_TEXEL; channel++) {
             add(sky.strength, Tile.RED + channel * Tile.SIZE, Tile.CORNERS * channel * Tile.SIZE, tile);

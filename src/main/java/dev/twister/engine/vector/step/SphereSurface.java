@@ -9,18 +9,18 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Spheres where they are met; lanes of a packet that met something else keep what they had. */
+/** Surface data of spheres; lanes of a packet that hit something else keep their values. */
 public final class SphereSurface {
     private SphereSurface() {}
 
-    /** Writes the spheres met, the points and the normals. */
+    /** Writes the spheres hit, the hit points and the normals. */
     public static void find(Drawing drawing, Tile tile) {
         fetch(tile, drawing);
         findOffsets(tile);
         findPoints(tile);
     }
 
-    /** Copies each lane's sphere into the lane. The center goes to the normal's columns. */
+    /** Copies each lane's sphere into the lane; its center goes to the normal's columns. */
     static void fetch(Tile tile, Drawing drawing) {
         if (drawing.bodies.fitLanes()) {
             pick(tile, drawing.bodies);
@@ -31,7 +31,7 @@ public final class SphereSurface {
         }
     }
 
-    /** Where one vector holds a column of all bodies. */
+    /** For scenes in which one vector holds a column of all bodies. */
     static void pick(Tile tile, BodyColumns bodies) {
         float[] t = tile.values;
         float[] columns = bodies.surfaceColumns;
@@ -48,7 +48,7 @@ public final class SphereSurface {
         }
     }
 
-    /** Lane by lane. */
+    /** Copies lane by lane. */
     static void copy(Tile tile, BodyColumns bodies) {
         float[] t = tile.values;
         float[] surfaces = bodies.surfaces;
@@ -70,8 +70,8 @@ public final class SphereSurface {
     }
 
     /**
-     * The same where the caches do not hold all spheres: of each a number is read before any is copied, so that memory
-     * is waited for once, not sphere by sphere.
+     * As above, where the caches do not hold all spheres: one value of each sphere is read before any is copied, so
+     * that the cache misses overlap.
      */
     static void copyOfMany(Tile tile, BodyColumns bodies) {
         float[] t = tile.values;
@@ -103,7 +103,7 @@ public final class SphereSurface {
         }
     }
 
-    /** Writes the points met, seen from the centers. */
+    /** Writes the hit points relative to the spheres' centers. */
     static void findOffsets(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.spheres.count; k++) {

@@ -12,20 +12,20 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
 /**
- * Pictures on bodies: {@link dev.twister.kernel.Texture}. Places in them are found in lanes, texels are fetched pixel
- * by pixel, and weighed in lanes.
+ * Textures: {@link dev.twister.kernel.Texture}. Texture coordinates are computed in lanes, texels are fetched pixel by
+ * pixel, and interpolation is in lanes again.
  */
 public final class TextureLanes {
     private static final int CHANNELS = 3;
     private static final float TURNS_PER_RADIAN = 0.15915494f;
     private static final float HALF_TURNS_PER_RADIAN = 0.31830987f;
 
-    /** Less than any coordinate that matters, more than 0: keeps 0 / 0 away. */
+    /** Smaller than any relevant coordinate and positive: avoids 0 / 0. */
     private static final float TINY = 1e-37f;
 
     private TextureLanes() {}
 
-    /** Multiplies the albedo of the surfaces that have a texture. */
+    /** Multiplies the albedo of textured surfaces by the texture's color. */
     public static void multiply(Drawing drawing, Tile tile) {
         list(tile);
         if (tile.textures.count > 0) {
@@ -57,9 +57,7 @@ public final class TextureLanes {
         tile.lonely.count = count;
     }
 
-    /**
-     * Writes where the normals point in a picture that goes around once, in pictures from the left and from the top.
-     */
+    /** Writes the texture coordinates of the normals, in [0, 1] from the left and from the top. */
     static void findPlaces(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.textures.count; k++) {
@@ -89,7 +87,7 @@ public final class TextureLanes {
         }
     }
 
-    /** The same on the plane, whose picture repeats every meter. */
+    /** As above for the plane, on which the texture repeats every meter. */
     static void findRepeats(Tile tile) {
         float[] t = tile.values;
         for (int k = 0; k < tile.textures.count; k++) {
@@ -106,7 +104,7 @@ public final class TextureLanes {
         }
     }
 
-    /** Writes the size of each listed pixel's picture, and where it begins. */
+    /** Writes size and start of each listed pixel's texture. */
     static void fetchSizes(Tile tile, Drawing drawing) {
         float[] t = tile.values;
         int[] dimensions = drawing.input.panorama().dimensions();
@@ -119,7 +117,7 @@ public final class TextureLanes {
         }
     }
 
-    /** Turns the places into the four texels about them and the fractions from the upper left one. */
+    /** Turns the coordinates into the four texels around them and the fractions from the upper left one. */
     static void findTexels(Tile tile) {
         float[] t = tile.values;
         int[] corners = tile.corners;
@@ -155,7 +153,7 @@ public final class TextureLanes {
         }
     }
 
-    /** Fetches the four texels of every listed pixel, one pixel a step. */
+    /** Fetches the four texels of each listed pixel, pixel by pixel. */
     static void fetch(Tile tile, Drawing drawing) {
         float[] from = drawing.input.panorama().texels();
         float[] to = tile.cornerNumbers;
@@ -176,7 +174,7 @@ public final class TextureLanes {
         }
     }
 
-    /** Multiplies the albedo by the color between the texels. */
+    /** Multiplies the albedo by the interpolated color. */
     static void multiply(Tile tile) {
         for (int channel = 0; channel < CHANNELS; channel++) {
             multiply(tile.values, tile.cornerNumbers, channel, tile);

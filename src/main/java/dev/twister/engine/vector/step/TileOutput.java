@@ -8,24 +8,24 @@ import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Puts a tile's pixels where they belong in the frame. */
+/** Writes a tile's pixels to the frame. */
 public final class TileOutput {
-    /** Of two blocks, the first two rows of each, side by side; and the last two. */
+    /** Selections from two blocks: the first two rows of each, side by side; and the last two. */
     private static final int[] ABOVE = {0, 1, 2, 3, 16, 17, 18, 19, 4, 5, 6, 7, 20, 21, 22, 23};
 
     private static final int[] BELOW = {8, 9, 10, 11, 24, 25, 26, 27, 12, 13, 14, 15, 28, 29, 30, 31};
 
-    /** Of two such pairs, the first rows of each; and the second ones. */
+    /** Selections from two such pairs: the first row of each, and the second row of each. */
     private static final int[] LOWER = {0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23};
 
     private static final int[] UPPER = {8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31};
 
-    /** A half of a block, its second row first. */
+    /** Swaps the two rows of half a block. */
     private static final int[] TURNED = {4, 5, 6, 7, 0, 1, 2, 3};
 
     private TileOutput() {}
 
-    /** Maps the tile's colors to pixels, where the frame is of pixels, and writes them. */
+    /** Tone maps the tile's colors, unless the frame is linear, and writes them. */
     public static void finish(Drawing drawing, Tile tile) {
         if (drawing.frame.isLinear()) {
             writeLinear(tile, drawing.frame, 1f / drawing.pixelSamples);
@@ -38,9 +38,9 @@ public final class TileOutput {
     }
 
     /**
-     * Reads the last pixel of each row of the tile to the right, so that its cache lines are near when it is written: a
-     * frame of many pixels is farther away than a tile takes to draw. What is read is put before the tile's pixels,
-     * where nobody looks: the compiler leaves out reading for nothing.
+     * Prefetches the rows of the next tile in the frame, which a large frame pushes out of the caches. It reads the
+     * last pixel of each row. The sum goes to an unused element before the tile's pixels, which keeps C2 from
+     * eliminating the reads.
      */
     public static void approachNext(Tile tile, Frame frame) {
         int width = frame.width();
@@ -69,8 +69,8 @@ public final class TileOutput {
     }
 
     /**
-     * Row by row of the frame, so that what goes to one cache line goes there at once. A packet is a block of four
-     * rows, or half of one, or a row.
+     * Writes row by row of the frame, so that a cache line is written at once. A packet is a block of four rows, half a
+     * block, or a row of a block.
      */
     private static void writeWhole(int[] tile, int[] frame, int first, int width) {
         int blocks = Lanes.BORDER;
@@ -104,7 +104,7 @@ public final class TileOutput {
         upper.selectFrom(left, right).intoArray(frame, first + 3 * width);
     }
 
-    /** Two blocks a step, of which each vector holds two rows. */
+    /** Handles two blocks per step; each vector holds two rows of a block. */
     private static void writeHalves(int[] tile, int blocks, int[] frame, int first, int width) {
         IntVector turned = IntVector.fromArray(Lanes.INTS, TURNED, 0);
         VectorMask<Integer> behind = turned.compare(VectorOperators.LT, Tile.BLOCK_SIDE);
@@ -139,7 +139,7 @@ public final class TileOutput {
         }
     }
 
-    /** Writes the linear colors, times {@code scale}. */
+    /** Writes the linear colors, multiplied by {@code scale}. */
     static void writeLinear(Tile tile, Frame frame, float scale) {
         float[] t = tile.values;
         for (int pixel = 0; pixel < Tile.SIZE; pixel++) {

@@ -11,14 +11,14 @@ import jdk.incubator.vector.VectorOperators;
 /** From a tile's linear colors to 8-bit ARGB: {@link Tone}. */
 public final class ToneLanes {
     /**
-     * Added to a number up to 255, it leaves the nearest whole one in the last byte, and no other bits but in the
-     * first.
+     * Adding it to a number up to 255 leaves the rounded integer in the lowest byte; all other bits set are in the
+     * highest byte.
      */
     private static final float ROUNDER = 0x1p23f;
 
     private ToneLanes() {}
 
-    /** Maps the sums of that number of samples to [0, 1] and above, unless all that is asked for is an exposure. */
+    /** Tone maps the sums of {@code samples} samples, unless only exposure and clamping are required. */
     static void map(Tile tile, float[] properties, int samples) {
         if (!isPlain(properties)) {
             mapAll(tile, properties, properties[Layout.EXPOSURE_SCALE] / samples);
@@ -91,8 +91,8 @@ public final class ToneLanes {
     }
 
     /**
-     * Packs the channels, mapped or still to be exposed. Where rounding puts a channel on the other side of the middle
-     * between two numbers, it is one off {@link Tone#quantized}'s.
+     * Packs the channels, which are tone mapped or only summed. Where rounding moves a channel across the midpoint of
+     * two integers, it differs by 1 from {@link Tone#quantized}.
      */
     static void pack(Tile tile, float[] properties, int samples) {
         float scale = isPlain(properties) ? properties[Layout.EXPOSURE_SCALE] / samples : 1f;

@@ -10,14 +10,11 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/**
- * Whether a sphere that transmits is met before others, which is seen from inside too:
- * {@link Intersection#sphereFromInside}.
- */
+/** Closest transmitting sphere, which rays also hit from inside: {@link Intersection#sphereFromInside}. */
 public final class TransmittingSphere {
     private TransmittingSphere() {}
 
-    /** Moves the bodies that transmit from the candidates to a list of their own. */
+    /** Moves transmitting bodies from the candidates to a separate list. */
     public static void tellApart(Tile tile, Looks looks) {
         BodyList candidates = tile.candidates;
         int opaque = 0;
@@ -34,7 +31,7 @@ public final class TransmittingSphere {
         candidates.count = opaque;
     }
 
-    /** Mends the hits and distances where one is closer. */
+    /** Replaces hits and distances where a transmitting sphere is closer. */
     public static void find(Tile tile, BodyColumns bodies) {
         for (int c = 0; c < tile.transmitting.count; c++) {
             int body = tile.transmitting.bodies[c];
@@ -44,7 +41,7 @@ public final class TransmittingSphere {
         }
     }
 
-    /** Writes what decides where a sphere is met. No helper is called, for the reason that {@code ShadowConics} has. */
+    /** Writes the terms that decide where a sphere is hit. No helpers are called; see {@code ShadowConics}. */
     static void measure(Tile tile, float centerX, float centerY, float centerZ, float radiusSquared) {
         float[] t = tile.values;
         for (int k = 0; k < tile.live.count; k++) {
@@ -85,7 +82,7 @@ public final class TransmittingSphere {
             VectorMask<Float> seen = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.INSIDE)
                     .compare(VectorOperators.GT, 0f)
                     .or(other);
-            // Where the line passes by, the root is no number, and fails every comparison.
+            // Where the line misses the sphere, the root is NaN and fails every comparison.
             FloatVector distance = along.add(chord).blend(along.sub(chord), before);
             FloatVector closest = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.DISTANCE);
             FloatVector hit = FloatVector.fromArray(Lanes.FLOATS, t, at + Tile.HIT);

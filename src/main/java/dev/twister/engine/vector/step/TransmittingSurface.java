@@ -7,13 +7,13 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** What a surface that transmits changes before it is shaded: {@link dev.twister.kernel.Surface}. */
+/** Changes to transmitting surfaces before shading: {@link dev.twister.kernel.Surface}. */
 public final class TransmittingSurface {
     private TransmittingSurface() {}
 
     /**
-     * Turns the normals of spheres that are met from inside, takes what is transmitted from the albedo, and lists the
-     * packets that transmit. At the last bounce nothing does.
+     * Turns the normals of spheres that are hit from inside, removes the transmitted part from the albedo, and lists
+     * the packets with transmitting surfaces. At the last bounce the transmission is 0.
      */
     public static void face(Tile tile) {
         tile.transparent.clear();
@@ -59,7 +59,7 @@ public final class TransmittingSurface {
         }
     }
 
-    /** Takes clear glass, which shows no light of its own, from where shadows would show. */
+    /** Closes the lanes of perfectly clear glass, whose color does not depend on shadows. */
     public static void leaveInTheLight(Tile tile) {
         float[] t = tile.values;
         int kept = 0;

@@ -15,9 +15,7 @@ import java.util.TreeSet;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/**
- * Walks that begin elsewhere than at the root, for all at once, come to the leaves that those from the root come to.
- */
+/** Traversals that start below the root for a whole tile visit the same leaves as traversals from the root. */
 final class WalkStartsTest {
     private static final int SPHERES = 3000;
 
@@ -139,7 +137,7 @@ final class WalkStartsTest {
         return leaves;
     }
 
-    /** A tile of rays from a point high above down to somewhere, spread as far from each other. */
+    /** A tile of rays from a point high above downward, {@code spread} apart. */
     private void lookDown(double spread) {
         double x = 2 * random.nextDouble() - 1;
         double z = 2 * random.nextDouble() - 1;
@@ -158,7 +156,7 @@ final class WalkStartsTest {
         Arrays.fill(tile.values, Tile.TOGETHER, Tile.TOGETHER + Tile.SIZE, 1f);
     }
 
-    /** Rays from anywhere in the crowd to any direction. */
+    /** Rays from random points in the crowd in random directions. */
     private void lookAround() {
         for (int pixel = 0; pixel < Tile.SIZE; pixel++) {
             start(pixel, 40 * random.nextDouble() - 20, 5 * random.nextDouble(), 40 * random.nextDouble() - 20);

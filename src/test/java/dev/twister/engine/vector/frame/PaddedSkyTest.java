@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 final class PaddedSkyTest {
     private static final Scene SCENE = SceneReader.read(Path.of("scenes/teaching.json"));
 
-    /** The lowest bit that a half has, and the one below it. */
+    /** The lowest bit that a half float holds, and the one below it. */
     @ParameterizedTest
     @ValueSource(ints = {0x10000, 0x8000})
     void holdsEveryTexelAndItsBorderWithoutLoss(int lowestBit) {
@@ -45,7 +45,7 @@ final class PaddedSkyTest {
         }
     }
 
-    /** The shipped sky is a Radiance picture, in which each texel's three numbers share an exponent. */
+    /** The shipped sky is a Radiance picture, in which the three channels of a texel share an exponent. */
     @Test
     void sharesTheExponentsOfARadiancePicture() {
         Skybox sky = SkyboxReader.read(SCENE.skybox());
@@ -69,7 +69,7 @@ final class PaddedSkyTest {
         return (texel >>> (8 * channel) & 255) * Float.intBitsToFloat(texel >>> 24 << 23);
     }
 
-    /** Eight bits from the largest number's first one on, none below the least float's exponent. */
+    /** Eight bits from the leading bit of the largest channel on, none below the smallest float's exponent. */
     @ParameterizedTest
     @CsvSource({
         "0, 0, 0, true",

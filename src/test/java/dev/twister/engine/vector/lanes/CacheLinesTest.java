@@ -14,7 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Whether vectors lie within cache lines, as {@link Lanes#BORDER} promises, in a JVM that the launcher starts. */
+/** Checks that vectors do not straddle cache lines, as {@link Lanes#BORDER} promises, in a launcher-like JVM. */
 final class CacheLinesTest {
     private static final int BYTES_A_LINE = 64;
 
@@ -28,8 +28,8 @@ final class CacheLinesTest {
     }
 
     /**
-     * Tells how far the borders of some arrays lie behind those of cache lines, before and after the collector moved
-     * them.
+     * Prints how far array borders are from cache-line borders, before and after the garbage collector moves the
+     * arrays.
      */
     static final class Borders {
         static final int ARRAYS = 20;
@@ -48,8 +48,8 @@ final class CacheLinesTest {
             tell(arrays, address);
         }
 
-        /** C's {@code memmove} of no bytes: it gives back where it was to move them. */
-        @SuppressWarnings("restricted") // what C gives back is only printed
+        /** C's {@code memmove} of zero bytes, which returns its destination address. */
+        @SuppressWarnings("restricted") // the returned address is only printed
         private static MethodHandle address() {
             Linker linker = Linker.nativeLinker();
             FunctionDescriptor memmove = FunctionDescriptor.of(

@@ -14,7 +14,8 @@ import org.junit.jupiter.api.Test;
 
 final class FusedMultiplyAddTest {
     /**
-     * On a CPU that has none, one forgotten call would take a thousand times as long, and no other test would see it.
+     * On a CPU without fused multiply-add, one forgotten check would be a thousand times slower, and no other test
+     * covers it.
      */
     @Test
     void isAskedForInOnePlaceOnly() {

@@ -27,7 +27,7 @@ final class GroundAloneTest {
 
     @Test
     void theGroundFillsTilesWithinItsEdges() {
-        // From 10 m above, the picture's side is 20 m wide, and a tile 5 m.
+        // At a height of 10 m, the picture is 20 m wide and a tile 5 m.
         look(0, 90, 20.1, 10);
         assertThat(fills(0, 0)).isTrue();
         assertThat(ground.baseX).isBetween(-7.6f, -7.4f);
@@ -43,22 +43,22 @@ final class GroundAloneTest {
     void theHorizonIsNoneOfIt() {
         look(0, 0, 1e6, 10);
         assertThat(fills(0, 1)).as("above the horizon").isFalse();
-        assertThat(fills(0, 2)).as("below it, up to infinity").isFalse();
+        assertThat(fills(0, 2)).as("below the horizon, up to infinity").isFalse();
         assertThat(fills(0, 3)).isTrue();
         look(0, 3, 1e6, 10);
-        assertThat(fills(0, 1)).as("on both sides").isFalse();
+        assertThat(fills(0, 1)).as("on both sides of the horizon").isFalse();
     }
 
     @Test
     void tilesPastItsEdgesSeeNothing() {
-        // From 10 m above, a tile is 5 m wide.
+        // At a height of 10 m, a tile is 5 m wide.
         look(0, 90, 9.99, 10);
         assertThat(view(0, 0)).isEqualTo(GroundAlone.View.NOTHING);
         assertThat(view(0, 1)).isEqualTo(GroundAlone.View.NOTHING);
         assertThat(view(1, 1)).isEqualTo(GroundAlone.View.PART);
         look(0, 90, 10.01, 10);
         assertThat(view(0, 0)).isEqualTo(GroundAlone.View.PART);
-        // The last row but one below the horizon begins 10 m away, and the horizon's never ends.
+        // The second-to-last row below the horizon begins 10 m away; the one at the horizon is infinite.
         look(0, 0, 19, 10);
         assertThat(view(1, 3)).isEqualTo(GroundAlone.View.NOTHING);
         assertThat(view(1, 2)).isEqualTo(GroundAlone.View.PART);

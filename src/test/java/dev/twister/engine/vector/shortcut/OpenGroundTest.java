@@ -22,11 +22,11 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Holds the ground's radiance to {@code sequential}'s, where highlights and shadows show most. */
+/** Compares the ground's radiance with {@code sequential}'s where highlights and shadows are strongest. */
 final class OpenGroundTest {
     private static final Skybox SKY = SkyboxReader.read(Path.of("skyboxes", "day.hdr"));
 
-    /** Meters above the ground, and off along the view. */
+    /** Parameters start with the light's height above the ground and its distance along the view, in meters. */
     @ParameterizedTest
     @CsvSource({
         "2, 6, 32, 1, 1",
@@ -53,11 +53,11 @@ final class OpenGroundTest {
         for (int k = 0; k < expected.length; k++) {
             off += Math.abs(actual[k] - expected[k]) <= 1e-4f * (1f + expected[k]) ? 0 : 1;
         }
-        // The checker's edges may be a pixel elsewhere.
+        // The edges of the checker may shift by a pixel.
         assertThat(off).isLessThanOrEqualTo(expected.length / 5000);
     }
 
-    /** Ground in the light, in shadow, and mirroring a sphere. */
+    /** Ground in light and in shadow that mirrors a sphere. */
     private static Scene scene(double lightHeight, double lightAway, double power, int bounces, int samples) {
         return Scene.under(Path.of("none.hdr"))
                 .withCamera(Camera.of(new Vector3(0, 3, -10), 10, 15, 50))

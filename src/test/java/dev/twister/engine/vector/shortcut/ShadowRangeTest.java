@@ -22,7 +22,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 final class ShadowRangeTest {
-    /** From the point to the disc, in meters. */
+    /** Distance from the point to the disc, in meters. */
     private static final float DISTANCE = 10f;
 
     private static final Scene SCENE = SceneReader.read(Path.of("scenes/teaching.json"));
@@ -33,7 +33,7 @@ final class ShadowRangeTest {
     private final Random random = new Random(20261123);
 
     /**
-     * Near spheres and far, whose shadows lie within the disc, over its rim and past it, over all of it, over each
+     * Near and far spheres whose shadows lie inside the disc, over its rim, beyond it, over all of it and over each
      * other.
      */
     @ParameterizedTest
@@ -52,7 +52,7 @@ final class ShadowRangeTest {
                     .as("packet %d: %s", packet, Arrays.toString(all))
                     .isEqualTo(all);
         }
-        assertThat(left).as("samples left to be looked at, of %d", looks).isBetween(looks / 100, looks * 3 / 4);
+        assertThat(left).as("samples left to test, of %d", looks).isBetween(looks / 100, looks * 3 / 4);
     }
 
     private static Drawing drawing(int samples) {
@@ -64,7 +64,7 @@ final class ShadowRangeTest {
         return drawing;
     }
 
-    /** Candidates as a packet's neighboring points see them, wholly between the points and the disc. */
+    /** Places candidates as seen from a packet's neighboring points, wholly between the points and the disc. */
     private void place(int candidates) {
         scratch.startPacket();
         scratch.reserveBodies(candidates);
@@ -74,8 +74,8 @@ final class ShadowRangeTest {
         float apart = (float) Math.pow(10, -4 + 4 * random.nextDouble());
         for (int c = 0; c < candidates; c++) {
             float along = DISTANCE * (0.02f + 0.9f * random.nextFloat());
-            // Across, and the radius: in radii of the light's cone at the sphere, which the sphere is at least a
-            // sixteenth of.
+            // Offset and radius are in radii of the light's cone at the sphere; the sphere's radius is at least 1/16 of
+            // that.
             float cone = along * scale;
             float across = 3f * random.nextFloat();
             double angle = 2 * Math.PI * random.nextDouble();
@@ -107,7 +107,7 @@ final class ShadowRangeTest {
         scratch.facts[at + ShadowColumns.RADIUS_SQUARED] = between ? radius * radius : -1f;
     }
 
-    /** Counts; returns how many samples of all candidates are left to be looked at. */
+    /** Counts blocked samples; returns the number of samples of all candidates that are left to test. */
     private int count(Drawing drawing, boolean sorted) {
         ShadowRange.choose(scratch, drawing);
         scratch.sorted &= sorted;
@@ -121,7 +121,7 @@ final class ShadowRangeTest {
         return left;
     }
 
-    /** Of the open lanes. */
+    /** Returns the counts of the active lanes. */
     private float[] blocked() {
         float[] blocked = new float[Lanes.COUNT];
         for (int lane = 0; lane < Lanes.COUNT; lane++) {

@@ -18,14 +18,14 @@ import java.nio.file.Path;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
-/** Holds the polynomials to the angles in double precision, of all pixels of random tiles. */
+/** Compares the polynomials with double-precision angles, at all pixels of random tiles. */
 final class SkyChartTest {
     private static final Scene SCENE = SceneReader.read(Path.of("scenes/teaching.json"));
     private static final int SKY_WIDTH = 64;
     private static final int SKY_HEIGHT = 32;
     private static final Skybox SKY = new Skybox(SKY_WIDTH, SKY_HEIGHT, new float[3 * SKY_WIDTH * SKY_HEIGHT]);
 
-    /** In radians: the polynomials', a direction's and an arc tangent's as floats, and of a whole turn as one. */
+    /** Sum, in radians, of the errors of polynomial, float direction, float arc tangent and float full turn. */
     private static final double MOST_ERROR = 1e-6 + 2e-7 + 2e-7 + 8e-7;
 
     private final Drawing drawing = new Drawing();
@@ -50,7 +50,7 @@ final class SkyChartTest {
             }
         }
         assertThat(covered).as("covered tiles").isGreaterThan(4000);
-        assertThat(uncovered).as("tiles that are not covered").isGreaterThan(1000);
+        assertThat(uncovered).as("uncovered tiles").isGreaterThan(1000);
     }
 
     @Test
@@ -62,7 +62,7 @@ final class SkyChartTest {
                     .as("the horizon's side of pitch %f", pitch)
                     .isFalse();
         }
-        // The panorama's edges meet behind, here in the middle of a block of four tiles.
+        // The seam of the panorama is behind the start direction; here it crosses a block of four tiles.
         look(180, 0, 50, 1900, 1080);
         assertThat(covers(900, 0)).isFalse();
         assertThat(covers(950, 1079)).isFalse();
@@ -80,7 +80,7 @@ final class SkyChartTest {
         assertThat(covers(640, 360)).isTrue();
     }
 
-    /** The chart keeps a block's polynomials until the next frame. */
+    /** The chart must not reuse a block's polynomials in the next frame. */
     @Test
     void followsTheCamera() {
         look(0, 0, 50, 1280, 720);

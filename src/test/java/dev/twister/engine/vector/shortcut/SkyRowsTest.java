@@ -26,7 +26,7 @@ final class SkyRowsTest {
     private final Tile tile = new Tile();
     private final PaddedSky sky = new PaddedSky();
 
-    /** Every texel another color, of few enough bits to be halved. */
+    /** Gives every texel a different color, with few enough bits for half floats. */
     @BeforeEach
     void paintSky() {
         assumeTrue(SkyRows.FIT);
@@ -38,7 +38,7 @@ final class SkyRowsTest {
         assertThat(sky.halved).isTrue();
     }
 
-    /** The padded sky's first and last texels are its border. */
+    /** The first and last texels of the padded sky are its border. */
     @Test
     void blendsEachLanesTexelsWhereverThePatchLies() {
         for (int left = 0; left <= WIDTH; left++) {
@@ -112,7 +112,7 @@ final class SkyRowsTest {
         SkyRows.sort(tile);
     }
 
-    /** The bilinear mean of the four texels, times {@code throughput}, on top of what was there. */
+    /** Expects the bilinear mean of the four texels, times {@code throughput}, added to the old value. */
     private void assertColor(int lane, float throughput) {
         double column = tile.values[Tile.SKY_TO_RIGHT + lane];
         double row = tile.values[Tile.SKY_TO_BOTTOM + lane];

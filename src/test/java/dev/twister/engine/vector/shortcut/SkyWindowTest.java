@@ -39,7 +39,7 @@ final class SkyWindowTest {
         }
     }
 
-    /** Every texel another color; whole numbers are halved, thirds are not. */
+    /** Gives every texel a different color; whole numbers fit into half floats, thirds do not. */
     private void paintSky(boolean halved) {
         float[] radiance = new float[3 * WIDTH * HEIGHT];
         for (int number = 0; number < radiance.length; number++) {
@@ -72,7 +72,7 @@ final class SkyWindowTest {
         assertThat(fitting).isBetween(1000, 2800);
     }
 
-    /** Some lanes in the corners, some that met something, the others anywhere. */
+    /** Puts some lanes in the corners, marks some as hits, and places the others at random. */
     private void look(float left, float top, float right, float bottom) {
         for (int packet : PACKETS) {
             for (int lane = packet; lane < packet + Lanes.COUNT; lane++) {
@@ -90,7 +90,7 @@ final class SkyWindowTest {
         }
     }
 
-    /** The bilinear mean of the four texels, times the throughput, on top of what was there. */
+    /** Expects the bilinear mean of the four texels, times the throughput, added to the old value. */
     private void assertColors() {
         float[] t = tile.values;
         for (int packet : PACKETS) {
