@@ -15,7 +15,7 @@ import javax.management.ObjectName;
 
 /**
  * Compiler directives for this package: which methods C2 always inlines, and which never. The launcher passes them in
- * {@code scripts/jvm.options}; in other JVMs they are added at run time, before any of these methods is compiled.
+ * {@code scripts/engine.options}; in other JVMs they are added at run time, before any of these methods is compiled.
  * Without them C2 allocates vectors as objects, and a frame takes four times as long.
  */
 final class StageInlining {
@@ -45,7 +45,7 @@ final class StageInlining {
                 LOGGER.log(
                         Level.WARNING,
                         "the engine vector is slow in this JVM, whose compiler takes no directives ({0}); start it with"
-                                + " @scripts/jvm.options",
+                                + " @scripts/engine.options",
                         e.getMessage());
             }
         }
