@@ -1,5 +1,6 @@
 package dev.twister.cli;
 
+import dev.twister.engine.ExposureMeter;
 import dev.twister.explain.PathJson;
 import dev.twister.explain.PathText;
 import dev.twister.explain.PixelPath;
@@ -90,6 +91,7 @@ final class ExplainCommand implements Callable<Integer> {
         World world = SkyFiles.world(scene, spec.commandLine().getErr());
         world.setCamera(camera.over(scene.camera()));
         world.setSettings(settings);
+        world.setSettings(tone.metered(settings, () -> ExposureMeter.stops(world.snapshot())));
         PixelPath path = PixelPath.of(world.snapshot(), pixel.column(), pixel.row(), sample);
         PrintWriter out = spec.commandLine().getOut();
         if (json) {

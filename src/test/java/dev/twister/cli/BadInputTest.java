@@ -52,6 +52,8 @@ class BadInputTest {
                 "render benchmark -o FOLDER/a.png --samples 1025 | --samples is 1025, but must be from 1 to 1024",
                 "render benchmark -o FOLDER/a.png --exposure NaN | --exposure is NaN, but must be from -20 to 20",
                 "render benchmark -o FOLDER/a.png --exposure Infinity | from -20 to 20",
+                "render benchmark -o FOLDER/a.png --exposure bright | 'bright' is not an exposure; write stops, such as 1.5, or auto",
+                "render benchmark -o FOLDER/a.png --size 8x8 --exposure auto --sky-strength 0 --camera 0,90,0 --pitch -90 | --exposure is auto, but the picture is black",
                 "render benchmark -o FOLDER/a.png --tone-map film | '--tone-map': unknown value 'film'; expected one of: clamp, reinhard, aces",
                 "render benchmark -o FOLDER/a.png --camera 1,2 | x,y,z",
                 "render benchmark -o FOLDER/a.png --camera 1,NaN,2 | --camera's y is NaN",
