@@ -89,7 +89,7 @@ final class ExplainCommand implements Callable<Integer> {
         Ranges.check("--pixel's row", pixel.row(), 0, settings.height() - 1);
         Ranges.check("--sample", sample, 0, settings.samplesPerPixel() - 1);
         World world = SkyFiles.world(scene, spec.commandLine().getErr());
-        world.setCamera(camera.over(scene.camera()));
+        world.setCamera(camera.over(scene));
         world.setSettings(settings);
         world.setSettings(tone.metered(settings, () -> ExposureMeter.stops(world.snapshot())));
         PixelPath path = PixelPath.of(world.snapshot(), pixel.column(), pixel.row(), sample);

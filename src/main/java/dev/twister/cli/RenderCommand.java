@@ -140,7 +140,7 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void render(Path file, Scene scene, Optional<MotionFile> recorded) throws IOException {
-        Camera from = camera.over(scene.camera());
+        Camera from = camera.over(scene);
         Optional<FrameRange> frames = film.frames(from, motion, recorded, FilmFile.isFilm(output));
         if (frames.isEmpty()) {
             film.checkSingle();

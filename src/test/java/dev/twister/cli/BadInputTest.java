@@ -57,6 +57,8 @@ class BadInputTest {
                 "render benchmark -o FOLDER/a.png --tone-map film | '--tone-map': unknown value 'film'; expected one of: clamp, reinhard, aces",
                 "render benchmark -o FOLDER/a.png --camera 1,2 | x,y,z",
                 "render benchmark -o FOLDER/a.png --camera 1,NaN,2 | --camera's y is NaN",
+                "render benchmark -o FOLDER/a.png --camera-view Front | --camera-view is 'Front', but the scene has no views",
+                "render gallery -o FOLDER/a.png --camera-view Front | unknown value 'Front' of --camera-view; expected one of the scene's views: ",
                 "render benchmark -o FOLDER/a.png --yaw Infinity | --yaw is Infinity",
                 "render benchmark -o FOLDER/a.png --pitch -91 | --pitch is -91.0, but must be from -90 to 90",
                 "render benchmark -o FOLDER/a.png --fov 0.5 | --fov is 0.5, but must be from 1 to 179",
