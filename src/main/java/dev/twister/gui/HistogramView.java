@@ -28,9 +28,9 @@ final class HistogramView extends VBox {
     private static final double HEIGHT_EM = 5;
     private static final double LEAST_SHARE = 0.001;
     private static final double WHOLE_PERCENT = 0.1;
-    private static final Color RED = Color.web("#b03038");
-    private static final Color GREEN = Color.web("#2c8a3c");
-    private static final Color BLUE = Color.web("#2f55c8");
+    private static final Color RED = Color.web("#7c1f27");
+    private static final Color GREEN = Color.web("#1a6a2a");
+    private static final Color BLUE = Color.web("#1c3692");
     private static final Color LUMA = Color.web("#e8eaee");
 
     private final Studio studio;
