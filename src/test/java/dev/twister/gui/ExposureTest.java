@@ -9,7 +9,7 @@ import dev.twister.image.Histogram;
 import dev.twister.scene.Scene;
 import dev.twister.world.Picture;
 import java.util.Optional;
-import javafx.geometry.Point2D;
+import javafx.geometry.Bounds;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.CheckBox;
@@ -67,26 +67,21 @@ class ExposureTest {
     @Test
     void clippedPixelsAreMarkedOverThePicture() {
         expose(BRIGHTEST);
-        driver.pulse();
-        Point2D middle = middle();
-        assertThat(driver.pixel(middle.getX(), middle.getY())).isEqualTo(Color.WHITE);
+        awaitInTheMiddle(Color.WHITE);
 
         driver.type(Command.CLIPPING.keys());
-        driver.pulse();
-        assertThat(driver.pixel(middle.getX(), middle.getY())).isEqualTo(color(ClippingView.WHITE));
+        awaitInTheMiddle(color(ClippingView.WHITE));
         CheckBox box = driver.find("#show-clipping .check-box", CheckBox.class);
         assertThat(box.isSelected()).isTrue();
 
         expose(-BRIGHTEST);
         DrawnPicture black = driver.awaitCurrentPicture();
-        driver.pulse();
-        assertThat(driver.pixel(middle.getX(), middle.getY())).isEqualTo(color(ClippingView.BLACK));
+        awaitInTheMiddle(color(ClippingView.BLACK));
         // What is saved and recorded has no marks.
         assertThat(black.frame().argb()).containsOnly(0xFF000000);
 
         driver.run(box::fire);
-        driver.pulse();
-        assertThat(driver.pixel(middle.getX(), middle.getY())).isEqualTo(Color.BLACK);
+        awaitInTheMiddle(Color.BLACK);
     }
 
     @Test
@@ -128,9 +123,10 @@ class ExposureTest {
         driver.awaitCurrentPicture();
     }
 
-    private Point2D middle() {
-        var bounds = driver.pictureOnScreen();
-        return new Point2D(bounds.getCenterX(), bounds.getCenterY());
+    /** A picture is on the screen some pulses after it is there. */
+    private void awaitInTheMiddle(Color wanted) {
+        Bounds place = driver.pictureOnScreen();
+        driver.await(() -> driver.pixel(place.getCenterX(), place.getCenterY()).equals(wanted));
     }
 
     private Button auto() {
