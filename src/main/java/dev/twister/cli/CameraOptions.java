@@ -1,9 +1,12 @@
 package dev.twister.cli;
 
 import dev.twister.scene.Camera;
+import dev.twister.scene.CameraView;
+import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Vector3;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Option;
 
 /**
@@ -11,6 +14,14 @@ import picocli.CommandLine.Option;
  * may have.
  */
 final class CameraOptions {
+    private static final String VIEW = "--camera-view";
+
+    @Option(
+            names = VIEW,
+            paramLabel = "NAME",
+            description = "One of the scene's views instead of its camera; it stands still.")
+    private Optional<String> view = Optional.empty();
+
     @Option(
             names = "--camera",
             paramLabel = "X,Y,Z",
@@ -42,7 +53,8 @@ final class CameraOptions {
             description = "Distance that is in focus, when the aperture is above 0.")
     private Optional<Double> focusDistance = Optional.empty();
 
-    Camera over(Camera camera) {
+    Camera over(Scene scene) {
+        Camera camera = view.map(name -> view(scene, name)).orElse(scene.camera());
         return camera.withPosition(position.map(CameraOptions::checked).orElse(camera.position()))
                 .withYaw(Ranges.check("--yaw", yaw.orElse(camera.yawDegrees()), SceneLimits.YAW))
                 .withPitch(Ranges.check("--pitch", pitch.orElse(camera.pitchDegrees()), SceneLimits.PITCH))
@@ -51,6 +63,20 @@ final class CameraOptions {
                 .withAperture(Ranges.check("--aperture", aperture.orElse(camera.aperture()), SceneLimits.APERTURE))
                 .withFocusDistance(Ranges.check(
                         "--focus", focusDistance.orElse(camera.focusDistance()), SceneLimits.FOCUS_DISTANCE));
+    }
+
+    private static Camera view(Scene scene, String name) {
+        return scene.views().stream()
+                .filter(view -> view.name().equals(name))
+                .findFirst()
+                .map(CameraView::camera)
+                .orElseThrow(() -> new BadInputException(
+                        scene.views().isEmpty()
+                                ? VIEW + " is '" + name + "', but the scene has no views"
+                                : "unknown value '" + name + "' of " + VIEW + "; expected one of the scene's views: "
+                                        + scene.views().stream()
+                                                .map(CameraView::name)
+                                                .collect(Collectors.joining(", "))));
     }
 
     private static Vector3 checked(Vector3 place) {

@@ -9,6 +9,7 @@ import dev.twister.world.Picture;
 import java.io.IOException;
 import java.util.Collections;
 import java.util.Iterator;
+import java.util.List;
 import java.util.stream.Stream;
 
 /** What shells offer where options and scenes are typed: picocli makes one of each class. */
@@ -41,6 +42,14 @@ final class Completions {
         @Override
         public Iterator<String> iterator() {
             return ChoiceConverter.names(ToneMap.class).iterator();
+        }
+    }
+
+    /** Beside numbers. */
+    static final class OfExposure implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return List.of(ExposureConverter.AUTO).iterator();
         }
     }
 

@@ -1,5 +1,6 @@
 package dev.twister.cli;
 
+import dev.twister.engine.ExposureMeter;
 import dev.twister.explain.PathJson;
 import dev.twister.explain.PathText;
 import dev.twister.explain.PixelPath;
@@ -88,8 +89,9 @@ final class ExplainCommand implements Callable<Integer> {
         Ranges.check("--pixel's row", pixel.row(), 0, settings.height() - 1);
         Ranges.check("--sample", sample, 0, settings.samplesPerPixel() - 1);
         World world = SkyFiles.world(scene, spec.commandLine().getErr());
-        world.setCamera(camera.over(scene.camera()));
+        world.setCamera(camera.over(scene));
         world.setSettings(settings);
+        world.setSettings(tone.metered(settings, () -> ExposureMeter.stops(world.snapshot())));
         PixelPath path = PixelPath.of(world.snapshot(), pixel.column(), pixel.row(), sample);
         PrintWriter out = spec.commandLine().getOut();
         if (json) {

@@ -11,6 +11,7 @@ import dev.twister.image.PictureSize;
 import dev.twister.image.PngWriter;
 import dev.twister.image.Provenance;
 import dev.twister.scene.RenderSettings;
+import dev.twister.world.AutoExposure;
 import dev.twister.world.TonedPixels;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -108,7 +109,9 @@ final class JoinCommand implements Callable<Integer> {
         } else if (OutputFile.endsIn(output, ".hdr")) {
             HdrWriter.write(output, picture.width(), picture.height(), radiance(picture), made);
         } else {
-            int[] pixels = TonedPixels.of(radiance(picture), settings);
+            float[] radiance = radiance(picture);
+            int[] pixels = TonedPixels.of(
+                    radiance, tone.metered(settings, () -> AutoExposure.stops(radiance, settings.srgb())));
             PngWriter.write(output, picture.width(), picture.height(), pixels, settings.srgb(), made);
         }
     }

@@ -1,6 +1,7 @@
 package dev.twister.cli;
 
 import dev.twister.engine.Engines;
+import dev.twister.engine.ExposureMeter;
 import dev.twister.engine.auto.FastestEngine;
 import dev.twister.files.PrintableText;
 import dev.twister.film.FilmFormat;
@@ -13,6 +14,7 @@ import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import dev.twister.world.FrameInput;
+import dev.twister.world.Picture;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -41,7 +43,7 @@ import picocli.CommandLine.Spec;
             "  twister render benchmark -o benchmark.png",
             "  twister render my-scene.json -o large.png --size 4k --samples 16 --tone-map aces",
             "  twister render mirrors -o mirrors.hdr --engine tornado",
-            "  twister render metals -o metals.png --noise 0.01",
+            "  twister render metals -o metals.png --noise 0.01 --exposure auto",
             "  twister render benchmark -o left.png --camera -12,-6,-10 --yaw 40 --fov 60",
             "  twister render benchmark -o diffuse.png --stage diffuse",
             "  twister render benchmark -o shot.exr --view beauty,normal,depth,albedo",
@@ -138,7 +140,7 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void render(Path file, Scene scene, Optional<MotionFile> recorded) throws IOException {
-        Camera from = camera.over(scene.camera());
+        Camera from = camera.over(scene);
         Optional<FrameRange> frames = film.frames(from, motion, recorded, FilmFile.isFilm(output));
         if (frames.isEmpty()) {
             film.checkSingle();
@@ -198,6 +200,10 @@ final class RenderCommand implements Callable<Integer> {
         Sampling usual = samples.over(settings.samplesPerPixel());
         Sampling sampling = new Sampling(part.samplesOr(usual.samples()), usual.noise());
         DoubleFunction<Camera> cameras = isFilm ? film.camera(scene, from) : _ -> from;
+        Work metered = (drawing, shown) -> {
+            meter(shown, recorded, linear);
+            work.draw(drawing, shown);
+        };
         double rate = recorded.map(MotionFile::rate).orElse(1 / motion.secondsPerFrame());
         try (PictureDrawing drawing = new PictureDrawing(engineId, picture.pictures(), sampling, part, linear)) {
             if (motion.isOn()) {
@@ -206,12 +212,23 @@ final class RenderCommand implements Callable<Integer> {
                 try (Simulation simulation = Simulation.of(scene, world.meshes())) {
                     motion.begin(simulation, spec.commandLine().getErr());
                     FilmBodies bodies = FilmBodies.simulated(simulation, motion.secondsPerFrame());
-                    work.draw(drawing, new FilmScene(scene, world, bodies, cameras, rate));
+                    metered.draw(drawing, new FilmScene(scene, world, bodies, cameras, rate));
                 }
             } else {
                 FilmBodies bodies = recorded.map(FilmBodies::recorded).orElse(FilmBodies.still());
-                work.draw(drawing, new FilmScene(scene, world, bodies, cameras, rate));
+                metered.draw(drawing, new FilmScene(scene, world, bodies, cameras, rate));
             }
+        }
+    }
+
+    /** By a film's first frame, whichever frames are drawn: all parts of it are as bright. */
+    private void meter(FilmScene shown, Optional<MotionFile> recorded, boolean linear) throws IOException {
+        Picture metered = picture.pictures().getFirst();
+        if (tone.isMetered() && metered.isColor() && !linear) {
+            int first = recorded.isPresent() ? recorded.get().firstFrame() : 0;
+            FrameInput input = shown.frame(first).showing(metered);
+            World world = shown.world();
+            world.setSettings(tone.metered(world.settings(), () -> ExposureMeter.stops(input)));
         }
     }
 

@@ -1,8 +1,11 @@
 package dev.twister.cli;
 
+import dev.twister.cli.ExposureConverter.Exposure;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.ToneMap;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Supplier;
 import picocli.CommandLine.Option;
 
 /** How linear color becomes a pixel. */
@@ -10,8 +13,11 @@ final class ToneOptions {
     @Option(
             names = "--exposure",
             paramLabel = "STOPS",
-            description = "Multiply the brightness by 2^STOPS, -20 to 20. .hdr and .exr files keep the radiance.")
-    private Optional<Double> exposure = Optional.empty();
+            converter = ExposureConverter.class,
+            completionCandidates = Completions.OfExposure.class,
+            description = "Multiply the brightness by 2^STOPS, -20 to 20; auto sets it by the picture, or by a film's"
+                    + " first frame. .hdr and .exr files keep the radiance.")
+    private Optional<Exposure> exposure = Optional.empty();
 
     @Option(
             names = "--tone-map",
@@ -23,12 +29,33 @@ final class ToneOptions {
     @Option(names = "--srgb", negatable = true, description = "Apply the sRGB transfer function after tone mapping.")
     private Optional<Boolean> srgb = Optional.empty();
 
+    /** An exposure of auto is left as it is, for {@link #metered}. */
     RenderSettings over(RenderSettings settings) {
         double stops = Ranges.check(
                 "--exposure",
-                exposure.orElse(settings.exposure()),
+                exposure.flatMap(given -> given.stops().stream().boxed().findFirst())
+                        .orElse(settings.exposure()),
                 -RenderSettings.MAX_EXPOSURE_STOPS,
                 RenderSettings.MAX_EXPOSURE_STOPS);
         return settings.withTone(stops, toneMap.orElse(settings.toneMap()), srgb.orElse(settings.srgb()));
+    }
+
+    /** Whether the picture is to tell the exposure. */
+    boolean isMetered() {
+        return exposure.filter(given -> given.stops().isEmpty()).isPresent();
+    }
+
+    /**
+     * With the exposure that was measured, where that was asked for.
+     *
+     * @param stops empty where there is no light in the picture
+     */
+    RenderSettings metered(RenderSettings settings, Supplier<OptionalDouble> stops) {
+        if (!isMetered()) {
+            return settings;
+        }
+        return settings.withExposure(stops.get()
+                .orElseThrow(() ->
+                        new BadInputException("--exposure is auto, but the picture is black; give a number of stops")));
     }
 }

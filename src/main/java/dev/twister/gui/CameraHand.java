@@ -1,30 +1,26 @@
 package dev.twister.gui;
 
-import dev.twister.scene.Camera;
+import dev.twister.gui.model.ViewEdits;
+import dev.twister.scene.CameraView;
+import dev.twister.scene.SceneLimits;
 import dev.twister.world.CameraMotion;
 import dev.twister.world.Turn;
 import dev.twister.world.Walk;
-import java.util.Optional;
+import java.util.List;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleObjectProperty;
-import javafx.collections.FXCollections;
-import javafx.collections.ObservableMap;
 
-/** Moves a studio's camera as long as a person wants it to, and to the views that they kept. */
+/** Moves a studio's camera as long as a person wants it to, and to the views that the scene keeps. */
 final class CameraHand {
+    static final String FULL = "The scene has " + SceneLimits.MAX_VIEWS + " views, and can't have more";
+
     private final Studio studio;
-    private final ObservableMap<Integer, Camera> views = FXCollections.observableHashMap();
     private final ObjectProperty<Double> speed = new SimpleObjectProperty<>(CameraMotion.WALK_METERS_PER_SECOND);
     private Walk walk = Walk.STILL;
     private Turn turn = Turn.STILL;
 
     CameraHand(Studio studio) {
         this.studio = studio;
-    }
-
-    /** The views kept under a number, from 0 to 9. */
-    ObservableMap<Integer, Camera> views() {
-        return views;
     }
 
     /** Meters per second that a walk has, above 0. */
@@ -37,19 +33,42 @@ final class CameraHand {
         studio.moveCamera(_ -> studio.original().camera());
     }
 
-    /** Keeps the camera as it is now under that number. */
-    void keepView(int number) {
-        views.put(number, studio.scene().camera());
-        studio.notice("View kept under " + number);
+    /** Keeps the camera as it is now as the view that a number key leads to, or as another one behind the last. */
+    void keepView(int digit) {
+        int index = ViewEdits.ofKey(digit);
+        boolean there = index < studio.scene().views().size();
+        if (!there && ViewEdits.isFull(studio.scene())) {
+            studio.notice(FULL);
+            return;
+        }
+        studio.endGesture();
+        studio.edit(
+                there ? "update view" : "add view",
+                scene -> there
+                        ? ViewEdits.updated(scene, index, scene.camera())
+                        : ViewEdits.added(scene, scene.camera()));
+        studio.endGesture();
+        List<CameraView> views = studio.scene().views();
+        int kept = there ? index : views.size() - 1;
+        studio.notice("View kept"
+                + ViewEdits.key(kept).map(key -> " under " + key).orElse("") + ": "
+                + views.get(kept).name());
     }
 
-    /** Goes to the view kept under that number; says so where there is none. */
-    void recallView(int number) {
-        Optional.ofNullable(views.get(number))
-                .ifPresentOrElse(
-                        view -> studio.moveCamera(_ -> view),
-                        () -> studio.notice(
-                                "No view is kept under " + number + "; Ctrl+" + number + " keeps this one"));
+    /** Goes to the view that a number key leads to; says so where there is none. */
+    void recallView(int digit) {
+        int index = ViewEdits.ofKey(digit);
+        List<CameraView> views = studio.scene().views();
+        if (index < views.size()) {
+            goTo(views.get(index));
+        } else {
+            studio.notice("No view is kept under " + digit + "; Ctrl+" + digit + " keeps this one");
+        }
+    }
+
+    void goTo(CameraView view) {
+        studio.goTo(view.camera());
+        studio.notice("View: " + view.name());
     }
 
     /** From now on each pulse moves the camera that way, until told otherwise. */

@@ -10,8 +10,8 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 
 /**
- * Moves the camera by the keyboard: W A S D, Q and E, the arrows to look, Shift to run, Home, and views kept under the
- * number keys. Keys that a control has use for are not seen here: handlers come after the control's own.
+ * Moves the camera by the keyboard: W A S D, Q and E, the arrows to look, Shift to run, Home, and the scene's views by
+ * the number keys. Keys that a control has use for are not seen here: handlers come after the control's own.
  */
 final class CameraKeys {
     private static final List<KeyCode> DIGITS = List.of(

@@ -31,8 +31,8 @@ final class HelpWindows {
             new KeyLine("Alt+click", "Path of the pixel: its rays as lines, and a table of its steps"),
             new KeyLine("Ctrl+wheel, Ctrl+drag", "Magnify the picture, move what is magnified"),
             new KeyLine("Home", "Back to where the scene has the camera"),
-            new KeyLine("Ctrl+0 … Ctrl+9", "Keep this view under a number"),
-            new KeyLine("0 … 9", "Go to the view of that number"));
+            new KeyLine("Ctrl+0 … Ctrl+9", "Keep the camera as a view of the scene"),
+            new KeyLine("0 … 9", "Go to the scene's view of that number"));
     private static final List<KeyLine> BODIES = List.of(
             new KeyLine("Click", "Select a sphere, a mesh, the light or the plane"),
             new KeyLine("Drag the selected one", "Move it, at the same distance from the camera"),

@@ -22,7 +22,7 @@ final class LightSection {
                 new NumberRow(SceneNumbers.LIGHT_Y, "Alt+2", studio),
                 new NumberRow(SceneNumbers.LIGHT_Z, "Alt+3", studio),
                 new NumberRow(SceneNumbers.LIGHT_RADIUS, "Alt+L", studio),
-                new NumberRow(SceneNumbers.LIGHT_STRENGTH, "Alt+I", studio),
+                new NumberRow(SceneNumbers.LIGHT_STRENGTH, "Alt+Q", studio),
                 new NumberRow(SurroundingsNumbers.AMBIENT, "Alt+Shift+L", studio));
         color = new ColorRow(
                 "Light color",

@@ -5,11 +5,13 @@ import dev.twister.gui.drawing.Motion;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.EditState;
+import dev.twister.gui.model.Mnemonics;
 import dev.twister.gui.model.ShownPictures;
 import dev.twister.world.Picture;
 import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.EnumSet;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -48,6 +50,7 @@ final class MenuView extends MenuBar {
             Command.INSPECT,
             Command.EXPLAIN,
             Command.COMPARE,
+            Command.CLIPPING,
             Command.Q_UP,
             Command.PANEL,
             Command.FRAME_TIMES,
@@ -58,6 +61,7 @@ final class MenuView extends MenuBar {
             Command.FILM);
 
     private final Map<Command, MenuItem> items = new EnumMap<>(Command.class);
+    private final Map<MenuItem, Character> letters = new HashMap<>();
     private final Menu recent = new Menu("Open recent");
 
     MenuView(Studio studio, SettingsKeeper settings, FileActions files, CommandActions actions) {
@@ -68,10 +72,11 @@ final class MenuView extends MenuBar {
             }
             getMenus().add(menu);
         }
-        check(Command.MOVE, studio.motion().motionProperty().map(Motion::isOn));
-        check(Command.PAUSE, studio.motion().motionProperty().map(motion -> motion.isOn() && !motion.running()));
         recent.setId("recent");
         getMenus().getFirst().getItems().add(1, recent);
+        underline(getMenus());
+        check(Command.MOVE, studio.motion().motionProperty().map(Motion::isOn));
+        check(Command.PAUSE, studio.motion().motionProperty().map(motion -> motion.isOn() && !motion.running()));
         settings.settingsProperty().subscribe(kept -> showRecent(kept.recentScenes(), files));
         studio.editsProperty().subscribe(this::showEdits);
         studio.selectionProperty()
@@ -113,7 +118,7 @@ final class MenuView extends MenuBar {
 
     /** Shows whether a recording is going on. */
     void showRecording(boolean recording) {
-        items.get(Command.RECORD).setText(recording ? "Stop recording" : Command.RECORD.label());
+        show(Command.RECORD, recording ? "Stop recording" : Command.RECORD.label());
     }
 
     /** Marks a command that switches something while that is on. */
@@ -125,7 +130,7 @@ final class MenuView extends MenuBar {
     }
 
     private static Menu shownMenu(Studio studio) {
-        Menu menu = new Menu("_Show");
+        Menu menu = new Menu("Show");
         menu.setId("menu-show");
         ToggleGroup group = new ToggleGroup();
         for (Picture picture : ShownPictures.all()) {
@@ -142,7 +147,7 @@ final class MenuView extends MenuBar {
     }
 
     private Menu menu(Group group, CommandActions actions) {
-        Menu menu = new Menu("_" + group.label());
+        Menu menu = new Menu(group.label());
         for (Command command : Command.values()) {
             if (command.group() == group) {
                 if (BELOW_A_LINE.contains(command)) {
@@ -176,13 +181,37 @@ final class MenuView extends MenuBar {
     }
 
     private void showEdits(EditState state) {
-        show(items.get(Command.UNDO), Command.UNDO, state.undoable());
-        show(items.get(Command.REDO), Command.REDO, state.redoable());
-        show(items.get(Command.REDO_ALSO), Command.REDO_ALSO, state.redoable());
+        showEdit(Command.UNDO, state.undoable());
+        showEdit(Command.REDO, state.redoable());
+        showEdit(Command.REDO_ALSO, state.redoable());
     }
 
-    private static void show(MenuItem item, Command command, Optional<String> edit) {
-        item.setDisable(edit.isEmpty());
-        item.setText(edit.map(what -> command.label() + ": " + what).orElse(command.label()));
+    private void showEdit(Command command, Optional<String> edit) {
+        items.get(command).setDisable(edit.isEmpty());
+        show(command, edit.map(what -> command.label() + ": " + what).orElse(command.label()));
+    }
+
+    /** Its letter stays underlined. */
+    private void show(Command command, String text) {
+        MenuItem item = items.get(command);
+        item.setText(Mnemonics.marked(text, letters.getOrDefault(item, Mnemonics.NONE)));
+    }
+
+    /** Underlines a letter of each item, and of those of its menus. */
+    private void underline(List<? extends MenuItem> menu) {
+        List<MenuItem> named = menu.stream()
+                .<MenuItem>map(item -> item)
+                .filter(item -> item.isVisible() && !(item instanceof SeparatorMenuItem))
+                .toList();
+        List<Character> free =
+                Mnemonics.letters(named.stream().map(MenuItem::getText).toList());
+        for (int index = 0; index < named.size(); index++) {
+            MenuItem item = named.get(index);
+            letters.put(item, free.get(index));
+            item.setText(Mnemonics.marked(item.getText(), free.get(index)));
+            if (item instanceof Menu inner) {
+                underline(inner.getItems());
+            }
+        }
     }
 }

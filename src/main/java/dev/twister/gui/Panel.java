@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import javafx.beans.property.BooleanProperty;
 import javafx.css.PseudoClass;
 import javafx.geometry.Bounds;
 import javafx.scene.Node;
@@ -31,6 +32,8 @@ final class Panel extends ScrollPane {
     private final PlaneSection plane;
     private final List<PanelSection> sections;
     private final PictureSection picture;
+    private final PanelSection pictureSection;
+    private final HistogramView histogram;
     private final CameraSection camera;
     private final LightSection light;
     private final SkySection sky;
@@ -38,11 +41,18 @@ final class Panel extends ScrollPane {
     private final SelectionSection selection;
     private final MaterialSection material;
 
-    Panel(Studio studio, EngineList engines, Comparison comparison, FileActions files, CommandActions actions) {
+    Panel(
+            Studio studio,
+            EngineList engines,
+            Comparison comparison,
+            BooleanProperty clippingShown,
+            FileActions files,
+            CommandActions actions) {
         engine = new EngineSection(
                 studio, engines, studio.engineProperty().get().offer().id());
         compare = new CompareSection(studio, engines, comparison);
-        picture = new PictureSection(studio);
+        picture = new PictureSection(studio, clippingShown);
+        histogram = new HistogramView(studio, actions);
         camera = new CameraSection(studio);
         light = new LightSection(studio);
         sky = new SkySection(studio, files);
@@ -57,6 +67,8 @@ final class Panel extends ScrollPane {
         reset.setOnAction(_ -> actions.run(Command.RESET));
         PanelSection physicsSection = section("Physics", physics.rows());
         physicsSection.add(physics.buttons());
+        pictureSection = section("Picture", picture.rows());
+        pictureSection.add(histogram);
         PanelSection lightSection = section("Light", light.rows());
         PanelSection planeSection = section("Plane", plane.rows());
         planeSection.add(plane.buttons());
@@ -66,10 +78,11 @@ final class Panel extends ScrollPane {
         materialSection.managedProperty().bind(material.visibleProperty());
         sections = List.of(
                 section("Drawing", engine.rows()),
-                section("Picture", picture.rows()),
+                pictureSection,
                 selectionSection,
                 materialSection,
                 section("Camera", camera.rows()),
+                new PanelSection("Views", new ViewList(studio)),
                 lightSection,
                 section("Sky", sky.rows()),
                 planeSection,
@@ -145,6 +158,9 @@ final class Panel extends ScrollPane {
     void pulse(long nanos) {
         if (isVisible()) {
             selection.pulse(nanos);
+            if (!pictureSection.isFolded()) {
+                histogram.pulse(nanos);
+            }
         }
     }
 

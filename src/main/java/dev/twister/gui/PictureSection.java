@@ -8,6 +8,7 @@ import dev.twister.scene.ToneMap;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
+import javafx.beans.property.BooleanProperty;
 
 /** How the picture is made of the scene. */
 final class PictureSection {
@@ -16,8 +17,10 @@ final class PictureSection {
     private final ChoiceRow<ToneMap> toneMap;
     private final SwitchRow srgb;
     private final SwitchRow refining;
+    private final SwitchRow clipping;
 
-    PictureSection(Studio studio) {
+    /** @param clippingShown whether clipped pixels are marked */
+    PictureSection(Studio studio, BooleanProperty clippingShown) {
         this.studio = studio;
         numbers = List.of(
                 new NumberRow(SceneNumbers.SHADOW_SAMPLES, "Alt+S", studio),
@@ -38,13 +41,15 @@ final class PictureSection {
                 "Keep refining the picture while nothing moves.",
                 "Alt+N",
                 studio.refiningProperty()::set);
+        clipping = new SwitchRow("Show clipping", Command.CLIPPING.hint(), "Alt+Z", clippingShown::set);
+        clippingShown.subscribe(on -> clipping.show(on, false));
         studio.sceneProperty().subscribe(_ -> refresh());
         studio.originalProperty().subscribe(_ -> refresh());
         studio.refiningProperty().subscribe(on -> refining.show(on, true));
     }
 
     List<PanelRow> rows() {
-        return Stream.concat(numbers.stream(), Stream.of(toneMap, srgb, refining))
+        return Stream.concat(numbers.stream(), Stream.of(toneMap, srgb, refining, clipping))
                 .toList();
     }
 

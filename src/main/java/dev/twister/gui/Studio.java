@@ -359,6 +359,13 @@ public final class Studio implements AutoCloseable {
         }
     }
 
+    /** Moves the viewer to a view, which is no edit; its lens comes along, the keyframes stay. */
+    void goTo(Camera view) {
+        Scene now = scene.get();
+        document.carryOn(now.withCamera(view.withKeyframes(now.camera().keyframes())));
+        show();
+    }
+
     /** Draws with that engine as soon as it is ready. */
     public void chooseEngine(EngineOffer offer) {
         engine.set(new EngineChoice(engine.get().number() + 1, offer));
@@ -486,7 +493,10 @@ public final class Studio implements AutoCloseable {
             boolean renumbered = BodyEdits.isRenumbered(before, now, selection.get());
             scene.set(now);
             select(renumbered ? BodyNumber.NONE : selection.get());
-            request();
+            // Views that are kept change no picture.
+            if (!before.withViews(now.views()).equals(now)) {
+                request();
+            }
         }
     }
 

@@ -5,12 +5,10 @@ import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.ShownPictures;
 import dev.twister.gui.model.ThrownSpheres;
 import dev.twister.gui.model.WindowSettings;
-import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.world.Picture;
 import java.util.Optional;
 import javafx.beans.value.ObservableValue;
-import javafx.collections.MapChangeListener;
 import javafx.geometry.Pos;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.input.KeyCombination;
@@ -88,13 +86,22 @@ final class Workbench implements AutoCloseable {
         String usualEngine = studio.engineProperty().get().offer().id();
         EngineList engines = EngineList.load(studio, errands);
         CommandActions actions = actions(() -> Panel.resetAll(studio, engines, usualEngine));
-        panel = new Panel(studio, engines, comparison, files, actions);
+        ClippingView clipping = new ClippingView(picture, studio);
+        picture.addOverlay(clipping);
+        ExposureActions exposure = new ExposureActions(studio, errands);
+        actions.on(Command.AUTO_EXPOSURE, exposure::setAutomatically)
+                .on(
+                        Command.CLIPPING,
+                        () -> clipping.shownProperty()
+                                .set(!clipping.shownProperty().get()));
+        panel = new Panel(studio, engines, comparison, clipping.shownProperty(), files, actions);
         panel.foldAsKept(settings);
         menu = new MenuView(studio, settings, files, actions);
         pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
         menu.check(Command.INSPECT, inspector.visibleProperty());
         menu.check(Command.COMPARE, comparison.modeProperty().map(mode -> mode != Mode.OFF));
         menu.check(Command.EXPLAIN, paths.pathProperty().map(Optional::isPresent));
+        menu.check(Command.CLIPPING, clipping.shownProperty());
         menu.check(Command.Q_UP, qUpProperty());
         menu.check(Command.PANEL, panel.visibleProperty());
         menu.check(Command.FRAME_TIMES, frameTimes.visibleProperty());
@@ -119,6 +126,11 @@ final class Workbench implements AutoCloseable {
                 () -> SkyList.in(options.shipped().skyboxes()),
                 panel::offerSkies,
                 problem -> studio.notice(FileActions.explain(problem)));
+        if (!settings.settings().hintSeen()) {
+            HintLine hint = new HintLine(picture, () -> settings.change(WindowSettings::withHintSeen));
+            StackPane.setAlignment(hint, Pos.BOTTOM_CENTER);
+            middle.getChildren().add(hint);
+        }
         restore();
         stage.setMinHeight(LEAST_HEIGHT);
         panel.visibleProperty().subscribe(_ -> limitWidth());
@@ -256,14 +268,6 @@ final class Workbench implements AutoCloseable {
         stage.setMaximized(settings.settings().maximized());
         showPanel(settings.settings().panelShown());
         showFrameTimes(settings.settings().frameTimesShown());
-        studio.hand().views().putAll(settings.settings().views());
-        studio.hand().views().addListener((MapChangeListener.Change<? extends Integer, ? extends Camera> change) -> {
-            if (change.wasAdded()) {
-                int number = change.getKey();
-                Camera camera = change.getValueAdded();
-                settings.change(kept -> kept.withView(number, camera));
-            }
-        });
     }
 
     /** The panel hides no picture. */

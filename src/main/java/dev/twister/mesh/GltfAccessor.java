@@ -58,7 +58,7 @@ final class GltfAccessor {
         if (viewIndex.exists()) {
             GltfPlace view = viewIndex.in(root.at("bufferViews"));
             long stride = view.at("byteStride").countOr(elementBytes);
-            if (stride < elementBytes || stride > 255) {
+            if (stride < elementBytes || stride > 252) {
                 throw view.at("byteStride").failure("is " + stride + "; expected " + elementBytes + " to 252");
             }
             GltfBuffers.Range range =

@@ -166,6 +166,7 @@ final class BodyStore {
         double[] oldBefore = Arrays.copyOf(before, 3 * count);
         byte[] oldState = Arrays.copyOf(state, count);
         byte[] oldSide = Arrays.copyOf(side, count);
+        byte[] oldHeld = Arrays.copyOf(held, count);
         boolean[] oldWalled = Arrays.copyOf(walled, count);
         int[] oldCalmSteps = Arrays.copyOf(calmSteps, count);
         int[] oldSphere = Arrays.copyOf(sphere, count);
@@ -175,6 +176,7 @@ final class BodyStore {
             System.arraycopy(oldBefore, 3 * old, before, 3 * body, 3);
             state[body] = oldState[old];
             side[body] = oldSide[old];
+            held[body] = oldHeld[old];
             walled[body] = oldWalled[old];
             calmSteps[body] = oldCalmSteps[old];
             sphere[body] = oldSphere[old];

@@ -13,6 +13,7 @@ import java.util.stream.Stream;
  *
  * @param name a short title, may be empty
  * @param description a sentence for a person, may be empty
+ * @param views cameras to go to, each under a name of its own, in the order in which they are offered
  * @param materials those that bodies share by name, in the file's order; what a body has of one is in the body
  * @param spheres those that are there from the start
  * @param meshes bodies of triangles
@@ -27,6 +28,7 @@ public record Scene(
         String name,
         String description,
         Camera camera,
+        List<CameraView> views,
         Light light,
         SequencedMap<String, Material> materials,
         Plane plane,
@@ -46,6 +48,7 @@ public record Scene(
 
     public Scene {
         materials = Collections.unmodifiableSequencedMap(new LinkedHashMap<>(materials));
+        views = List.copyOf(views);
         spheres = List.copyOf(spheres);
         meshes = List.copyOf(meshes);
     }
@@ -56,6 +59,7 @@ public record Scene(
                 "",
                 "",
                 Camera.DEFAULT,
+                List.of(),
                 Light.DEFAULT,
                 new LinkedHashMap<>(),
                 Plane.DEFAULT,
@@ -90,6 +94,7 @@ public record Scene(
                 newName,
                 description,
                 camera,
+                views,
                 light,
                 materials,
                 plane,
@@ -109,6 +114,7 @@ public record Scene(
                 name,
                 newDescription,
                 camera,
+                views,
                 light,
                 materials,
                 plane,
@@ -128,6 +134,27 @@ public record Scene(
                 name,
                 description,
                 newCamera,
+                views,
+                light,
+                materials,
+                plane,
+                spheres,
+                meshes,
+                skybox,
+                skyRotationDegrees,
+                skyStrength,
+                ambient,
+                settings,
+                physics,
+                pour);
+    }
+
+    public Scene withViews(List<CameraView> newViews) {
+        return new Scene(
+                name,
+                description,
+                camera,
+                newViews,
                 light,
                 materials,
                 plane,
@@ -147,6 +174,7 @@ public record Scene(
                 name,
                 description,
                 camera,
+                views,
                 newLight,
                 materials,
                 plane,
@@ -166,6 +194,7 @@ public record Scene(
                 name,
                 description,
                 camera,
+                views,
                 light,
                 newMaterials,
                 plane,
@@ -185,6 +214,7 @@ public record Scene(
                 name,
                 description,
                 camera,
+                views,
                 light,
                 materials,
                 newPlane,
@@ -204,6 +234,7 @@ public record Scene(
                 name,
                 description,
                 camera,
+                views,
                 light,
                 materials,
                 plane,
@@ -223,6 +254,7 @@ public record Scene(
                 name,
                 description,
                 camera,
+                views,
                 light,
                 materials,
                 plane,
@@ -242,6 +274,7 @@ public record Scene(
                 name,
                 description,
                 camera,
+                views,
                 light,
                 materials,
                 plane,
@@ -261,6 +294,7 @@ public record Scene(
                 name,
                 description,
                 camera,
+                views,
                 light,
                 materials,
                 plane,
@@ -280,6 +314,7 @@ public record Scene(
                 name,
                 description,
                 camera,
+                views,
                 light,
                 materials,
                 plane,
@@ -299,6 +334,7 @@ public record Scene(
                 name,
                 description,
                 camera,
+                views,
                 light,
                 materials,
                 plane,
@@ -318,6 +354,7 @@ public record Scene(
                 name,
                 description,
                 camera,
+                views,
                 light,
                 materials,
                 plane,
@@ -337,6 +374,7 @@ public record Scene(
                 name,
                 description,
                 camera,
+                views,
                 light,
                 materials,
                 plane,
@@ -356,6 +394,7 @@ public record Scene(
                 name,
                 description,
                 camera,
+                views,
                 light,
                 materials,
                 plane,

@@ -22,6 +22,7 @@ final class SceneDocument {
                 .scene()
                 .read(root);
         KeyframeRules.check(scene.camera().keyframes(), fields.get("camera").fields());
+        ViewRules.check(scene.views(), fields);
         scene.pour()
                 .ifPresent(pour -> PourRules.check(
                         pour, fields.get("pour").fields(), scene.spheres().size()));

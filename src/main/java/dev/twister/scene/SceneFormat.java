@@ -81,17 +81,21 @@ final class SceneFormat {
                             new Decimal(SceneLimits.FOCUS_DISTANCE),
                             Camera::focusDistance,
                             Camera::withFocusDistance)
-                    .from(2),
-            sparse(
-                            KeyframeRules.FIELD,
-                            new Array<>(
-                                    KEYFRAME,
-                                    0,
-                                    SceneLimits.MAX_KEYFRAMES,
-                                    "an array of 0 to " + SceneLimits.MAX_KEYFRAMES + " keyframes"),
-                            Camera::keyframes,
-                            Camera::withKeyframes)
                     .from(2));
+
+    private static final Field<Camera, List<CameraKeyframe>> KEYFRAMES = Field.<Camera, List<CameraKeyframe>>sparse(
+                    KeyframeRules.FIELD,
+                    new Array<>(
+                            KEYFRAME,
+                            0,
+                            SceneLimits.MAX_KEYFRAMES,
+                            "an array of 0 to " + SceneLimits.MAX_KEYFRAMES + " keyframes"),
+                    Camera::keyframes,
+                    Camera::withKeyframes)
+            .from(2);
+
+    private static final Field<CameraView, String> VIEW_NAME =
+            required(ViewRules.NAME, new Text(1, SceneLimits.MAX_NAME_LENGTH), CameraView::name, CameraView::withName);
 
     private static final Structure<Light> LIGHT = new Structure<>(
             Light.DEFAULT,
@@ -215,7 +219,14 @@ final class SceneFormat {
     }
 
     Structure<Camera> camera() {
-        return Structure.of(version, Camera.DEFAULT, CAMERA);
+        return structure(Camera.DEFAULT, List.of(CAMERA, List.of(KEYFRAMES)));
+    }
+
+    Structure<CameraView> view() {
+        List<Field<CameraView, ?>> camera = CAMERA.stream()
+                .<Field<CameraView, ?>>map(field -> field.within(CameraView::camera, CameraView::withCamera))
+                .toList();
+        return structure(CameraView.DEFAULT, List.of(List.of(VIEW_NAME), camera));
     }
 
     ValueType<SequencedMap<String, Material>> materials() {
@@ -322,6 +333,16 @@ final class SceneFormat {
                                 Scene::description,
                                 Scene::withDescription),
                         required("camera", camera(), Scene::camera, Scene::withCamera),
+                        sparse(
+                                        ViewRules.FIELD,
+                                        new Lines<>(new Array<>(
+                                                view(),
+                                                0,
+                                                SceneLimits.MAX_VIEWS,
+                                                "an array of 0 to " + SceneLimits.MAX_VIEWS + " views")),
+                                        Scene::views,
+                                        Scene::withViews)
+                                .from(2),
                         required("light", LIGHT, Scene::light, Scene::withLight),
                         sparse(MATERIALS, materials(), Scene::materials, Scene::withMaterials)
                                 .from(MATERIALS_SINCE),

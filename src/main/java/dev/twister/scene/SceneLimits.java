@@ -45,6 +45,7 @@ public final class SceneLimits {
     public static final int MAX_MESHES = 10_000;
     public static final int MAX_MATERIALS = 256;
     public static final int MAX_KEYFRAMES = 10_000;
+    public static final int MAX_VIEWS = 1000;
     public static final int MAX_NAME_LENGTH = 200;
     public static final int MAX_DESCRIPTION_LENGTH = 2000;
     public static final int MAX_PATH_LENGTH = 1000;

@@ -102,6 +102,17 @@ class FilmTest {
     }
 
     @Test
+    void anExposureOfAutoIsTheSameInAllPartsOfAFilm() throws IOException {
+        render("whole-####.png", "--turntable", "1", "--fps", "4", "--exposure", "auto");
+        render("part-####.png", "--turntable", "1", "--fps", "4", "--frames", "2-3", "--exposure", "auto");
+        render("plain-####.png", "--turntable", "1", "--fps", "4", "--frames", "2-3");
+
+        byte[] whole = Files.readAllBytes(folder.resolve("whole-0002.png"));
+        assertThat(folder.resolve("part-0002.png")).hasBinaryContent(whole);
+        assertThat(Files.readAllBytes(folder.resolve("plain-0002.png"))).isNotEqualTo(whole);
+    }
+
+    @Test
     void otherKindsOfFilesAreSkippedToo() {
         for (String name : new String[] {"f.exr", "f.hdr"}) {
             String[] film = {"--turntable", "1", "--fps", "2", "--skip-existing"};

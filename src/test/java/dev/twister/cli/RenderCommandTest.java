@@ -3,10 +3,16 @@ package dev.twister.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.ChildJvm;
+import dev.twister.engine.ExposureMeter;
 import dev.twister.image.PngWriter;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneReader;
+import dev.twister.world.World;
 import java.awt.image.BufferedImage;
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -206,6 +212,20 @@ class RenderCommandTest {
         assertThat(bytes("sky-again.png", "--sky-rotation", "360")).isEqualTo(plain);
         assertThat(bytes("dark.png", "--sky-strength", "0")).isNotEqualTo(plain);
         assertThat(bytes("same.png", "--no-srgb")).isEqualTo(plain);
+    }
+
+    @Test
+    void anExposureOfAutoIsThatOfTheMeter() throws IOException {
+        Scene scene = SceneReader.read(Path.of("scenes", "benchmark.json"));
+        World world = SkyFiles.world(scene, new PrintWriter(Writer.nullWriter()));
+        world.setSettings(scene.settings().withSize(32, 18));
+        double stops = ExposureMeter.stops(world.snapshot()).orElseThrow();
+
+        byte[] metered = bytes("auto.png", "--exposure", "auto");
+
+        assertThat(metered)
+                .isEqualTo(bytes("stops.png", "--exposure", String.valueOf(stops)))
+                .isNotEqualTo(bytes("plain.png"));
     }
 
     @Test

@@ -212,17 +212,20 @@ class FilmTest {
     }
 
     @Test
-    void anotherSceneHasItsOwnKeyframesAndAViewThatIsKeptHasNone() {
+    void anotherSceneHasItsOwnKeyframesAndAViewLeavesThem() {
         setTwo();
+        driver.run(() -> driver.studio.hand().keepView(1));
         Scene film = WindowDriver.call(driver.studio::scene);
-        driver.run(() -> driver.studio.hand().keepView(7));
         show(WindowScenes.tiny());
         assertThat(WindowDriver.call(bar()::isVisible)).isFalse();
         assertThat(seconds()).isZero();
-        driver.run(() -> driver.studio.hand().recallView(7));
-        assertThat(camera().position().x()).isEqualTo(4);
-        assertThat(camera().keyframes()).isEmpty();
         show(film);
+        driver.run(() -> {
+            driver.studio.moveCamera(camera -> camera.withYaw(90));
+            driver.studio.hand().recallView(1);
+        });
+        assertThat(camera()).isEqualTo(film.camera());
+        assertThat(camera().keyframes()).hasSize(2);
         assertThat(WindowDriver.call(bar()::isVisible)).isTrue();
     }
 }

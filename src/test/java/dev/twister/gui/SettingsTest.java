@@ -7,7 +7,6 @@ import dev.twister.engine.JvmEngines;
 import dev.twister.gui.model.SettingsStore;
 import dev.twister.gui.model.WindowSettings;
 import dev.twister.kernel.Layout;
-import dev.twister.scene.Camera;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -31,7 +30,6 @@ class SettingsTest {
     @Test
     void whatWasSetIsThereTheNextTime() {
         SettingsStore store = new SettingsStore(Optional.of(folder.resolve("twister")));
-        Camera view;
         try (WindowDriver driver = WindowDriver.open(store)) {
             driver.run(() -> {
                 driver.stage.setWidth(700);
@@ -43,8 +41,6 @@ class SettingsTest {
             driver.type(KeyCode.F3);
             assertThat(driver.find(".frame-times", Node.class).isVisible()).isFalse();
             driver.run(() -> driver.studio.chooseEngine(sequential()));
-            driver.typeWith(KeyCode.DIGIT4, KeyCode.CONTROL);
-            view = WindowDriver.call(driver.studio::scene).camera();
         }
         WindowSettings kept = store.read().settings();
         assertThat(kept.panelShown()).isFalse();
@@ -52,18 +48,44 @@ class SettingsTest {
         assertThat(kept.width()).isEqualTo(700);
         assertThat(kept.height()).isEqualTo(500);
         assertThat(kept.engine()).isEqualTo(JvmEngines.SEQUENTIAL);
-        assertThat(kept.views()).containsEntry(4, view);
         try (WindowDriver driver = WindowDriver.open(store)) {
             assertThat(driver.stage.getWidth()).isEqualTo(700);
             assertThat(driver.window.workbench().panel().isVisible()).isFalse();
             assertThat(driver.find(".frame-times", Node.class).isVisible()).isFalse();
             driver.type(KeyCode.F3);
             assertThat(driver.find(".frame-times", Node.class).isVisible()).isTrue();
-            driver.type(KeyCode.HOME);
-            driver.run(
-                    () -> driver.studio.moveCamera(camera -> camera.withYaw(90).withPitch(0)));
-            driver.type(KeyCode.DIGIT4);
-            assertThat(WindowDriver.call(driver.studio::scene).camera()).isEqualTo(view);
+        }
+    }
+
+    @Test
+    void theHintIsSeenUntilThePictureIsUsedAndNeverAgain() {
+        SettingsStore store = new SettingsStore(Optional.of(folder));
+        try (WindowDriver driver = WindowDriver.open(store)) {
+            assertThat(driver.find("#hint-line", Node.class).isVisible()).isTrue();
+        }
+        assertThat(store.read().settings().hintSeen()).isFalse();
+        try (WindowDriver driver = WindowDriver.open(store)) {
+            driver.type(KeyCode.SHIFT);
+            assertThat(driver.find("#hint-line", Node.class).isVisible()).isTrue();
+            driver.type(KeyCode.D);
+            assertThat(driver.find("#hint-line", Node.class).isVisible()).isFalse();
+        }
+        assertThat(store.read().settings().hintSeen()).isTrue();
+        try (WindowDriver driver = WindowDriver.open(store)) {
+            assertThat(driver.find("#hint-line", Node.class)).isNull();
+        }
+    }
+
+    @Test
+    void theHintIsClosedByItsCrossAndByADrag() {
+        for (String used : List.of("#close-hint", ".picture")) {
+            try (WindowDriver driver = WindowDriver.open(new SettingsStore(Optional.empty()))) {
+                driver.click(driver.find(used, Node.class));
+                assertThat(driver.find("#hint-line", Node.class).isVisible())
+                        .as(used)
+                        .isFalse();
+                assertThat(driver.window.workbench().settings().hintSeen()).isTrue();
+            }
         }
     }
 
@@ -80,15 +102,12 @@ class SettingsTest {
         SettingsStore store = new SettingsStore(Optional.of(folder));
         try (WindowDriver later = WindowDriver.open(store)) {
             try (WindowDriver sooner = WindowDriver.open(store)) {
-                sooner.run(() -> {
-                    sooner.studio.hand().keepView(5);
-                    sooner.window.workbench().files().remember(Path.of("another.json"));
-                });
+                sooner.run(() -> sooner.window.workbench().files().remember(Path.of("another.json")));
             }
-            later.run(() -> later.studio.hand().keepView(6));
+            later.typeWith(KeyCode.E, KeyCode.CONTROL);
         }
         WindowSettings kept = store.read().settings();
-        assertThat(kept.views()).containsOnlyKeys(5, 6);
+        assertThat(kept.qUp()).isTrue();
         assertThat(kept.recentScenes()).hasSize(2);
     }
 

@@ -8,6 +8,7 @@ import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.RefinementGoal;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
+import dev.twister.scene.CameraView;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
@@ -82,14 +83,58 @@ class StudioTest {
 
     @Test
     void cameraThatMovesKeepsItsLens() {
-        studio.hand().keepView(1);
         studio.edit("lens", now -> now.withCamera(now.camera().withAperture(0.1).withFocusDistance(3)));
+        studio.moveCamera(camera -> camera.withYaw(90));
         studio.hand().goHome();
-        studio.hand().recallView(1);
         assertThat(studio.scene().camera())
                 .isEqualTo(scene.camera().withAperture(0.1).withFocusDistance(3));
         studio.undo();
         assertThat(studio.scene().camera()).isEqualTo(scene.camera());
+    }
+
+    @Test
+    void aViewHasALensOfItsOwn() {
+        studio.edit("lens", now -> now.withCamera(now.camera().withAperture(0.1)));
+        studio.hand().keepView(1);
+        studio.edit("lens", now -> now.withCamera(now.camera().withAperture(0.2)));
+        studio.moveCamera(camera -> camera.withYaw(90));
+
+        studio.hand().recallView(1);
+
+        assertThat(studio.scene().camera()).isEqualTo(scene.camera().withAperture(0.1));
+        assertThat(studio.editsProperty().get().undoable()).contains("lens");
+    }
+
+    @Test
+    void viewsAreEditsOfTheSceneAndDrawNothing() {
+        studio.setViewSize(SIDE, SIDE);
+        long requests = studio.lastRequest();
+        for (int digit = 1; digit <= 9; digit++) {
+            studio.hand().keepView(digit);
+        }
+        studio.hand().keepView(0);
+        studio.hand().keepView(0);
+
+        assertThat(studio.scene().views()).hasSize(10);
+        assertThat(studio.scene().views().get(9)).isEqualTo(new CameraView("View 10", scene.camera()));
+        assertThat(studio.lastRequest()).isEqualTo(requests);
+        assertThat(studio.editsProperty().get().changed()).isTrue();
+        assertThat(studio.editsProperty().get().undoable()).contains("add view");
+        studio.undo();
+        assertThat(studio.scene().views()).hasSize(9);
+        assertThat(studio.toSave().scene().views()).hasSize(9);
+    }
+
+    @Test
+    void aNumberKeyReplacesItsViewOrAddsOneBehindTheLast() {
+        studio.hand().keepView(5);
+        assertThat(studio.noticeProperty().get()).isEqualTo("View kept under 1: View 1");
+        studio.moveCamera(camera -> camera.withYaw(90));
+        studio.hand().keepView(1);
+
+        assertThat(studio.scene().views())
+                .containsExactly(new CameraView("View 1", scene.camera().withYaw(90)));
+        assertThat(studio.editsProperty().get().undoable()).contains("update view");
     }
 
     @Test

@@ -56,7 +56,7 @@ final class WindowDriver implements AutoCloseable {
         for (String heading : settings.folded()) {
             settings = settings.withFolded(heading, false);
         }
-        return settings;
+        return settings.withHintSeen();
     }
 
     private static final AutosaveFolder NO_AUTOSAVES = new AutosaveFolder(Optional.empty());

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Random;
 import java.util.SequencedMap;
 import java.util.stream.IntStream;
@@ -92,6 +93,7 @@ class SceneFilePropertyTest {
         return Values.of(format(version, materials).scene())
                 .map(scene -> scene.withMaterials(materials))
                 .map(scene -> scene.withCamera(risingTimes(scene.camera())))
+                .map(scene -> scene.withViews(withOwnNames(scene.views())))
                 .map(scene -> scene.pour()
                         .map(pour ->
                                 scene.withPour(fitting(pour, scene.spheres().size())))
@@ -130,6 +132,12 @@ class SceneFilePropertyTest {
         return camera.withKeyframes(IntStream.range(0, camera.keyframes().size())
                 .mapToObj(index -> camera.keyframes().get(index).withSeconds(index))
                 .toList());
+    }
+
+    private static List<CameraView> withOwnNames(List<CameraView> views) {
+        return IntStream.range(0, views.size())
+                .mapToObj(index -> views.get(index).withName("View " + index))
+                .toList();
     }
 
     // Constraints between the fields of a pour.

@@ -1,13 +1,7 @@
 package dev.twister.gui.model;
 
 import dev.twister.engine.auto.FastestEngine;
-import dev.twister.scene.Camera;
-import dev.twister.scene.SceneLimits;
-import dev.twister.scene.Vector3;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.TreeMap;
 import java.util.stream.Stream;
 
 /**
@@ -20,9 +14,9 @@ import java.util.stream.Stream;
  * @param frameTimesShown whether frames a second are shown over the picture
  * @param engine an engine's id
  * @param recentScenes scene files as absolute paths, the newest first, at most {@value #MAX_RECENT}
- * @param views the cameras kept under the keys 0 to 9
  * @param qUp whether Q leads up and E down, instead of the other way round
  * @param folded headings of the panel whose sections are folded
+ * @param hintSeen whether the hint of the first start has been seen
  */
 public record WindowSettings(
         int width,
@@ -32,13 +26,12 @@ public record WindowSettings(
         boolean frameTimesShown,
         String engine,
         List<String> recentScenes,
-        Map<Integer, Camera> views,
         boolean qUp,
-        List<String> folded) {
+        List<String> folded,
+        boolean hintSeen) {
     public static final int MIN_SIDE = 200;
     public static final int MAX_SIDE = 16384;
     public static final int MAX_RECENT = 10;
-    private static final int MAX_KEY = 9;
     private static final int MAX_SECTIONS = 100;
     private static final int MAX_TEXT_LENGTH = 4096;
 
@@ -50,9 +43,9 @@ public record WindowSettings(
             true,
             FastestEngine.AUTO,
             List.of(),
-            Map.of(),
             false,
-            List.of("Camera", "Light", "Sky", "Plane", "Physics", "Compare"));
+            List.of("Camera", "Views", "Light", "Sky", "Plane", "Physics", "Compare"),
+            false);
 
     /**
      * Checks what may come from a file.
@@ -69,19 +62,12 @@ public record WindowSettings(
                         && recentScenes.stream().allMatch(file -> file != null && file.length() <= MAX_TEXT_LENGTH),
                 "recentScenes");
         require(
-                views != null
-                        && views.entrySet().stream()
-                                .allMatch(view ->
-                                        view.getKey() >= 0 && view.getKey() <= MAX_KEY && isUsable(view.getValue())),
-                "views");
-        require(
                 folded != null
                         && folded.size() <= MAX_SECTIONS
                         && folded.stream().allMatch(name -> name != null && name.length() <= MAX_TEXT_LENGTH),
                 "folded");
         recentScenes = List.copyOf(recentScenes);
         folded = List.copyOf(folded);
-        views = Map.copyOf(views);
     }
 
     public WindowSettings withWindow(int newWidth, int newHeight, boolean newMaximized) {
@@ -93,24 +79,24 @@ public record WindowSettings(
                 frameTimesShown,
                 engine,
                 recentScenes,
-                views,
                 qUp,
-                folded);
+                folded,
+                hintSeen);
     }
 
     public WindowSettings withPanelShown(boolean shown) {
         return new WindowSettings(
-                width, height, maximized, shown, frameTimesShown, engine, recentScenes, views, qUp, folded);
+                width, height, maximized, shown, frameTimesShown, engine, recentScenes, qUp, folded, hintSeen);
     }
 
     public WindowSettings withFrameTimesShown(boolean shown) {
         return new WindowSettings(
-                width, height, maximized, panelShown, shown, engine, recentScenes, views, qUp, folded);
+                width, height, maximized, panelShown, shown, engine, recentScenes, qUp, folded, hintSeen);
     }
 
     public WindowSettings withEngine(String id) {
         return new WindowSettings(
-                width, height, maximized, panelShown, frameTimesShown, id, recentScenes, views, qUp, folded);
+                width, height, maximized, panelShown, frameTimesShown, id, recentScenes, qUp, folded, hintSeen);
     }
 
     /** The file comes first; where there are too many, the oldest is forgotten. */
@@ -120,7 +106,7 @@ public record WindowSettings(
                 .limit(MAX_RECENT)
                 .toList();
         return new WindowSettings(
-                width, height, maximized, panelShown, frameTimesShown, engine, newest, views, qUp, folded);
+                width, height, maximized, panelShown, frameTimesShown, engine, newest, qUp, folded, hintSeen);
     }
 
     /** Without a file that is no longer there. */
@@ -128,20 +114,12 @@ public record WindowSettings(
         List<String> rest =
                 recentScenes.stream().filter(recent -> !recent.equals(file)).toList();
         return new WindowSettings(
-                width, height, maximized, panelShown, frameTimesShown, engine, rest, views, qUp, folded);
-    }
-
-    /** Keeps a camera under a key from 0 to 9. */
-    public WindowSettings withView(int key, Camera camera) {
-        Map<Integer, Camera> kept = new LinkedHashMap<>(new TreeMap<>(views));
-        kept.put(key, camera);
-        return new WindowSettings(
-                width, height, maximized, panelShown, frameTimesShown, engine, recentScenes, kept, qUp, folded);
+                width, height, maximized, panelShown, frameTimesShown, engine, rest, qUp, folded, hintSeen);
     }
 
     public WindowSettings withQUp(boolean up) {
         return new WindowSettings(
-                width, height, maximized, panelShown, frameTimesShown, engine, recentScenes, views, up, folded);
+                width, height, maximized, panelShown, frameTimesShown, engine, recentScenes, up, folded, hintSeen);
     }
 
     /** With a section of the panel folded or not. */
@@ -151,22 +129,12 @@ public record WindowSettings(
         List<String> now =
                 isFolded ? Stream.concat(others.stream(), Stream.of(heading)).toList() : others;
         return new WindowSettings(
-                width, height, maximized, panelShown, frameTimesShown, engine, recentScenes, views, qUp, now);
+                width, height, maximized, panelShown, frameTimesShown, engine, recentScenes, qUp, now, hintSeen);
     }
 
-    private static boolean isUsable(Camera camera) {
-        return camera != null
-                && isUsable(camera.position())
-                && SceneLimits.YAW.contains(camera.yawDegrees())
-                && SceneLimits.PITCH.contains(camera.pitchDegrees())
-                && SceneLimits.FIELD_OF_VIEW.contains(camera.fieldOfViewDegrees());
-    }
-
-    private static boolean isUsable(Vector3 place) {
-        return place != null
-                && SceneLimits.POSITION.contains(place.x())
-                && SceneLimits.POSITION.contains(place.y())
-                && SceneLimits.POSITION.contains(place.z());
+    public WindowSettings withHintSeen() {
+        return new WindowSettings(
+                width, height, maximized, panelShown, frameTimesShown, engine, recentScenes, qUp, folded, true);
     }
 
     private static void require(boolean holds, String field) {

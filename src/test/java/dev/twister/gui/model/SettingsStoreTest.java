@@ -3,13 +3,10 @@ package dev.twister.gui.model;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
-import dev.twister.scene.Camera;
-import dev.twister.scene.Vector3;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
-import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -36,7 +33,7 @@ class SettingsStoreTest {
                 .withEngine("vector")
                 .withRecentScene("/a/b \u00e9.json")
                 .withRecentScene("/c.json")
-                .withView(3, Camera.of(new Vector3(1.5, -2, 3e3), 400, -30, 55));
+                .withHintSeen();
         store().write(settings);
         assertThat(store().read()).isEqualTo(new SettingsStore.Found(settings, Optional.empty()));
     }
@@ -73,11 +70,7 @@ class SettingsStoreTest {
                 "{\"recentScenes\": null}",
                 "{\"recentScenes\": [null]}",
                 "{\"recentScenes\": \"x\"}",
-                "{\"views\": {\"77\": null}}",
-                "{\"views\": {\"a\": {}}}",
-                "{\"views\": {\"1\": null}}",
-                "{\"views\": {\"1\": {\"position\": null, \"fieldOfViewDegrees\": 50}}}",
-                "{\"views\": {\"1\": {\"position\": {\"x\": \"NaN\", \"y\": 0, \"z\": 0}, \"fieldOfViewDegrees\": 50}}}",
+                "{\"folded\": [null]}",
                 "\u0000\u0001\u0002"
             })
     void aDamagedFileIsSetAside(String text) throws IOException {
@@ -125,17 +118,5 @@ class SettingsStoreTest {
         WindowSettings settings = WindowSettings.DEFAULT.withWindow(0, 100_000, false);
         assertThat(settings.width()).isEqualTo(WindowSettings.MIN_SIDE);
         assertThat(settings.height()).isEqualTo(WindowSettings.MAX_SIDE);
-    }
-
-    @Test
-    void everyNumberKeyKeepsAView() {
-        WindowSettings settings = IntStream.rangeClosed(0, 9)
-                .boxed()
-                .reduce(
-                        WindowSettings.DEFAULT,
-                        (kept, key) -> kept.withView(key, Camera.of(new Vector3(key, 0, 0), 0, 0, 50)),
-                        (one, other) -> other);
-        assertThat(settings.views()).hasSize(10);
-        assertThat(settings.views().get(7).position().x()).isEqualTo(7);
     }
 }
