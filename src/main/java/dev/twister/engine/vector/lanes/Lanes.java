@@ -28,8 +28,8 @@ public final class Lanes {
 
     /**
      * Start of the vectors in the most used arrays. An array's header has 16 bytes, so this many floats or ints later a
-     * cache line begins, provided that the JVM aligns objects to cache lines (see {@code scripts/engine.options}). Loads
-     * and stores across two lines take 25 to 50 % longer. In other JVMs the value has no effect.
+     * cache line begins, provided that the JVM aligns objects to cache lines (see {@code scripts/engine.options}).
+     * Loads and stores across two lines take 25 to 50 % longer. In other JVMs the value has no effect.
      */
     public static final int BORDER = 12;
 
