@@ -32,7 +32,7 @@ final class MenuView extends MenuBar {
             Command.SCREENSHOT,
             Command.QUIT,
             Command.INSERT,
-            Command.NEXT,
+            Command.SELECT_ALL,
             Command.RESET,
             Command.INSPECT,
             Command.FRAME,
@@ -74,9 +74,11 @@ final class MenuView extends MenuBar {
         getMenus().getFirst().getItems().add(1, recent);
         settings.settingsProperty().subscribe(kept -> showRecent(kept.recentScenes(), files));
         studio.editsProperty().subscribe(this::showEdits);
-        studio.selectionProperty()
-                .subscribe(body ->
-                        items.get(Command.DELETE).setDisable(!BodyEdits.isSolid(studio.scene(), body.intValue())));
+        studio.selection()
+                .bodiesProperty()
+                .subscribe(selected -> items.get(Command.DELETE)
+                        .setDisable(
+                                selected.bodies().stream().noneMatch(body -> BodyEdits.isSolid(studio.scene(), body))));
     }
 
     /** Says why a command does nothing whose key is pressed in the picture. */
@@ -91,11 +93,11 @@ final class MenuView extends MenuBar {
     }
 
     private static String whyNot(Command command, Studio studio) {
-        int selected = studio.selectionProperty().get();
+        int selected = studio.selection().active();
         return switch (command) {
             case DELETE ->
                 selected == BodyNumber.LIGHT
-                        ? "The light can't be deleted"
+                        ? BodyActions.UNDELETED_LIGHT
                         : BodyEdits.isPoured(studio.scene(), selected)
                                 ? "A poured sphere can't be deleted"
                                 : "Nothing is selected";

@@ -14,7 +14,7 @@ import javafx.scene.layout.Region;
 import javafx.util.Duration;
 
 /** A line of the panel: a name, controls, and a button that resets them. */
-abstract sealed class PanelRow extends HBox permits NumberRow, ColorRow, ChoiceRow, SwitchRow {
+abstract sealed class PanelRow extends HBox permits NumberRow, ColorRow, ChoiceRow, SwitchRow, BodiesRow {
     private static final Duration TOOLTIP_DELAY = Duration.millis(400);
     private static final Duration TOOLTIP_TIME = Duration.seconds(30);
 

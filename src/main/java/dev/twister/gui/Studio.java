@@ -32,13 +32,12 @@ import dev.twister.world.Picture;
 import dev.twister.world.SceneMeshes;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import javafx.beans.property.BooleanProperty;
-import javafx.beans.property.ReadOnlyIntegerProperty;
-import javafx.beans.property.ReadOnlyIntegerWrapper;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.ReadOnlyStringProperty;
@@ -64,7 +63,7 @@ public final class Studio implements AutoCloseable {
     private final ReadOnlyObjectWrapper<EditState> edits = new ReadOnlyObjectWrapper<>(EditState.UNTOUCHED);
     private final ReadOnlyObjectWrapper<ResolutionMode> resolution = new ReadOnlyObjectWrapper<>(ResolutionMode.WINDOW);
     private final ReadOnlyObjectWrapper<Picture> shown = new ReadOnlyObjectWrapper<>(Picture.REFLECTIONS);
-    private final ReadOnlyIntegerWrapper selection = new ReadOnlyIntegerWrapper(BodyNumber.NONE);
+    private final Selection selection = new Selection(this);
     private final ReadOnlyObjectWrapper<Optional<DrawnPicture>> picture = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ReadOnlyObjectWrapper<DrawingStatus> drawing = new ReadOnlyObjectWrapper<>(DrawingStatus.QUIET);
     private final BooleanProperty refining = new SimpleBooleanProperty(true);
@@ -245,11 +244,11 @@ public final class Studio implements AutoCloseable {
         show();
     }
 
-    /** Adds a sphere or a mesh to the scene, which is an edit of its own, and selects it. */
-    void insert(String what, Solid body) {
-        edit(what, body::insertedInto);
+    /** Adds spheres and meshes to the scene, which is an edit of its own, and selects them. */
+    void insert(String what, List<Solid> bodies) {
+        edit(what, standing -> Solid.inserted(standing, bodies));
         endGesture();
-        select(body.last(scene.get()));
+        selection.select(Solid.numbers(scene.get(), bodies));
     }
 
     /** Whether and how bodies move. */
@@ -290,8 +289,8 @@ public final class Studio implements AutoCloseable {
     }
 
     private void setMotion(Motion next) {
-        if (next.start() != motion.get().start() && BodyEdits.isPoured(scene.get(), selection.get())) {
-            select(BodyNumber.NONE);
+        if (next.start() != motion.get().start() && BodyEdits.isPoured(scene.get(), selection.active())) {
+            selection.select(BodyNumber.NONE);
         }
         motion.set(next);
         request();
@@ -302,6 +301,13 @@ public final class Studio implements AutoCloseable {
         return BodyEdits.isSphere(scene.get(), body)
                 ? MovedScene.of(scene.get(), motion.get(), picture.get()).position(BodyNumber.sphere(body))
                 : BodyEdits.position(scene.get(), body);
+    }
+
+    /** The scene with its spheres where the picture that is shown has them. */
+    Scene sceneNow() {
+        return motion.get().isOn()
+                ? MovedScene.of(scene.get(), motion.get(), picture.get()).asSeen()
+                : scene.get();
     }
 
     /** The room that a movable body takes in the picture that is shown. */
@@ -342,20 +348,9 @@ public final class Studio implements AutoCloseable {
         show();
     }
 
-    /** The body that a person works on, numbered as the kernel has it; {@link BodyNumber#NONE} where there is none. */
-    public ReadOnlyIntegerProperty selectionProperty() {
-        return selection.getReadOnlyProperty();
-    }
-
-    /** Selects the light, the plane, a sphere, a mesh, or a sphere that is poured; any other number selects nothing. */
-    public void select(int body) {
-        Scene now = scene.get();
-        int selected = BodyEdits.isEditable(now, body) || BodyEdits.isPoured(now, body) ? body : BodyNumber.NONE;
-        if (selected != selection.get()) {
-            // The next edit may have the same name, but is of another body.
-            endGesture();
-            selection.set(selected);
-        }
+    /** The bodies that a person works on. */
+    Selection selection() {
+        return selection;
     }
 
     /** How large the picture is drawn. */
@@ -433,7 +428,7 @@ public final class Studio implements AutoCloseable {
         document = new SceneHistory(opened.scene());
         original.set(opened.scene());
         file.set(opened.file());
-        selection.set(BodyNumber.NONE);
+        selection.select(BodyNumber.NONE);
         motion.set(Motion.NONE);
         show();
         film.startAnew();
@@ -614,9 +609,8 @@ public final class Studio implements AutoCloseable {
                     || before.meshes().size() != now.meshes().size()) {
                 numbered = requests + 1;
             }
-            boolean renumbered = BodyEdits.isRenumbered(before, now, selection.get());
             scene.set(now);
-            select(renumbered ? BodyNumber.NONE : selection.get());
+            selection.follow(before, now);
             request();
         }
     }

@@ -62,7 +62,7 @@ class PanelTest {
     void startAnew() {
         driver.type(Command.RESET.keys());
         driver.clearNotice();
-        driver.run(() -> driver.studio.select(SPHERE));
+        driver.run(() -> driver.studio.selection().select(SPHERE));
         assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
     }
 
@@ -172,7 +172,7 @@ class PanelTest {
         double height = WindowDriver.call(driver.stage::getHeight);
         driver.run(() -> {
             driver.stage.setHeight(height / 2);
-            driver.studio.select(Layout.NOTHING);
+            driver.studio.selection().select(Layout.NOTHING);
             panel.setVvalue(0);
         });
         driver.await(() -> panel.getHeight() < height / 2);
@@ -180,13 +180,13 @@ class PanelTest {
         assertThat(isSeen(panel, driver.find("#reset-everything", Button.class)))
                 .isFalse();
 
-        driver.run(() -> driver.studio.select(SPHERE));
+        driver.run(() -> driver.studio.selection().select(SPHERE));
         driver.pulse();
         assertThat(isSeen(panel, row("Sphere radius"))).isTrue();
 
         driver.run(() -> {
             panel.setVvalue(1);
-            driver.studio.select(Layout.LIGHT);
+            driver.studio.selection().select(Layout.LIGHT);
         });
         driver.pulse();
         assertThat(isSeen(panel, row("Light x"))).isTrue();
@@ -448,7 +448,7 @@ class PanelTest {
     private static double openListHeight() {
         return WindowDriver.call(() -> Window.getWindows().stream()
                 .filter(Window::isShowing)
-                .flatMap(window -> window.getScene().getRoot().lookupAll(".list-view").stream())
+                .flatMap(window -> window.getScene().getRoot().lookupAll(".combo-box-popup .list-view").stream())
                 .mapToDouble(view -> view.getLayoutBounds().getHeight())
                 .max()
                 .orElseThrow());
@@ -576,8 +576,7 @@ class PanelTest {
             driver.pulse();
             assertThat(control.isShowing()).as(label).isFalse();
             assertThat(control.isFocused()).as(label).isTrue();
-            assertThat(WindowDriver.call(driver.studio.selectionProperty()::get))
-                    .isEqualTo(SPHERE);
+            assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(SPHERE);
         }
     }
 
@@ -650,10 +649,10 @@ class PanelTest {
     @Test
     void keysThatDoNothingSayWhy() {
         driver.type(KeyCode.ESCAPE);
-        driver.run(() -> driver.studio.select(Layout.LIGHT));
+        driver.run(() -> driver.studio.selection().select(Layout.LIGHT));
         driver.type(KeyCode.DELETE);
         assertThat(driver.notice()).isEqualTo("The light can't be deleted");
-        driver.run(() -> driver.studio.select(Layout.NOTHING));
+        driver.run(() -> driver.studio.selection().select(Layout.NOTHING));
         driver.type(KeyCode.DELETE);
         assertThat(driver.notice()).isEqualTo("Nothing is selected");
         driver.run(() -> driver.studio.show(new OpenedScene(Path.of("test.json"), driver.studio.original())));
@@ -683,7 +682,7 @@ class PanelTest {
 
     @Test
     void theLightThePlaneAndEverySphereAreSelectedByKeys() {
-        driver.run(() -> driver.studio.select(Layout.NOTHING));
+        driver.run(() -> driver.studio.selection().select(Layout.NOTHING));
         int spheres = scene().spheres().size();
         List<Integer> round = new ArrayList<>(List.of(Layout.LIGHT, Layout.PLANE));
         for (int sphere = 0; sphere < spheres; sphere++) {
@@ -693,15 +692,13 @@ class PanelTest {
 
         for (int body : round) {
             driver.type(Command.NEXT.keys());
-            assertThat(WindowDriver.call(driver.studio.selectionProperty()::get))
-                    .isEqualTo(body);
+            assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(body);
         }
         for (int body : round.subList(0, round.size() - 1).reversed()) {
             driver.type(Command.PREVIOUS.keys());
-            assertThat(WindowDriver.call(driver.studio.selectionProperty()::get))
-                    .isEqualTo(body);
+            assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(body);
         }
         driver.type(Command.PREVIOUS.keys());
-        assertThat(WindowDriver.call(driver.studio.selectionProperty()::get)).isEqualTo(Layout.NOTHING);
+        assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(Layout.NOTHING);
     }
 }
