@@ -16,6 +16,7 @@ import javafx.scene.control.ListCell;
 import javafx.scene.control.ListView;
 import javafx.scene.control.MultipleSelectionModel;
 import javafx.scene.control.SelectionMode;
+import javafx.scene.input.KeyEvent;
 
 /** The list of bodies, of which several can be selected. */
 final class BodiesRow extends PanelRow {
@@ -42,6 +43,9 @@ final class BodiesRow extends PanelRow {
         list.getSelectionModel().setSelectionMode(SelectionMode.MULTIPLE);
         list.setCellFactory(_ -> new NameCell());
         list.getSelectionModel().getSelectedIndices().addListener((ListChangeListener<Integer>) _ -> takeSoon());
+        list.addEventFilter(
+                KeyEvent.KEY_PRESSED,
+                event -> leaveToTheWindow(event, Command.DESELECT, Command.RESET, Command.SELECT_ALL));
         addControls(list);
     }
 

@@ -44,6 +44,7 @@ enum Command {
     FRAME(Group.VIEW, "Frame selected", "PERIOD", "Moves the camera so that the selected bodies fill the picture."),
     FRAME_ALSO(Group.VIEW, "Frame selected", "DECIMAL", "Same as the period key."),
     Q_UP(Group.VIEW, "Q up, E down", "Shortcut+E", "Swaps the keys for up and down."),
+    AXIS_HANDLES(Group.VIEW, "Axis handles", "Shift+F3", "Shows or hides the arrows that move bodies along an axis."),
     PANEL(Group.VIEW, "Panel", "F9", "Shows or hides the panel; so does Tab, in the picture."),
     FRAME_TIMES(Group.VIEW, "Frame times", "F3", "Shows or hides frames per second and their graph."),
     FULL_SCREEN(Group.VIEW, "Full screen", "F11", "Toggles full screen."),

@@ -49,6 +49,7 @@ final class MenuView extends MenuBar {
             Command.EXPLAIN,
             Command.COMPARE,
             Command.Q_UP,
+            Command.AXIS_HANDLES,
             Command.PANEL,
             Command.FRAME_TIMES,
             Command.FULL_SCREEN,

@@ -115,6 +115,8 @@ final class Workbench implements AutoCloseable {
         bodyMouse = BodyMouse.install(picture, studio, paths, handles, stage.focusedProperty());
         bodyMouse.axisProperty().subscribe(outline::showAxis);
         bodyMouse.axisProperty().subscribe(handles::point);
+        handles.onProperty().bind(settings.settingsProperty().map(WindowSettings::axisHandles));
+        menu.check(Command.AXIS_HANDLES, handles.onProperty());
         PanelKeys.install(root.getScene(), panel, picture, this::showPanel);
         DropTarget.install(root.getScene(), files);
         errands.run(
@@ -235,6 +237,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.FRAME, bodies::frameSelected)
                 .on(Command.FRAME_ALSO, bodies::frameSelected)
                 .on(Command.Q_UP, () -> settings.change(kept -> kept.withQUp(!kept.qUp())))
+                .on(Command.AXIS_HANDLES, () -> settings.change(kept -> kept.withAxisHandles(!kept.axisHandles())))
                 .on(Command.PAUSE, studio::togglePause)
                 .on(Command.STEP, studio::stepOnce)
                 .on(Command.RANDOMIZE, this::randomize)

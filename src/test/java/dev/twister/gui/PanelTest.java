@@ -20,6 +20,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import javafx.geometry.Bounds;
+import javafx.scene.Group;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.ColorPicker;
@@ -27,6 +28,7 @@ import javafx.scene.control.ComboBox;
 import javafx.scene.control.ComboBoxBase;
 import javafx.scene.control.Hyperlink;
 import javafx.scene.control.Label;
+import javafx.scene.control.ListView;
 import javafx.scene.control.MenuBar;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.TextField;
@@ -700,5 +702,73 @@ class PanelTest {
         }
         driver.type(Command.PREVIOUS.keys());
         assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(Layout.NOTHING);
+    }
+
+    @Test
+    void severalBodiesAreSelectedInTheList() {
+        driver.type(row("Bodies").keys());
+        driver.type(KeyCode.HOME);
+        assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(Layout.LIGHT);
+        driver.type(KeyCode.DOWN);
+        assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(Layout.PLANE);
+        driver.type(KeyCode.DOWN);
+        driver.typeWith(KeyCode.DOWN, KeyCode.SHIFT);
+        assertThat(WindowDriver.call(() -> driver.studio.selection().bodies().bodies()))
+                .containsExactly(Layout.FIRST_SPHERE, Layout.FIRST_SPHERE + 1);
+        assertThat(driver.text("selection-hint"))
+                .startsWith("2 bodies are selected.")
+                .endsWith("of Sphere 2.");
+        driver.type(KeyCode.ESCAPE);
+        assertThat(WindowDriver.call(() -> row("Bodies").firstControl().isFocused()))
+                .isFalse();
+    }
+
+    @Test
+    void theListMarksWhatIsSelectedElsewhere() {
+        driver.run(() -> driver.studio.selection().select(List.of(Layout.LIGHT, SPHERE)));
+        ListView<?> list = (ListView<?>) row("Bodies").firstControl();
+        assertThat(WindowDriver.call(() -> List.copyOf(list.getSelectionModel().getSelectedIndices())))
+                .containsExactly(Layout.LIGHT, SPHERE);
+        driver.run(() -> driver.studio.selection().select(Layout.NOTHING));
+        assertThat(WindowDriver.call(() -> List.copyOf(list.getSelectionModel().getSelectedIndices())))
+                .isEmpty();
+    }
+
+    @Test
+    void aNumberOfTheMaterialIsGivenToAllSelectedBodies() {
+        driver.run(() -> driver.studio.selection().select(List.of(SPHERE, SPHERE + 1)));
+        driver.type(row("Roughness").keys());
+        driver.type(KeyCode.END);
+        assertThat(scene().spheres())
+                .extracting(sphere -> sphere.material().roughness())
+                .containsExactly(0.0, 1.0, 1.0);
+        driver.type(KeyCode.ESCAPE);
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+    }
+
+    @Test
+    void aTypedNumberOfTheMaterialIsOfThoseThatWereSelectedThen() {
+        driver.run(() -> driver.studio.selection().select(List.of(SPHERE + 1, SPHERE)));
+        TextField field = in(row("Roughness"), ".text-field", TextField.class);
+        driver.run(field::requestFocus);
+        driver.run(() -> field.setText("0.5"));
+        driver.run(() -> driver.studio.selection().select(Layout.FIRST_SPHERE));
+        driver.pulse();
+        assertThat(scene().spheres())
+                .extracting(sphere -> sphere.material().roughness())
+                .containsExactly(0.0, 0.5, 0.5);
+    }
+
+    @Test
+    void theHandlesAreSwitchedOffAndThatIsKept() {
+        driver.type(Command.AXIS_HANDLES.keys());
+        assertThat(WindowDriver.call(() -> driver.find("#handle-x", Group.class).isVisible()))
+                .isFalse();
+        assertThat(WindowDriver.call(() -> driver.window.workbench().settings().axisHandles()))
+                .isFalse();
+        driver.type(Command.AXIS_HANDLES.keys());
+        assertThat(WindowDriver.call(() -> driver.find("#handle-x", Group.class).isVisible()))
+                .isTrue();
     }
 }

@@ -22,6 +22,7 @@ import java.util.stream.Stream;
  * @param recentScenes scene files as absolute paths, the newest first, at most {@value #MAX_RECENT}
  * @param views the cameras kept under the keys 0 to 9
  * @param qUp whether Q leads up and E down, instead of the other way round
+ * @param axisHandles whether bodies have arrows by which they are moved along an axis
  * @param folded headings of the panel whose sections are folded
  */
 public record WindowSettings(
@@ -34,6 +35,7 @@ public record WindowSettings(
         List<String> recentScenes,
         Map<Integer, Camera> views,
         boolean qUp,
+        boolean axisHandles,
         List<String> folded) {
     public static final int MIN_SIDE = 200;
     public static final int MAX_SIDE = 16384;
@@ -52,6 +54,7 @@ public record WindowSettings(
             List.of(),
             Map.of(),
             false,
+            true,
             List.of("Camera", "Light", "Sky", "Plane", "Physics", "Compare"));
 
     /**
@@ -95,22 +98,43 @@ public record WindowSettings(
                 recentScenes,
                 views,
                 qUp,
+                axisHandles,
                 folded);
     }
 
     public WindowSettings withPanelShown(boolean shown) {
         return new WindowSettings(
-                width, height, maximized, shown, frameTimesShown, engine, recentScenes, views, qUp, folded);
+                width,
+                height,
+                maximized,
+                shown,
+                frameTimesShown,
+                engine,
+                recentScenes,
+                views,
+                qUp,
+                axisHandles,
+                folded);
     }
 
     public WindowSettings withFrameTimesShown(boolean shown) {
         return new WindowSettings(
-                width, height, maximized, panelShown, shown, engine, recentScenes, views, qUp, folded);
+                width, height, maximized, panelShown, shown, engine, recentScenes, views, qUp, axisHandles, folded);
     }
 
     public WindowSettings withEngine(String id) {
         return new WindowSettings(
-                width, height, maximized, panelShown, frameTimesShown, id, recentScenes, views, qUp, folded);
+                width,
+                height,
+                maximized,
+                panelShown,
+                frameTimesShown,
+                id,
+                recentScenes,
+                views,
+                qUp,
+                axisHandles,
+                folded);
     }
 
     /** The file comes first; where there are too many, the oldest is forgotten. */
@@ -120,7 +144,7 @@ public record WindowSettings(
                 .limit(MAX_RECENT)
                 .toList();
         return new WindowSettings(
-                width, height, maximized, panelShown, frameTimesShown, engine, newest, views, qUp, folded);
+                width, height, maximized, panelShown, frameTimesShown, engine, newest, views, qUp, axisHandles, folded);
     }
 
     /** Without a file that is no longer there. */
@@ -128,7 +152,7 @@ public record WindowSettings(
         List<String> rest =
                 recentScenes.stream().filter(recent -> !recent.equals(file)).toList();
         return new WindowSettings(
-                width, height, maximized, panelShown, frameTimesShown, engine, rest, views, qUp, folded);
+                width, height, maximized, panelShown, frameTimesShown, engine, rest, views, qUp, axisHandles, folded);
     }
 
     /** Keeps a camera under a key from 0 to 9. */
@@ -136,12 +160,37 @@ public record WindowSettings(
         Map<Integer, Camera> kept = new LinkedHashMap<>(new TreeMap<>(views));
         kept.put(key, camera);
         return new WindowSettings(
-                width, height, maximized, panelShown, frameTimesShown, engine, recentScenes, kept, qUp, folded);
+                width,
+                height,
+                maximized,
+                panelShown,
+                frameTimesShown,
+                engine,
+                recentScenes,
+                kept,
+                qUp,
+                axisHandles,
+                folded);
     }
 
     public WindowSettings withQUp(boolean up) {
         return new WindowSettings(
-                width, height, maximized, panelShown, frameTimesShown, engine, recentScenes, views, up, folded);
+                width,
+                height,
+                maximized,
+                panelShown,
+                frameTimesShown,
+                engine,
+                recentScenes,
+                views,
+                up,
+                axisHandles,
+                folded);
+    }
+
+    public WindowSettings withAxisHandles(boolean shown) {
+        return new WindowSettings(
+                width, height, maximized, panelShown, frameTimesShown, engine, recentScenes, views, qUp, shown, folded);
     }
 
     /** With a section of the panel folded or not. */
@@ -151,7 +200,17 @@ public record WindowSettings(
         List<String> now =
                 isFolded ? Stream.concat(others.stream(), Stream.of(heading)).toList() : others;
         return new WindowSettings(
-                width, height, maximized, panelShown, frameTimesShown, engine, recentScenes, views, qUp, now);
+                width,
+                height,
+                maximized,
+                panelShown,
+                frameTimesShown,
+                engine,
+                recentScenes,
+                views,
+                qUp,
+                axisHandles,
+                now);
     }
 
     private static boolean isUsable(Camera camera) {
