@@ -1,100 +1,114 @@
 package dev.twister.gui;
 
 import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyExtent;
+import dev.twister.gui.model.BodyGroup;
+import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.NewSphere;
 import dev.twister.gui.model.Orbit;
+import dev.twister.gui.model.SelectedBodies;
 import dev.twister.gui.model.Solid;
+import dev.twister.scene.Scene;
+import java.util.List;
 import java.util.Optional;
 
 /** What the menu does with bodies. */
 final class BodyActions {
+    static final String UNDELETED_LIGHT = "The light can't be deleted";
+    private static final String UNCOPIED_LIGHT = "The other bodies are copied; the light can't be";
     private final Studio studio;
-    private Optional<Copied> copied = Optional.empty();
-
-    /**
-     * A body, and how far beside it another one does not touch it.
-     *
-     * @param apart in meters
-     */
-    private record Copied(Solid body, double apart) {
-        Copied beside() {
-            return new Copied(body.beside(apart), apart);
-        }
-    }
+    private Optional<BodyGroup> copied = Optional.empty();
 
     BodyActions(Studio studio) {
         this.studio = studio;
     }
 
     void insert() {
-        studio.pictureProperty()
-                .get()
-                .ifPresent(shown ->
-                        insert("insert", new Solid.OfSphere(NewSphere.inFrontOf(shown.input(), studio.scene()))));
-    }
-
-    /** Another body like the selected one, to the right of it. */
-    void duplicate() {
-        selected().ifPresent(original -> insert("duplicate", original.beside().body()));
-    }
-
-    void copy() {
-        selected().ifPresent(original -> {
-            copied = Optional.of(original);
-            studio.notice("Copied a " + original.body().kind());
+        studio.pictureProperty().get().ifPresent(shown -> {
+            Solid sphere = new Solid.OfSphere(NewSphere.inFrontOf(shown.input(), studio.scene()));
+            studio.insert("insert sphere", List.of(sphere));
         });
     }
 
-    /** To the right of the body that was copied, or pasted before. */
+    /** Others like the selected bodies, to the right of them. */
+    void duplicate() {
+        selected().ifPresent(originals -> {
+            boolean light = studio.selection().bodies().contains(BodyNumber.LIGHT);
+            insert("duplicate", originals.beside());
+            if (light) {
+                studio.notice(UNCOPIED_LIGHT);
+            }
+        });
+    }
+
+    void copy() {
+        selected().ifPresent(originals -> {
+            copied = Optional.of(originals);
+            studio.notice(
+                    studio.selection().bodies().contains(BodyNumber.LIGHT)
+                            ? UNCOPIED_LIGHT
+                            : "Copied " + (originals.bodies().size() == 1 ? "a " : "") + originals.kind());
+        });
+    }
+
+    /** To the right of the bodies that were copied, or pasted before. */
     void paste() {
         copied.ifPresentOrElse(
-                original -> {
-                    Copied pasted = original.beside();
+                originals -> {
+                    BodyGroup pasted = originals.beside();
                     copied = Optional.of(pasted);
-                    insert("paste", pasted.body());
+                    insert("paste", pasted);
                 },
                 () -> studio.notice("Nothing has been copied"));
     }
 
     void delete() {
-        int body = studio.selectionProperty().get();
-        if (BodyEdits.isSolid(studio.scene(), body)) {
-            String kind = BodyEdits.solid(studio.scene(), body).kind();
-            studio.edit("delete " + kind, scene -> BodyEdits.deleted(scene, body));
+        Scene standing = studio.scene();
+        SelectedBodies solids = solids(standing);
+        if (solids.count() > 0) {
+            boolean light = studio.selection().bodies().contains(BodyNumber.LIGHT);
+            String what = solids.count() == 1
+                    ? BodyEdits.solid(standing, solids.active()).kind()
+                    : solids.count() + " bodies";
+            studio.edit("delete " + what, scene -> BodyEdits.deleted(scene, solids.bodies()));
             studio.endGesture();
+            if (light) {
+                studio.notice(UNDELETED_LIGHT);
+            }
         }
     }
 
     void selectAlong(int steps) {
-        studio.select(BodyEdits.along(studio.scene(), studio.selectionProperty().get(), steps));
+        Selection selection = studio.selection();
+        selection.select(BodyEdits.along(studio.scene(), selection.active(), steps));
     }
 
-    /** Moves the camera so that the selected body fills the picture. */
+    /** Moves the camera so that the selected bodies fill the picture. */
     void frameSelected() {
-        int body = studio.selectionProperty().get();
-        if (BodyEdits.isMovable(studio.scene(), body)) {
-            BodyExtent extent = studio.extentNow(body);
-            studio.moveCamera(camera -> Orbit.framed(camera, extent.middle(), extent.radius()));
-        } else {
-            studio.notice("Select a sphere, a mesh or the light to frame it");
-        }
+        studio.selection()
+                .extent()
+                .ifPresentOrElse(
+                        extent -> studio.moveCamera(camera -> Orbit.framed(camera, extent.middle(), extent.radius())),
+                        () -> studio.notice("Select a sphere, a mesh or the light to frame it"));
     }
 
-    /** The selected sphere or mesh where it is now; says so where there is none. */
-    private Optional<Copied> selected() {
-        int body = studio.selectionProperty().get();
-        if (BodyEdits.isSolid(studio.scene(), body)) {
-            Solid standing = BodyEdits.solid(studio.scene(), body);
-            return Optional.of(new Copied(
-                    standing.withPosition(studio.positionNow(body)),
-                    studio.extentNow(body).apart()));
-        }
-        studio.notice("Select a sphere or a mesh to copy it");
-        return Optional.empty();
+    private SelectedBodies solids(Scene scene) {
+        return studio.selection().bodies().where(body -> BodyEdits.isSolid(scene, body));
     }
 
-    private void insert(String what, Solid body) {
-        studio.insert(what + " " + body.kind(), body);
+    /** The selected spheres and meshes where they are now; says so where there is none. */
+    private Optional<BodyGroup> selected() {
+        Scene now = studio.sceneNow();
+        SelectedBodies solids = solids(now);
+        if (solids.count() == 0) {
+            studio.notice("Select a sphere or a mesh to copy it");
+            return Optional.empty();
+        }
+        return Optional.of(new BodyGroup(
+                solids.bodies().stream().map(body -> BodyEdits.solid(now, body)).toList(),
+                studio.selection().extent(solids).orElseThrow().apart()));
+    }
+
+    private void insert(String what, BodyGroup group) {
+        studio.insert(what + " " + group.kind(), group.bodies());
     }
 }

@@ -7,6 +7,7 @@ import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.BodyPicker;
 import dev.twister.gui.model.FocusPoint;
+import dev.twister.gui.model.HeldBodies;
 import dev.twister.gui.model.SceneNumbers;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
@@ -23,16 +24,20 @@ import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 
 /**
- * Selects the body that is clicked, or focuses on it, and moves the selected one with the pointer. A drag that begins
- * anywhere else is left to {@link CameraMouse}.
+ * Selects the body that is clicked, or focuses on it, and moves the selected ones with the pointer, held by one of them
+ * or by a handle. A drag that begins anywhere else is left to {@link CameraMouse}.
  */
 final class BodyMouse {
     private final PictureView view;
     private final Studio studio;
     private final PathPick paths;
+    private final AxisHandles handles;
     private Optional<Point2D> pointer = Optional.empty();
-    private Optional<BodyDrag> drag = Optional.empty();
+    private Optional<Held> held = Optional.empty();
     private final ReadOnlyObjectWrapper<Optional<Axis>> axis = new ReadOnlyObjectWrapper<>(Optional.empty());
+
+    /** The drag of the active body, and all bodies that move with it. */
+    private record Held(BodyDrag drag, HeldBodies bodies) {}
 
     /** Where the body is dragged to, in pixels of the view. */
     private Point2D draggedTo = Point2D.ZERO;
@@ -42,15 +47,21 @@ final class BodyMouse {
     /** What was said of the axis; may be empty. */
     private String told = "";
 
-    private BodyMouse(PictureView view, Studio studio, PathPick paths) {
+    private BodyMouse(PictureView view, Studio studio, PathPick paths, AxisHandles handles) {
         this.paths = paths;
+        this.handles = handles;
         this.view = view;
         this.studio = studio;
     }
 
     /** Filters, so that this comes before what else listens to the picture. */
-    static BodyMouse install(PictureView view, Studio studio, PathPick paths, ObservableValue<Boolean> windowFocused) {
-        BodyMouse mouse = new BodyMouse(view, studio, paths);
+    static BodyMouse install(
+            PictureView view,
+            Studio studio,
+            PathPick paths,
+            AxisHandles handles,
+            ObservableValue<Boolean> windowFocused) {
+        BodyMouse mouse = new BodyMouse(view, studio, paths, handles);
         view.addEventFilter(MouseEvent.MOUSE_PRESSED, mouse::pressed);
         view.addEventFilter(MouseEvent.MOUSE_DRAGGED, mouse::dragged);
         view.addEventFilter(MouseEvent.MOUSE_RELEASED, mouse::released);
@@ -62,8 +73,11 @@ final class BodyMouse {
             }
         });
         // By a key, while a body is held: the pointer does not hold the one that is selected then.
-        studio.selectionProperty().subscribe(_ -> mouse.letGo());
-        view.addEventFilter(MouseEvent.MOUSE_EXITED, _ -> mouse.pointer = Optional.empty());
+        studio.selection().bodiesProperty().subscribe(_ -> mouse.letGo());
+        view.addEventFilter(MouseEvent.MOUSE_EXITED, _ -> {
+            mouse.pointer = Optional.empty();
+            handles.point(Optional.empty());
+        });
         view.addEventFilter(KeyEvent.KEY_PRESSED, event -> mouse.keyPressed(event.getCode(), event));
         view.addEventFilter(KeyEvent.KEY_RELEASED, event -> {
             if (event.getCode() == KeyCode.CONTROL) {
@@ -78,24 +92,42 @@ final class BodyMouse {
             // A button that is let go over another window is not reported.
             letGo();
         }
-        int selected = studio.selectionProperty().get();
-        if (event.getButton() == MouseButton.PRIMARY
-                && !event.isShiftDown()
-                && !event.isAltDown()
-                && BodyEdits.isMovable(studio.scene(), selected)
-                && bodyAt(event).filter(body -> body == selected).isPresent()) {
-            DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
-            Point2D place = place(event);
-            draggedTo = new Point2D(event.getX(), event.getY());
-            drag = Optional.of(BodyDrag.start(
-                    picture.input(),
-                    studio.positionNow(selected),
-                    studio.extentNow(selected).middle(),
-                    place.getX(),
-                    place.getY()));
-            view.requestFocus();
-            event.consume();
+        if (event.getButton() == MouseButton.PRIMARY && !event.isShiftDown() && !event.isAltDown()) {
+            Optional<Axis> handle = handles.axisAt(event.getX(), event.getY());
+            if (handle.isPresent()) {
+                take(event);
+                axis.set(handle);
+                tellAxis();
+            } else {
+                bodyAt(event).filter(this::isHeldBy).ifPresent(body -> {
+                    studio.selection().activate(body);
+                    take(event);
+                });
+            }
         }
+    }
+
+    /** Whether the selected bodies are moved by that one. */
+    private boolean isHeldBy(int body) {
+        return studio.selection().bodies().contains(body) && BodyEdits.isMovable(studio.scene(), body);
+    }
+
+    /** Takes hold of the active body, and of all that are selected with it. */
+    private void take(MouseEvent event) {
+        DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
+        HeldBodies bodies = new HeldBodies(studio.sceneNow(), studio.selection().bodies());
+        Point2D place = place(event);
+        draggedTo = new Point2D(event.getX(), event.getY());
+        held = Optional.of(new Held(
+                BodyDrag.start(
+                        picture.input(),
+                        bodies.held(),
+                        studio.extentNow(studio.selection().active()).middle(),
+                        place.getX(),
+                        place.getY()),
+                bodies));
+        view.requestFocus();
+        event.consume();
     }
 
     /** The axis along which the body that is held moves; empty where it moves freely. */
@@ -104,7 +136,7 @@ final class BodyMouse {
     }
 
     private void dragged(MouseEvent event) {
-        if (drag.isPresent()) {
+        if (held.isPresent()) {
             draggedTo = new Point2D(event.getX(), event.getY());
             snapping = event.isControlDown();
             move();
@@ -114,22 +146,20 @@ final class BodyMouse {
 
     /** Moves what is held to where the pointer is, as the keys say. */
     private void move() {
-        drag.ifPresent(held -> {
-            // The one that it began on: it ends where another one is selected, or none.
-            int body = studio.selectionProperty().get();
+        held.ifPresent(taken -> {
             FrameInput input = studio.pictureProperty().get().orElseThrow().input();
             Point2D to = view.place().toPicture(draggedTo.getX(), draggedTo.getY());
             Vector3 free = axis.get()
-                    .map(along -> held.placeAlong(along, input, to.getX(), to.getY()))
-                    .orElseGet(() -> held.placeAt(input, to.getX(), to.getY()));
+                    .map(along -> taken.drag().placeAlong(along, input, to.getX(), to.getY()))
+                    .orElseGet(() -> taken.drag().placeAt(input, to.getX(), to.getY()));
             Vector3 place = snapping ? BodyDrag.snapped(free, axis.get()) : free;
-            studio.edit("move", scene -> BodyEdits.moved(scene, body, place));
+            studio.edit("move", scene -> taken.bodies().moved(scene, place));
         });
     }
 
     /** X, Y and Z let what is held move along that axis, or freely again. */
     private void keyPressed(KeyCode key, KeyEvent event) {
-        if (drag.isEmpty()) {
+        if (held.isEmpty()) {
             return;
         }
         if (key == KeyCode.CONTROL) {
@@ -158,22 +188,22 @@ final class BodyMouse {
     }
 
     private void snap(boolean on) {
-        if (drag.isPresent() && snapping != on) {
+        if (held.isPresent() && snapping != on) {
             snapping = on;
             move();
         }
     }
 
     private void released(MouseEvent event) {
-        if (drag.isPresent()) {
+        if (held.isPresent()) {
             letGo();
             event.consume();
         }
     }
 
     private void letGo() {
-        if (drag.isPresent()) {
-            drag = Optional.empty();
+        if (held.isPresent()) {
+            held = Optional.empty();
             snapping = false;
             axis.set(Optional.empty());
             tellAxis();
@@ -185,10 +215,12 @@ final class BodyMouse {
         if (event.getButton() == MouseButton.PRIMARY && event.isStillSincePress()) {
             if (event.isAltDown()) {
                 explain(event.getX(), event.getY());
-            } else if (event.isShiftDown()) {
+            } else if (event.isShiftDown() && event.isShortcutDown()) {
                 focus(event);
-            } else {
-                studio.select(bodyAt(event).orElse(BodyNumber.NONE));
+            } else if (event.isShiftDown() || event.isShortcutDown()) {
+                bodyAt(event).ifPresent(studio.selection()::toggle);
+            } else if (handles.axisAt(event.getX(), event.getY()).isEmpty()) {
+                studio.selection().select(bodyAt(event).orElse(BodyNumber.NONE));
             }
         }
     }
@@ -231,9 +263,10 @@ final class BodyMouse {
 
     private void moved(MouseEvent event) {
         pointer = Optional.of(new Point2D(event.getX(), event.getY()));
-        int selected = studio.selectionProperty().get();
-        boolean over = BodyEdits.isMovable(studio.scene(), selected)
-                && bodyAt(event).filter(body -> body == selected).isPresent();
+        Optional<Axis> handle = handles.axisAt(event.getX(), event.getY());
+        handles.point(handle);
+        boolean over =
+                handle.isPresent() || bodyAt(event).filter(this::isHeldBy).isPresent();
         view.setCursor(over ? Cursor.MOVE : Cursor.DEFAULT);
     }
 

@@ -121,8 +121,8 @@ final class FileActions {
             studio.assets().keepMesh(mesh, held);
             studio.insert(
                     "insert mesh",
-                    new Solid.OfMesh(
-                            NewMesh.inFrontOf(shown.input(), studio.scene(), mesh, bounds.center(), bounds.half())));
+                    List.of(new Solid.OfMesh(
+                            NewMesh.inFrontOf(shown.input(), studio.scene(), mesh, bounds.center(), bounds.half()))));
         });
     }
 
@@ -206,7 +206,7 @@ final class FileActions {
      */
     void readTexture(Path file, Runnable then, Runnable refused) {
         Scene scene = studio.scene();
-        int body = studio.selectionProperty().get();
+        int body = studio.selection().active();
         long document = studio.document();
         reading.begin(
                 name(file),
@@ -215,8 +215,7 @@ final class FileActions {
                     return file;
                 },
                 _ -> {
-                    if (studio.document() == document
-                            && studio.selectionProperty().get() == body) {
+                    if (studio.document() == document && studio.selection().active() == body) {
                         then.run();
                     }
                 },

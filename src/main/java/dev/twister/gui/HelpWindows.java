@@ -23,11 +23,11 @@ final class HelpWindows {
     private static final List<KeyLine> CAMERA = List.of(
             new KeyLine("W A S D", "Walk; with Shift, run"),
             new KeyLine("E Q", "Up and down"),
-            new KeyLine("Middle drag", "Turn about the selected body, or what is in the middle; with Shift, pan"),
+            new KeyLine("Middle drag", "Turn about the selected bodies, or what is in the middle; with Shift, pan"),
             new KeyLine("Alt+wheel, Shift+wheel", "Nearer or farther"),
             new KeyLine("Drag, ← → ↑ ↓", "Look around; with Shift, the arrows turn faster"),
             new KeyLine("Wheel", "Field of view"),
-            new KeyLine("Shift+click", "Focus on what is under the pointer"),
+            new KeyLine("Ctrl+Shift+click", "Focus on what is under the pointer"),
             new KeyLine("Alt+click", "Path of the pixel: its rays as lines, and a table of its steps"),
             new KeyLine("Ctrl+wheel, Ctrl+drag", "Magnify the picture, move what is magnified"),
             new KeyLine("Home", "Back to where the scene has the camera"),
@@ -35,9 +35,11 @@ final class HelpWindows {
             new KeyLine("0 … 9", "Go to the scene's view of that number"));
     private static final List<KeyLine> BODIES = List.of(
             new KeyLine("Click", "Select a sphere, a mesh, the light or the plane"),
-            new KeyLine("Drag the selected one", "Move it, at the same distance from the camera"),
-            new KeyLine("X, Y, Z while dragging it", "Move it along that axis, or freely again"),
-            new KeyLine("Ctrl while dragging it", "Snap to half meters"),
+            new KeyLine("Shift+click, Ctrl+click", "Add it to the selection, or take it out"),
+            new KeyLine("Drag a selected one", "Move all selected ones, at the same distance from the camera"),
+            new KeyLine("Drag an arrow", "Move them along its axis"),
+            new KeyLine("X, Y, Z while dragging", "Move along that axis, or freely again"),
+            new KeyLine("Ctrl while dragging", "Snap the one that is held to half meters"),
             new KeyLine("Drop a file", "Open a scene or a mesh; a panorama becomes the sky"));
 
     /** What a key or a movement of the mouse does. */

@@ -7,6 +7,7 @@ import dev.twister.gui.model.BodyMaterials;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.MaterialNumbers;
 import dev.twister.gui.model.MaterialPreset;
+import dev.twister.gui.model.SelectedBodies;
 import dev.twister.gui.model.SharedMaterial;
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
@@ -32,6 +33,9 @@ final class MaterialRows {
     private final SwitchRow all;
     private boolean changesAll;
 
+    /** Those that are selected with the body: they are changed alike. */
+    private SelectedBodies selected;
+
     /** Of which these are known: no camera changes them. */
     private Scene known;
 
@@ -43,6 +47,7 @@ final class MaterialRows {
         this.studio = studio;
         this.files = files;
         this.body = body;
+        selected = SelectedBodies.of(body);
         before = studio.scene();
         known = before;
         shared = SharedMaterial.of(before, body);
@@ -105,11 +110,13 @@ final class MaterialRows {
                                 + (named.bodies().size() == 1
                                         ? "alone."
                                         : "shared by " + named.bodies().size() + " bodies."))
-                        .orElse(" has a material of its own.");
+                        .orElse(" has a material of its own.")
+                + (selected.count() == 1 ? "" : " Changes apply to all selected bodies.");
     }
 
-    /** Shows the scene's material; the scene has the body. */
+    /** Shows the scene's material; the scene has the body, and it is the active one. */
     void show() {
+        selected = studio.selection().bodies();
         Scene scene = studio.scene();
         if (!BodyMaterials.areSame(scene, known)) {
             known = scene;
@@ -136,9 +143,10 @@ final class MaterialRows {
     }
 
     private Scene edited(Scene scene, UnaryOperator<Material> edit) {
-        return shared.filter(_ -> changesAll)
+        Scene sharing = shared.filter(_ -> changesAll)
                 .map(named -> named.edited(scene, edit))
-                .orElseGet(() -> BodyMaterials.edited(scene, body, edit));
+                .orElse(scene);
+        return BodyMaterials.edited(sharing, selected.bodies(), edit);
     }
 
     private void edit(String what, UnaryOperator<Material> edit) {

@@ -31,7 +31,8 @@ final class MaterialSection extends VBox {
                 "Give the mesh one material. Off: the materials of its file.",
                 "Alt+Shift+7",
                 this::setOwn);
-        studio.selectionProperty().subscribe(_ -> rebuild());
+        studio.selection().activeProperty().subscribe(_ -> rebuild());
+        studio.selection().bodiesProperty().subscribe(_ -> refresh());
         studio.sceneProperty().subscribe(_ -> refresh());
     }
 
@@ -46,7 +47,7 @@ final class MaterialSection extends VBox {
     private void rebuild() {
         // It would be taken as they lose the focus, for the body that has the number now.
         material.filter(MaterialRows::isRenumbered).ifPresent(MaterialRows::forgetTyped);
-        body = studio.selectionProperty().get();
+        body = studio.selection().active();
         material = Optional.of(body)
                 .filter(selected -> BodyMaterials.has(studio.scene(), selected))
                 .map(selected -> new MaterialRows(studio, files, selected));
@@ -57,7 +58,7 @@ final class MaterialSection extends VBox {
     }
 
     private void refresh() {
-        if (body != studio.selectionProperty().get()) {
+        if (body != studio.selection().active()) {
             // The selection follows a scene that has lost the body; until then there is nothing to show.
             return;
         }

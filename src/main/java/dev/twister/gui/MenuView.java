@@ -34,7 +34,7 @@ final class MenuView extends MenuBar {
             Command.SCREENSHOT,
             Command.QUIT,
             Command.INSERT,
-            Command.NEXT,
+            Command.SELECT_ALL,
             Command.RESET,
             Command.INSPECT,
             Command.FRAME,
@@ -52,6 +52,7 @@ final class MenuView extends MenuBar {
             Command.COMPARE,
             Command.CLIPPING,
             Command.Q_UP,
+            Command.AXIS_HANDLES,
             Command.PANEL,
             Command.FRAME_TIMES,
             Command.FULL_SCREEN,
@@ -79,9 +80,11 @@ final class MenuView extends MenuBar {
         check(Command.PAUSE, studio.motion().motionProperty().map(motion -> motion.isOn() && !motion.running()));
         settings.settingsProperty().subscribe(kept -> showRecent(kept.recentScenes(), files));
         studio.editsProperty().subscribe(this::showEdits);
-        studio.selectionProperty()
-                .subscribe(body ->
-                        items.get(Command.DELETE).setDisable(!BodyEdits.isSolid(studio.scene(), body.intValue())));
+        studio.selection()
+                .bodiesProperty()
+                .subscribe(selected -> items.get(Command.DELETE)
+                        .setDisable(
+                                selected.bodies().stream().noneMatch(body -> BodyEdits.isSolid(studio.scene(), body))));
     }
 
     /** Says why a command does nothing whose key is pressed in the picture. */
@@ -96,11 +99,11 @@ final class MenuView extends MenuBar {
     }
 
     private static String whyNot(Command command, Studio studio) {
-        int selected = studio.selectionProperty().get();
+        int selected = studio.selection().active();
         return switch (command) {
             case DELETE ->
                 selected == BodyNumber.LIGHT
-                        ? "The light can't be deleted"
+                        ? BodyActions.UNDELETED_LIGHT
                         : BodyEdits.isPoured(studio.scene(), selected)
                                 ? "A poured sphere can't be deleted"
                                 : "Nothing is selected";

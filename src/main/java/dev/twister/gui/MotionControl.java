@@ -65,8 +65,8 @@ final class MotionControl {
 
     private void set(Motion next) {
         if (next.start() != motion.get().start()
-                && BodyEdits.isPoured(studio.scene(), studio.selectionProperty().get())) {
-            studio.select(BodyNumber.NONE);
+                && BodyEdits.isPoured(studio.scene(), studio.selection().active())) {
+            studio.selection().select(BodyNumber.NONE);
         }
         motion.set(next);
         studio.request();

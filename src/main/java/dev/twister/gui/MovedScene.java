@@ -43,14 +43,25 @@ record MovedScene(Scene standing, Optional<DrawnPicture> seen) {
         return position(same, index);
     }
 
-    /** Edits the scene as it is seen. */
-    Edit edit(UnaryOperator<Scene> change) {
+    /** The scene with its spheres where they are. */
+    Scene asSeen() {
+        return standing.withSpheres(spheresAsSeen());
+    }
+
+    private List<Sphere> spheresAsSeen() {
         List<Sphere> stand = standing.spheres();
         int[] same = sameInPicture();
         List<Sphere> moved = new ArrayList<>(stand.size());
         for (int index = 0; index < stand.size(); index++) {
             moved.add(at(position(same, index), stand.get(index)));
         }
+        return moved;
+    }
+
+    /** Edits the scene as it is seen. */
+    Edit edit(UnaryOperator<Scene> change) {
+        List<Sphere> stand = standing.spheres();
+        List<Sphere> moved = spheresAsSeen();
         Scene edited = change.apply(standing.withSpheres(moved));
         int[] old = SameSpheres.of(moved, edited.spheres());
         List<Sphere> before = new ArrayList<>(stand);

@@ -3,9 +3,7 @@ package dev.twister.gui;
 import dev.twister.gui.model.NumberSetting;
 import dev.twister.scene.Scene;
 import java.util.Locale;
-import java.util.Objects;
 import java.util.Optional;
-import java.util.stream.Stream;
 import javafx.css.PseudoClass;
 import javafx.scene.Cursor;
 import javafx.scene.Node;
@@ -100,7 +98,8 @@ final class NumberRow extends PanelRow {
             if (event.getCode() == KeyCode.ESCAPE) {
                 forgetTyped();
             } else if (!isTyped()) {
-                leaveToTheWindow(event);
+                // A field takes back what was typed in it, and keeps the keys for it even where nothing was.
+                leaveToTheWindow(event, Command.UNDO, Command.REDO, Command.REDO_ALSO);
             }
         });
         // In the widest letter's widths: what is longer is cut off, which makes another number of it.
@@ -237,19 +236,6 @@ final class NumberRow extends PanelRow {
             // JavaFX slides to the end when these are let go, though they were the window's when they were pressed.
             event.consume();
         }
-    }
-
-    /** A field takes back what was typed in it, and keeps the keys for it even where nothing was. */
-    private void leaveToTheWindow(KeyEvent event) {
-        Stream.of(Command.UNDO, Command.REDO, Command.REDO_ALSO)
-                .map(Command::keys)
-                .filter(keys -> keys.match(event))
-                .map(keys -> getScene().getAccelerators().get(keys))
-                .filter(Objects::nonNull)
-                .forEach(command -> {
-                    command.run();
-                    event.consume();
-                });
     }
 
     /** Makes an edit of what was typed; false where that is no number that is allowed, of which it complains. */

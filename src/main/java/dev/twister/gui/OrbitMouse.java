@@ -1,6 +1,6 @@
 package dev.twister.gui;
 
-import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyExtent;
 import dev.twister.gui.model.FocusPoint;
 import dev.twister.gui.model.Orbit;
 import dev.twister.scene.Camera;
@@ -12,7 +12,7 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
 
 /**
- * Moves the camera about the selected body, or about what is seen in the picture's middle: the middle button turns,
+ * Moves the camera about the selected bodies, or about what is seen in the picture's middle: the middle button turns,
  * with Shift it pans, and the wheel with Alt or Shift goes nearer.
  */
 final class OrbitMouse {
@@ -87,10 +87,7 @@ final class OrbitMouse {
     }
 
     private Vector3 pivot() {
-        int selected = studio.selectionProperty().get();
-        return BodyEdits.isMovable(studio.scene(), selected)
-                ? studio.extentNow(selected).middle()
-                : middle();
+        return studio.selection().extent().map(BodyExtent::middle).orElseGet(this::middle);
     }
 
     private Vector3 middle() {

@@ -103,7 +103,7 @@ final class Panel extends ScrollPane {
         setFitToWidth(true);
         setHbarPolicy(ScrollBarPolicy.NEVER);
         setFocusTraversable(false);
-        studio.selectionProperty().subscribe((_, body) -> {
+        studio.selection().activeProperty().subscribe((_, body) -> {
             if (body.intValue() != BodyNumber.NONE) {
                 PanelSection section = switch (body.intValue()) {
                     case BodyNumber.LIGHT -> lightSection;

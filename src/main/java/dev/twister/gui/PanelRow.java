@@ -1,20 +1,23 @@
 package dev.twister.gui;
 
 import java.util.Locale;
+import java.util.Objects;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCombination;
+import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.util.Duration;
 
 /** A line of the panel: a name, controls, and a button that resets them. */
-abstract sealed class PanelRow extends HBox permits NumberRow, ColorRow, ChoiceRow, SwitchRow {
+abstract sealed class PanelRow extends HBox permits NumberRow, ColorRow, ChoiceRow, SwitchRow, BodiesRow {
     private static final Duration TOOLTIP_DELAY = Duration.millis(400);
     private static final Duration TOOLTIP_TIME = Duration.seconds(30);
 
@@ -90,6 +93,19 @@ abstract sealed class PanelRow extends HBox permits NumberRow, ColorRow, ChoiceR
     final void addControl(Region control) {
         control.setMinWidth(USE_PREF_SIZE);
         getChildren().add(getChildren().size() - 1, control);
+    }
+
+    /** Runs a command whose key it is, which the row's control would keep for itself. */
+    final void leaveToTheWindow(KeyEvent event, Command... commands) {
+        Stream.of(commands)
+                .map(Command::keys)
+                .filter(keys -> keys.match(event))
+                .map(keys -> getScene().getAccelerators().get(keys))
+                .filter(Objects::nonNull)
+                .forEach(command -> {
+                    command.run();
+                    event.consume();
+                });
     }
 
     /** Whether there is something to reset, and how. */

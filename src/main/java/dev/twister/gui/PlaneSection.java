@@ -18,7 +18,7 @@ final class PlaneSection {
         Button select = new Button("Colors and material…");
         select.setId("select-plane");
         select.setTooltip(PanelRow.tooltip("Selects the plane, so that Material shows its colors and reflectivity."));
-        select.setOnAction(_ -> studio.select(BodyNumber.PLANE));
+        select.setOnAction(_ -> studio.selection().select(BodyNumber.PLANE));
         buttons = new HBox(select);
         buttons.getStyleClass().add("buttons");
         studio.sceneProperty().subscribe(scene -> numbers.forEach(row -> row.show(scene, studio.original())));

@@ -1,11 +1,11 @@
 package dev.twister.gui;
 
-import dev.twister.gui.ChoiceRow.Look;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyList;
 import dev.twister.gui.model.BodyMaterials;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.BodyNumbers;
+import dev.twister.gui.model.SelectedBodies;
 import dev.twister.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
@@ -14,25 +14,21 @@ import java.util.stream.Stream;
 import javafx.scene.control.Label;
 import javafx.scene.layout.VBox;
 
-/** The selected sphere or mesh, where it is now if it moves. A reset leads back to how it was when it was selected. */
+/**
+ * The bodies, which of them are selected, and the numbers of the active one, where it is now if it moves. A reset leads
+ * back to how it was when it was selected.
+ */
 final class SelectionSection extends VBox {
     private static final long FOLLOW_NANOS = 100_000_000;
 
     private final Studio studio;
-    private final ChoiceRow<Named> bodies;
+    private final BodiesRow bodies;
     private final Label hint = new Label();
     private List<NumberRow> numbers = List.of();
     private Scene atSelection;
     private int shownBody = BodyNumber.NONE;
     private Scene listed;
     private long followedNanos;
-
-    /** A body in the list. */
-    private record Named(int body, String name) {
-        static Named of(Scene scene, int body) {
-            return new Named(body, BodyList.name(scene, body));
-        }
-    }
 
     SelectionSection(Studio studio) {
         this.studio = studio;
@@ -42,15 +38,12 @@ final class SelectionSection extends VBox {
         hint.getStyleClass().add("hint");
         hint.setWrapText(true);
         hint.setId("selection-hint");
-        bodies = new ChoiceRow<>(
-                "Body",
-                "The selected body. F2 selects the next one, a click in the picture the one that is seen there.",
-                "Alt+Shift+O",
-                named -> new Look(named.name()),
-                named -> studio.select(named.body()),
-                studio::notice);
-        studio.selectionProperty().subscribe(_ -> rebuild());
-        studio.selectionProperty().subscribe(_ -> listBodies());
+        bodies = new BodiesRow(studio);
+        studio.selection().activeProperty().subscribe(_ -> rebuild());
+        studio.selection().bodiesProperty().subscribe(_ -> {
+            listBodies();
+            showHint();
+        });
         studio.sceneProperty().subscribe(scene -> {
             if (!BodyMaterials.areSame(scene, listed)) {
                 listBodies();
@@ -82,18 +75,12 @@ final class SelectionSection extends VBox {
 
     private void listBodies() {
         Scene scene = studio.scene();
-        int selected = studio.selectionProperty().get();
         listed = scene;
-        bodies.show(
-                BodyList.of(scene, selected).stream()
-                        .map(body -> Named.of(scene, body))
-                        .toList(),
-                Named.of(scene, selected),
-                Named.of(scene, BodyNumber.NONE));
+        bodies.show(scene, studio.selection().bodies());
     }
 
     private void rebuild() {
-        int body = studio.selectionProperty().get();
+        int body = studio.selection().active();
         if (BodyEdits.isRenumbered(atSelection, studio.scene(), shownBody)) {
             // It would be taken as they lose the focus, for the body that has the number now.
             numbers.forEach(NumberRow::forgetTyped);
@@ -101,10 +88,22 @@ final class SelectionSection extends VBox {
         shownBody = body;
         atSelection = studio.scene();
         numbers = numbers(atSelection, body);
-        hint.setText(hint(atSelection, body));
+        showHint();
         getChildren().setAll(hint);
         getChildren().addAll(numbers);
         refresh(_ -> true);
+    }
+
+    private void showHint() {
+        SelectedBodies selected = studio.selection().bodies();
+        hint.setText(
+                selected.count() > 1
+                        ? selected.count() + " bodies are selected. Drag one to move all, Delete deletes all. "
+                                + (selected.active() == BodyNumber.LIGHT
+                                        ? "The light is the active one."
+                                        : "These numbers are of " + BodyList.title(studio.scene(), selected.active())
+                                                + ".")
+                        : hint(studio.scene(), selected.active()));
     }
 
     private static String hint(Scene scene, int body) {
@@ -115,8 +114,8 @@ final class SelectionSection extends VBox {
         }
         return switch (body) {
             case BodyNumber.NONE ->
-                "Click a body in the picture to select it, or press F2; drag the selected sphere, mesh or light to move "
-                        + "it.";
+                "Click a body in the picture to select it, or press F2; Shift+click selects several. Drag a selected "
+                        + "sphere, mesh or light to move it.";
             case BodyNumber.LIGHT -> "The light is selected; its controls are above.";
             case BodyNumber.PLANE -> "The plane is selected; its material is below.";
             default -> BodyList.title(scene, body) + of(scene, body) + ". Drag it to move it, Delete deletes it.";
@@ -157,7 +156,7 @@ final class SelectionSection extends VBox {
 
     private void refresh(Predicate<NumberRow> which) {
         Scene scene = studio.scene();
-        int body = studio.selectionProperty().get();
+        int body = studio.selection().active();
         // The selection follows a scene that has lost the body; until then there is nothing to show.
         if (BodyEdits.isSolid(scene, body) && body == shownBody) {
             Scene seen = studio.motion().isOn() ? BodyEdits.moved(scene, body, studio.positionNow(body)) : scene;

@@ -6,6 +6,7 @@ import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.MeshOutline;
 import dev.twister.gui.model.Projection;
+import dev.twister.gui.model.SelectedBodies;
 import dev.twister.gui.model.SphereOutline;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
@@ -14,26 +15,32 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javafx.geometry.Point2D;
+import javafx.scene.Group;
 import javafx.scene.layout.Pane;
 import javafx.scene.shape.Line;
-import javafx.scene.shape.Polygon;
 import javafx.scene.shape.Rectangle;
 
-/** Draws the selected body's outline over the picture. */
+/** Draws the selected bodies' outlines over the picture, the active one's apart. */
 final class SelectionView extends Pane {
     private static final int CORNERS = 96;
+
+    /** Of each of several. */
+    private static final int FEW_CORNERS = 48;
+
+    /** Of more selected bodies, the last ones are outlined: an outline takes JavaFX longer than a sphere an engine. */
+    private static final int MOST_OUTLINED = 200;
 
     /** Both ways from the body. */
     private static final double AXIS_METERS = 1000;
 
     private final PictureView view;
     private final Studio studio;
-    private final Polygon shade = new Polygon();
-    private final Polygon line = new Polygon();
+    private final Outline active = new Outline();
+    private final Group others = new Group();
     private final Line axisLine = new Line();
     private Optional<Axis> axis = Optional.empty();
 
-    SelectionView(PictureView view, Studio studio) {
+    SelectionView(PictureView view, Studio studio, AxisHandles handles) {
         this.view = view;
         this.studio = studio;
         setMouseTransparent(true);
@@ -42,29 +49,27 @@ final class SelectionView extends Pane {
         clip.widthProperty().bind(widthProperty());
         clip.heightProperty().bind(heightProperty());
         setClip(clip);
-        for (Polygon polygon : List.of(shade, line)) {
-            polygon.setManaged(false);
-            polygon.getStyleClass().add("outline");
-        }
-        shade.getStyleClass().add("outline-shade");
-        line.setId("outline");
+        active.setId("active-outline");
+        active.line().setId("outline");
+        others.setManaged(false);
+        others.setId("other-outlines");
         axisLine.setManaged(false);
         axisLine.setVisible(false);
         axisLine.setId("axis");
-        getChildren().addAll(axisLine, shade, line);
+        getChildren().addAll(axisLine, others, active, handles);
         studio.pictureProperty().subscribe(_ -> refresh());
-        studio.selectionProperty().subscribe(_ -> refresh());
+        studio.selection().bodiesProperty().subscribe(_ -> refresh());
         view.image().boundsInParentProperty().subscribe(_ -> refresh());
     }
 
-    /** Shows the axis through the selected body, along which it is moved. */
+    /** Shows the axis through the active body, along which the selected ones are moved. */
     void showAxis(Optional<Axis> newAxis) {
         axis = newAxis;
         refresh();
     }
 
     private void refreshAxis() {
-        int selected = studio.selectionProperty().get();
+        int selected = studio.selection().active();
         double[] ends = axis.filter(_ -> BodyEdits.isMovable(studio.scene(), selected))
                 .flatMap(along -> studio.pictureProperty().get().map(picture -> {
                     Vector3 middle = studio.extentNow(selected).middle();
@@ -86,21 +91,43 @@ final class SelectionView extends Pane {
 
     private void refresh() {
         refreshAxis();
-        int selected = studio.selectionProperty().get();
-        List<Double> points = studio.picturedBodies()
-                .map(bodies -> bodies.inPicture(selected))
-                .flatMap(body -> studio.pictureProperty().get().map(picture -> points(picture, body)))
-                .orElse(List.of());
-        // Told the same points, JavaFX would paint anew.
-        if (!line.getPoints().equals(points)) {
-            line.getPoints().setAll(points);
-            shade.getPoints().setAll(points);
+        SelectedBodies selected = studio.selection().bodies();
+        active.show(points(selected.active(), CORNERS));
+        List<Integer> outlined = outlined(selected);
+        while (others.getChildren().size() > outlined.size()) {
+            others.getChildren().removeLast();
+        }
+        for (int index = 0; index < outlined.size(); index++) {
+            if (index == others.getChildren().size()) {
+                others.getChildren().add(new Outline("outline-other"));
+            }
+            ((Outline) others.getChildren().get(index)).show(points(outlined.get(index), FEW_CORNERS));
         }
     }
 
-    private List<Double> points(DrawnPicture picture, int body) {
+    /** Those beside the active one. */
+    private List<Integer> outlined(SelectedBodies selected) {
+        // While bodies come and go, which one is which in the picture takes long to find of many.
+        boolean renumbered =
+                studio.picturedBodies().filter(PictureBodies::renumbered).isPresent();
+        return renumbered
+                ? List.of()
+                : selected.bodies().reversed().stream()
+                        .filter(body -> body != selected.active())
+                        .limit(MOST_OUTLINED - 1)
+                        .toList();
+    }
+
+    private List<Double> points(int body, int corners) {
+        return studio.picturedBodies()
+                .map(bodies -> bodies.inPicture(body))
+                .flatMap(pictured ->
+                        studio.pictureProperty().get().map(picture -> points(corners(picture, pictured, corners))))
+                .orElse(List.of());
+    }
+
+    private List<Double> points(double[] corners) {
         PicturePlace place = view.place();
-        double[] corners = corners(picture, body);
         List<Double> points = new ArrayList<>();
         for (int i = 0; i < corners.length; i += 2) {
             Point2D corner = place.toView(corners[i], corners[i + 1]);
@@ -110,7 +137,7 @@ final class SelectionView extends Pane {
         return points;
     }
 
-    private static double[] corners(DrawnPicture picture, int body) {
+    private static double[] corners(DrawnPicture picture, int body, int count) {
         Scene scene = picture.request().scene();
         if (BodyEdits.isMesh(scene, body)) {
             Mesh mesh = BodyEdits.mesh(scene, body);
@@ -123,6 +150,6 @@ final class SelectionView extends Pane {
                         || body == BodyNumber.PLANE
                         || body >= picture.input().bodyCount()
                 ? new double[0]
-                : SphereOutline.corners(picture.input(), body, CORNERS);
+                : SphereOutline.corners(picture.input(), body, count);
     }
 }

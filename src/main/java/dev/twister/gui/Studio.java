@@ -27,13 +27,12 @@ import dev.twister.world.Picture;
 import dev.twister.world.SceneMeshes;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import javafx.beans.property.BooleanProperty;
-import javafx.beans.property.ReadOnlyIntegerProperty;
-import javafx.beans.property.ReadOnlyIntegerWrapper;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.ReadOnlyStringProperty;
@@ -58,7 +57,7 @@ public final class Studio implements AutoCloseable {
     private final ReadOnlyObjectWrapper<EditState> edits = new ReadOnlyObjectWrapper<>(EditState.UNTOUCHED);
     private final ReadOnlyObjectWrapper<ResolutionMode> resolution = new ReadOnlyObjectWrapper<>(ResolutionMode.WINDOW);
     private final ReadOnlyObjectWrapper<Picture> shown = new ReadOnlyObjectWrapper<>(Picture.REFLECTIONS);
-    private final ReadOnlyIntegerWrapper selection = new ReadOnlyIntegerWrapper(BodyNumber.NONE);
+    private final Selection selection = new Selection(this);
     private final ReadOnlyObjectWrapper<Optional<DrawnPicture>> picture = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ReadOnlyObjectWrapper<DrawingStatus> drawing = new ReadOnlyObjectWrapper<>(DrawingStatus.QUIET);
     private final BooleanProperty refining = new SimpleBooleanProperty(true);
@@ -234,11 +233,11 @@ public final class Studio implements AutoCloseable {
         show();
     }
 
-    /** Adds a sphere or a mesh to the scene, which is an edit of its own, and selects it. */
-    void insert(String what, Solid body) {
-        edit(what, body::insertedInto);
+    /** Adds spheres and meshes to the scene, which is an edit of its own, and selects them. */
+    void insert(String what, List<Solid> bodies) {
+        edit(what, standing -> Solid.inserted(standing, bodies));
         endGesture();
-        select(body.last(scene.get()));
+        selection.select(Solid.numbers(scene.get(), bodies));
     }
 
     /** Whether and how bodies move. */
@@ -252,6 +251,14 @@ public final class Studio implements AutoCloseable {
                 ? MovedScene.of(scene.get(), motion.motionProperty().get(), picture.get())
                         .position(BodyNumber.sphere(body))
                 : BodyEdits.position(scene.get(), body);
+    }
+
+    /** The scene with its spheres where the picture that is shown has them. */
+    Scene sceneNow() {
+        return motion.isOn()
+                ? MovedScene.of(scene.get(), motion.motionProperty().get(), picture.get())
+                        .asSeen()
+                : scene.get();
     }
 
     /** The room that a movable body takes in the picture that is shown. */
@@ -292,20 +299,9 @@ public final class Studio implements AutoCloseable {
         show();
     }
 
-    /** The body that a person works on, numbered as the kernel has it; {@link BodyNumber#NONE} where there is none. */
-    public ReadOnlyIntegerProperty selectionProperty() {
-        return selection.getReadOnlyProperty();
-    }
-
-    /** Selects the light, the plane, a sphere, a mesh, or a sphere that is poured; any other number selects nothing. */
-    public void select(int body) {
-        Scene now = scene.get();
-        int selected = BodyEdits.isEditable(now, body) || BodyEdits.isPoured(now, body) ? body : BodyNumber.NONE;
-        if (selected != selection.get()) {
-            // The next edit may have the same name, but is of another body.
-            endGesture();
-            selection.set(selected);
-        }
+    /** The bodies that a person works on. */
+    Selection selection() {
+        return selection;
     }
 
     /** How large the picture is drawn. */
@@ -378,7 +374,7 @@ public final class Studio implements AutoCloseable {
         document = new SceneHistory(opened.scene());
         original.set(opened.scene());
         file.set(opened.file());
-        selection.set(BodyNumber.NONE);
+        selection.select(BodyNumber.NONE);
         motion.reset();
         show();
         film.startAnew();
@@ -490,9 +486,8 @@ public final class Studio implements AutoCloseable {
                     || before.meshes().size() != now.meshes().size()) {
                 numbered = requests + 1;
             }
-            boolean renumbered = BodyEdits.isRenumbered(before, now, selection.get());
             scene.set(now);
-            select(renumbered ? BodyNumber.NONE : selection.get());
+            selection.follow(before, now);
             // Views that are kept change no picture.
             if (!before.withViews(now.views()).equals(now)) {
                 request();

@@ -113,13 +113,17 @@ final class Workbench implements AutoCloseable {
         root.setTop(menu);
         root.setBottom(new VBox(film, root.getBottom()));
         root.setRight(panel);
-        SelectionView outline = new SelectionView(picture, studio);
+        AxisHandles handles = new AxisHandles(picture, studio, paths);
+        SelectionView outline = new SelectionView(picture, studio, handles);
         picture.addOverlay(outline);
         ZoomMouse.install(picture);
         OrbitMouse.install(picture, studio);
         picture.addOverlay(new PathView(picture, studio, paths));
-        bodyMouse = BodyMouse.install(picture, studio, paths, stage.focusedProperty());
+        bodyMouse = BodyMouse.install(picture, studio, paths, handles, stage.focusedProperty());
         bodyMouse.axisProperty().subscribe(outline::showAxis);
+        bodyMouse.axisProperty().subscribe(handles::point);
+        handles.onProperty().bind(settings.settingsProperty().map(WindowSettings::axisHandles));
+        menu.check(Command.AXIS_HANDLES, handles.onProperty());
         PanelKeys.install(root.getScene(), panel, picture, this::showPanel);
         DropTarget.install(root.getScene(), files);
         errands.run(
@@ -224,6 +228,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.COPY, bodies::copy)
                 .on(Command.PASTE, bodies::paste)
                 .on(Command.DELETE, bodies::delete)
+                .on(Command.SELECT_ALL, studio.selection()::selectAll)
                 .on(Command.NEXT, () -> bodies.selectAlong(1))
                 .on(Command.PREVIOUS, () -> bodies.selectAlong(-1))
                 .on(Command.DESELECT, this::backToThePicture)
@@ -242,6 +247,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.FRAME, bodies::frameSelected)
                 .on(Command.FRAME_ALSO, bodies::frameSelected)
                 .on(Command.Q_UP, () -> settings.change(kept -> kept.withQUp(!kept.qUp())))
+                .on(Command.AXIS_HANDLES, () -> settings.change(kept -> kept.withAxisHandles(!kept.axisHandles())))
                 .on(Command.PAUSE, studio.motion()::togglePause)
                 .on(Command.STEP, studio.motion()::stepOnce)
                 .on(Command.RANDOMIZE, this::randomize)
@@ -337,7 +343,7 @@ final class Workbench implements AutoCloseable {
         } else if (picture.isFocused() && paths.isShown()) {
             paths.clear();
         } else if (picture.isFocused()) {
-            studio.select(BodyNumber.NONE);
+            studio.selection().select(BodyNumber.NONE);
         } else {
             picture.requestFocus();
         }

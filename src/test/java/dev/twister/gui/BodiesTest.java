@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.model.SelectedBodies;
 import dev.twister.gui.model.Solid;
 import dev.twister.gui.model.SphereOutline;
 import dev.twister.kernel.Layout;
@@ -19,6 +20,7 @@ import javafx.event.Event;
 import javafx.event.EventType;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
+import javafx.scene.Group;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
@@ -34,6 +36,10 @@ import org.junit.jupiter.api.Test;
 /** Bodies selected, moved, inserted and deleted by hand. */
 class BodiesTest {
     private static final int MIDDLE = Layout.FIRST_SPHERE + 1;
+
+    /** Of the outline's corners, x and y each, one that lies under no handle: an eighth of the way around. */
+    private static final int UNCOVERED = 2 * 12;
+
     private static WindowDriver driver;
 
     @BeforeAll
@@ -53,7 +59,7 @@ class BodiesTest {
     @BeforeEach
     void startAnew() {
         driver.type(Command.RESET.keys());
-        driver.run(() -> driver.studio.select(Layout.NOTHING));
+        driver.run(() -> driver.studio.selection().select(Layout.NOTHING));
         awaitRest();
     }
 
@@ -70,7 +76,7 @@ class BodiesTest {
     }
 
     private static int selected() {
-        return WindowDriver.call(driver.studio.selectionProperty()::get);
+        return WindowDriver.call(driver.studio.selection()::active);
     }
 
     /** Where on the screen a body's middle is seen. */
@@ -127,7 +133,7 @@ class BodiesTest {
         driver.pulse();
         Polygon outline = driver.find("#outline", Polygon.class);
         Point2D corner = WindowDriver.call(() -> outline.localToScreen(
-                outline.getPoints().get(0), outline.getPoints().get(1)));
+                outline.getPoints().get(UNCOVERED), outline.getPoints().get(UNCOVERED + 1)));
         // A picture that is painted meanwhile may come before it.
         driver.await(() -> isOutlined(corner));
     }
@@ -223,12 +229,13 @@ class BodiesTest {
 
     @Test
     void aDragEndsWhenTheWindowLosesTheFocus() {
-        driver.run(() -> driver.studio.select(MIDDLE));
+        driver.run(() -> driver.studio.selection().select(MIDDLE));
         SimpleBooleanProperty focused = new SimpleBooleanProperty(true);
         Stage other = WindowDriver.call(Stage::new);
         PictureView view = WindowDriver.call(() -> new PictureView(driver.studio));
         driver.run(() -> {
-            BodyMouse.install(view, driver.studio, new PathPick(driver.studio), focused);
+            PathPick paths = new PathPick(driver.studio);
+            BodyMouse.install(view, driver.studio, paths, new AxisHandles(view, driver.studio, paths), focused);
             other.setScene(new javafx.scene.Scene(view, 320, 240));
             // Beside the window of the other tests, which look at its pixels.
             other.setX(driver.stage.getWidth());
@@ -264,10 +271,11 @@ class BodiesTest {
 
     /** As the system reports it, and no more of it than that. */
     private static void fire(EventType<MouseEvent> type, Point2D place, PictureView view) {
-        fire(type, place, view, false);
+        fire(type, place, view, false, false);
     }
 
-    private static void fire(EventType<MouseEvent> type, Point2D place, PictureView view, boolean shift) {
+    private static void fire(
+            EventType<MouseEvent> type, Point2D place, PictureView view, boolean shift, boolean control) {
         driver.run(() -> {
             Point2D inScene = view.localToScene(view.screenToLocal(place));
             MouseEvent event = new MouseEvent(
@@ -279,7 +287,7 @@ class BodiesTest {
                     MouseButton.PRIMARY,
                     1,
                     shift,
-                    false,
+                    control,
                     false,
                     false,
                     true,
@@ -345,7 +353,7 @@ class BodiesTest {
             driver.studio.show(new OpenedScene(Path.of("test.json"), driver.studio.original()));
             fire(MouseEvent.MOUSE_CLICKED, middle, view());
             assertThat(selected()).isEqualTo(Layout.NOTHING);
-            driver.studio.select(MIDDLE);
+            driver.studio.selection().select(MIDDLE);
             assertThat(outline.getPoints()).isEmpty();
         });
         driver.await(() -> !outline.getPoints().isEmpty());
@@ -371,7 +379,7 @@ class BodiesTest {
     @Test
     void deleteWithoutASelectionDeletesNothing() {
         driver.type(KeyCode.DELETE);
-        driver.run(() -> driver.studio.select(Layout.LIGHT));
+        driver.run(() -> driver.studio.selection().select(Layout.LIGHT));
         driver.type(KeyCode.DELETE);
         assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
     }
@@ -395,12 +403,12 @@ class BodiesTest {
     }
 
     @Test
-    void aShiftClickFocusesOnWhatIsUnderThePointerAndThatIsOneEdit() {
+    void aShiftClickWithControlFocusesOnWhatIsUnderThePointerAndThatIsOneEdit() {
         Scene before = scene();
         int selected = selected();
         Point2D place = seenAt(MIDDLE);
         // The robot's clicks say of no key that is held.
-        fire(MouseEvent.MOUSE_CLICKED, place, view(), true);
+        fire(MouseEvent.MOUSE_CLICKED, place, view(), true, true);
 
         Vector3 center = BodyEdits.position(before, MIDDLE);
         double radius = BodyEdits.sphere(before, MIDDLE).radius();
@@ -419,5 +427,170 @@ class BodiesTest {
         driver.run(driver.studio::undo);
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
         assertThat(scene()).isEqualTo(before);
+    }
+
+    private static SelectedBodies bodies() {
+        return WindowDriver.call(driver.studio.selection()::bodies);
+    }
+
+    private static void shiftClick(Point2D place) {
+        fire(MouseEvent.MOUSE_CLICKED, place, view(), true, false);
+    }
+
+    private static void selectTwo() {
+        click(seenAt(Layout.FIRST_SPHERE));
+        shiftClick(seenAt(MIDDLE));
+        driver.pulse();
+    }
+
+    @Test
+    void shiftClicksAddBodiesAndTakeThemOut() {
+        selectTwo();
+        assertThat(bodies().bodies()).containsExactly(Layout.FIRST_SPHERE, MIDDLE);
+        assertThat(selected()).isEqualTo(MIDDLE);
+        shiftClick(seenAt(MIDDLE));
+        assertThat(bodies()).isEqualTo(SelectedBodies.of(Layout.FIRST_SPHERE));
+    }
+
+    @Test
+    void aClickWithControlAddsABodyToo() {
+        click(seenAt(Layout.FIRST_SPHERE));
+        fire(MouseEvent.MOUSE_CLICKED, seenAt(MIDDLE), view(), false, true);
+        assertThat(bodies().bodies()).containsExactly(Layout.FIRST_SPHERE, MIDDLE);
+    }
+
+    @Test
+    void theOtherSelectedBodiesAreOutlinedApart() {
+        selectTwo();
+        Group others = driver.find("#other-outlines", Group.class);
+        assertThat(WindowDriver.call(() -> others.getChildren().size())).isEqualTo(1);
+        Bounds place = WindowDriver.call(() -> others.localToScreen(others.getLayoutBounds()));
+        assertThat(place.contains(seenAt(Layout.FIRST_SPHERE))).isTrue();
+        click(seenAt(MIDDLE));
+        assertThat(WindowDriver.call(() -> others.getChildren().size())).isZero();
+    }
+
+    @Test
+    void thePlaneIsOnlySelectedAlone() {
+        click(seenAt(MIDDLE));
+        Bounds picture = driver.pictureOnScreen();
+        shiftClick(new Point2D(picture.getCenterX(), picture.getMaxY() - 5));
+        assertThat(bodies()).isEqualTo(SelectedBodies.of(MIDDLE));
+        assertThat(driver.notice()).isEqualTo("The plane is only selected alone");
+    }
+
+    @Test
+    void allSelectedBodiesAreMovedByOneOfThemAndThatIsOneEdit() {
+        Vector3 first = BodyEdits.position(scene(), Layout.FIRST_SPHERE);
+        Vector3 middle = BodyEdits.position(scene(), MIDDLE);
+        selectTwo();
+        drag(seenAt(Layout.FIRST_SPHERE), 30, -20);
+        Vector3 moved = BodyEdits.position(scene(), Layout.FIRST_SPHERE);
+        Vector3 along = BodyEdits.position(scene(), MIDDLE);
+        assertThat(selected()).isEqualTo(Layout.FIRST_SPHERE);
+        assertThat(moved.x()).isGreaterThan(first.x() + 0.1);
+        assertThat(along.x() - middle.x()).isCloseTo(moved.x() - first.x(), within(1e-9));
+        assertThat(along.y() - middle.y()).isCloseTo(moved.y() - first.y(), within(1e-9));
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(bodies().count()).isEqualTo(2);
+    }
+
+    @Test
+    void allMovableBodiesAreSelectedAndTheLightIsNotDeletedWithThem() {
+        driver.type(Command.SELECT_ALL.keys());
+        assertThat(bodies().count()).isEqualTo(1 + scene().spheres().size());
+        driver.type(KeyCode.DELETE);
+        assertThat(scene().spheres()).isEmpty();
+        assertThat(bodies()).isEqualTo(SelectedBodies.of(Layout.LIGHT));
+        assertThat(driver.notice()).isEqualTo("The light can't be deleted");
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+    }
+
+    @Test
+    void allSelectedBodiesAreDuplicatedCopiedAndPasted() {
+        int before = scene().spheres().size();
+        selectTwo();
+        driver.type(Command.COPY.keys());
+        driver.type(Command.DUPLICATE.keys());
+        assertThat(scene().spheres()).hasSize(before + 2);
+        assertThat(bodies().bodies()).containsExactly(Layout.FIRST_SPHERE + before, Layout.FIRST_SPHERE + before + 1);
+        driver.type(Command.PASTE.keys());
+        assertThat(scene().spheres()).hasSize(before + 4);
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+    }
+
+    @Test
+    void allSelectedBodiesAreFramed() {
+        selectTwo();
+        driver.type(Command.FRAME.keys());
+        awaitRest();
+        Bounds picture = driver.pictureOnScreen();
+        assertThat(picture.contains(seenAt(Layout.FIRST_SPHERE))).isTrue();
+        assertThat(picture.contains(seenAt(MIDDLE))).isTrue();
+    }
+
+    private static Point2D handle(String axis) {
+        Group arrow = driver.find("#handle-" + axis, Group.class);
+        return WindowDriver.call(() -> {
+            Polygon head = (Polygon) arrow.lookup(".handle-head");
+            // The tip, then a little towards the middle.
+            Point2D tip = new Point2D(head.getPoints().get(2), head.getPoints().get(3));
+            Point2D left = new Point2D(head.getPoints().get(0), head.getPoints().get(1));
+            Point2D right =
+                    new Point2D(head.getPoints().get(4), head.getPoints().get(5));
+            return head.localToScreen(left.midpoint(right).interpolate(tip, 0.5));
+        });
+    }
+
+    private static boolean isHandleSeen(String axis) {
+        return WindowDriver.call(driver.find("#handle-" + axis, Group.class)::isVisible);
+    }
+
+    @Test
+    void aHandleMovesTheSelectedBodiesAlongItsAxis() {
+        Vector3 first = BodyEdits.position(scene(), Layout.FIRST_SPHERE);
+        Vector3 before = BodyEdits.position(scene(), MIDDLE);
+        selectTwo();
+        drag(handle("y"), 25, -40);
+        Vector3 after = BodyEdits.position(scene(), MIDDLE);
+        assertThat(after.y()).isGreaterThan(before.y() + 0.2);
+        assertThat(after).isEqualTo(new Vector3(before.x(), after.y(), before.z()));
+        assertThat(BodyEdits.position(scene(), Layout.FIRST_SPHERE).y())
+                .isCloseTo(first.y() + after.y() - before.y(), within(1e-9));
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+    }
+
+    @Test
+    void aClickOnAHandleKeepsTheSelection() {
+        click(seenAt(MIDDLE));
+        click(handle("y"));
+        assertThat(bodies()).isEqualTo(SelectedBodies.of(MIDDLE));
+    }
+
+    @Test
+    void aHandleUnderThePointerIsShownByIt() {
+        click(seenAt(MIDDLE));
+        Point2D place = handle("x");
+        driver.withRobot(hand -> hand.mouseMove(place.getX(), place.getY()));
+        Line line = (Line)
+                WindowDriver.call(() -> driver.find("#handle-x", Group.class).lookup(".handle"));
+        assertThat(line.getPseudoClassStates()).extracting(Object::toString).contains("pointed");
+        Point2D elsewhere = seenAt(Layout.FIRST_SPHERE);
+        driver.withRobot(hand -> hand.mouseMove(elsewhere.getX(), elsewhere.getY()));
+        assertThat(line.getPseudoClassStates()).extracting(Object::toString).doesNotContain("pointed");
+    }
+
+    @Test
+    void thereAreNoHandlesWhereNothingCanBeMoved() {
+        assertThat(isHandleSeen("x")).isFalse();
+        driver.run(() -> driver.studio.selection().select(Layout.PLANE));
+        assertThat(isHandleSeen("x")).isFalse();
+        driver.run(() -> driver.studio.selection().select(MIDDLE));
+        assertThat(isHandleSeen("x")).isTrue();
     }
 }

@@ -83,7 +83,7 @@ class MaterialTest {
     }
 
     private static void select(int body) {
-        driver.run(() -> driver.studio.select(body));
+        driver.run(() -> driver.studio.selection().select(body));
         driver.pulse();
     }
 

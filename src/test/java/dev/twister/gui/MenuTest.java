@@ -43,7 +43,7 @@ class MenuTest {
     @Test
     void noRowOfThePanelHasTheKeyOfAMenu() {
         try (WindowDriver driver = WindowDriver.open()) {
-            driver.run(() -> driver.studio.select(Layout.FIRST_SPHERE));
+            driver.run(() -> driver.studio.selection().select(Layout.FIRST_SPHERE));
             List<KeyCombination> rows = WindowDriver.call(() -> driver.window.workbench().panel().rows().stream()
                     .map(PanelRow::keys)
                     .toList());

@@ -101,11 +101,11 @@ class MeshesTest {
     }
 
     private static int selected() {
-        return WindowDriver.call(driver.studio.selectionProperty()::get);
+        return WindowDriver.call(driver.studio.selection()::active);
     }
 
     private static void select(int body) {
-        driver.run(() -> driver.studio.select(body));
+        driver.run(() -> driver.studio.selection().select(body));
         driver.pulse();
     }
 

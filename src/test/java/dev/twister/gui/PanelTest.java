@@ -20,6 +20,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import javafx.geometry.Bounds;
+import javafx.scene.Group;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.ColorPicker;
@@ -27,6 +28,7 @@ import javafx.scene.control.ComboBox;
 import javafx.scene.control.ComboBoxBase;
 import javafx.scene.control.Hyperlink;
 import javafx.scene.control.Label;
+import javafx.scene.control.ListView;
 import javafx.scene.control.MenuBar;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.TextField;
@@ -62,7 +64,7 @@ class PanelTest {
     void startAnew() {
         driver.type(Command.RESET.keys());
         driver.clearNotice();
-        driver.run(() -> driver.studio.select(SPHERE));
+        driver.run(() -> driver.studio.selection().select(SPHERE));
         assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
     }
 
@@ -172,7 +174,7 @@ class PanelTest {
         double height = WindowDriver.call(driver.stage::getHeight);
         driver.run(() -> {
             driver.stage.setHeight(height / 2);
-            driver.studio.select(Layout.NOTHING);
+            driver.studio.selection().select(Layout.NOTHING);
             panel.setVvalue(0);
         });
         driver.await(() -> panel.getHeight() < height / 2);
@@ -180,13 +182,13 @@ class PanelTest {
         assertThat(isSeen(panel, driver.find("#reset-everything", Button.class)))
                 .isFalse();
 
-        driver.run(() -> driver.studio.select(SPHERE));
+        driver.run(() -> driver.studio.selection().select(SPHERE));
         driver.pulse();
         assertThat(isSeen(panel, row("Sphere radius"))).isTrue();
 
         driver.run(() -> {
             panel.setVvalue(1);
-            driver.studio.select(Layout.LIGHT);
+            driver.studio.selection().select(Layout.LIGHT);
         });
         driver.pulse();
         assertThat(isSeen(panel, row("Light x"))).isTrue();
@@ -448,7 +450,7 @@ class PanelTest {
     private static double openListHeight() {
         return WindowDriver.call(() -> Window.getWindows().stream()
                 .filter(Window::isShowing)
-                .flatMap(window -> window.getScene().getRoot().lookupAll(".list-view").stream())
+                .flatMap(window -> window.getScene().getRoot().lookupAll(".combo-box-popup .list-view").stream())
                 .mapToDouble(view -> view.getLayoutBounds().getHeight())
                 .max()
                 .orElseThrow());
@@ -576,8 +578,7 @@ class PanelTest {
             driver.pulse();
             assertThat(control.isShowing()).as(label).isFalse();
             assertThat(control.isFocused()).as(label).isTrue();
-            assertThat(WindowDriver.call(driver.studio.selectionProperty()::get))
-                    .isEqualTo(SPHERE);
+            assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(SPHERE);
         }
     }
 
@@ -650,10 +651,10 @@ class PanelTest {
     @Test
     void keysThatDoNothingSayWhy() {
         driver.type(KeyCode.ESCAPE);
-        driver.run(() -> driver.studio.select(Layout.LIGHT));
+        driver.run(() -> driver.studio.selection().select(Layout.LIGHT));
         driver.type(KeyCode.DELETE);
         assertThat(driver.notice()).isEqualTo("The light can't be deleted");
-        driver.run(() -> driver.studio.select(Layout.NOTHING));
+        driver.run(() -> driver.studio.selection().select(Layout.NOTHING));
         driver.type(KeyCode.DELETE);
         assertThat(driver.notice()).isEqualTo("Nothing is selected");
         driver.run(() -> driver.studio.show(new OpenedScene(Path.of("test.json"), driver.studio.original())));
@@ -683,7 +684,7 @@ class PanelTest {
 
     @Test
     void theLightThePlaneAndEverySphereAreSelectedByKeys() {
-        driver.run(() -> driver.studio.select(Layout.NOTHING));
+        driver.run(() -> driver.studio.selection().select(Layout.NOTHING));
         int spheres = scene().spheres().size();
         List<Integer> round = new ArrayList<>(List.of(Layout.LIGHT, Layout.PLANE));
         for (int sphere = 0; sphere < spheres; sphere++) {
@@ -693,15 +694,81 @@ class PanelTest {
 
         for (int body : round) {
             driver.type(Command.NEXT.keys());
-            assertThat(WindowDriver.call(driver.studio.selectionProperty()::get))
-                    .isEqualTo(body);
+            assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(body);
         }
         for (int body : round.subList(0, round.size() - 1).reversed()) {
             driver.type(Command.PREVIOUS.keys());
-            assertThat(WindowDriver.call(driver.studio.selectionProperty()::get))
-                    .isEqualTo(body);
+            assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(body);
         }
         driver.type(Command.PREVIOUS.keys());
-        assertThat(WindowDriver.call(driver.studio.selectionProperty()::get)).isEqualTo(Layout.NOTHING);
+        assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(Layout.NOTHING);
+    }
+
+    @Test
+    void severalBodiesAreSelectedInTheList() {
+        driver.type(row("Bodies").keys());
+        driver.type(KeyCode.HOME);
+        assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(Layout.LIGHT);
+        driver.type(KeyCode.DOWN);
+        assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(Layout.PLANE);
+        driver.type(KeyCode.DOWN);
+        driver.typeWith(KeyCode.DOWN, KeyCode.SHIFT);
+        assertThat(WindowDriver.call(() -> driver.studio.selection().bodies().bodies()))
+                .containsExactly(Layout.FIRST_SPHERE, Layout.FIRST_SPHERE + 1);
+        assertThat(driver.text("selection-hint"))
+                .startsWith("2 bodies are selected.")
+                .endsWith("of Sphere 2.");
+        driver.type(KeyCode.ESCAPE);
+        assertThat(WindowDriver.call(() -> row("Bodies").firstControl().isFocused()))
+                .isFalse();
+    }
+
+    @Test
+    void theListMarksWhatIsSelectedElsewhere() {
+        driver.run(() -> driver.studio.selection().select(List.of(Layout.LIGHT, SPHERE)));
+        ListView<?> list = (ListView<?>) row("Bodies").firstControl();
+        assertThat(WindowDriver.call(() -> List.copyOf(list.getSelectionModel().getSelectedIndices())))
+                .containsExactly(Layout.LIGHT, SPHERE);
+        driver.run(() -> driver.studio.selection().select(Layout.NOTHING));
+        assertThat(WindowDriver.call(() -> List.copyOf(list.getSelectionModel().getSelectedIndices())))
+                .isEmpty();
+    }
+
+    @Test
+    void aNumberOfTheMaterialIsGivenToAllSelectedBodies() {
+        driver.run(() -> driver.studio.selection().select(List.of(SPHERE, SPHERE + 1)));
+        driver.type(row("Roughness").keys());
+        driver.type(KeyCode.END);
+        assertThat(scene().spheres())
+                .extracting(sphere -> sphere.material().roughness())
+                .containsExactly(0.0, 1.0, 1.0);
+        driver.type(KeyCode.ESCAPE);
+        driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+    }
+
+    @Test
+    void aTypedNumberOfTheMaterialIsOfThoseThatWereSelectedThen() {
+        driver.run(() -> driver.studio.selection().select(List.of(SPHERE + 1, SPHERE)));
+        TextField field = in(row("Roughness"), ".text-field", TextField.class);
+        driver.run(field::requestFocus);
+        driver.run(() -> field.setText("0.5"));
+        driver.run(() -> driver.studio.selection().select(Layout.FIRST_SPHERE));
+        driver.pulse();
+        assertThat(scene().spheres())
+                .extracting(sphere -> sphere.material().roughness())
+                .containsExactly(0.0, 0.5, 0.5);
+    }
+
+    @Test
+    void theHandlesAreSwitchedOffAndThatIsKept() {
+        driver.type(Command.AXIS_HANDLES.keys());
+        assertThat(WindowDriver.call(() -> driver.find("#handle-x", Group.class).isVisible()))
+                .isFalse();
+        assertThat(WindowDriver.call(() -> driver.window.workbench().settings().axisHandles()))
+                .isFalse();
+        driver.type(Command.AXIS_HANDLES.keys());
+        assertThat(WindowDriver.call(() -> driver.find("#handle-x", Group.class).isVisible()))
+                .isTrue();
     }
 }

@@ -138,7 +138,7 @@ class PhysicsTest {
         driver.awaitPicture(picture -> height(picture) < HEIGHT - 0.3);
         driver.type(KeyCode.F6);
         double paused = height(driver.awaitPicture(shown -> shown.samples() > 4));
-        driver.run(() -> driver.studio.select(Layout.FIRST_SPHERE));
+        driver.run(() -> driver.studio.selection().select(Layout.FIRST_SPHERE));
         driver.type(row("Sphere x").keys());
         driver.type(KeyCode.RIGHT);
         Vector3 edited = scene().spheres().getFirst().position();
@@ -171,7 +171,7 @@ class PhysicsTest {
     }
 
     private static void moveAside(int body) {
-        driver.run(() -> driver.studio.select(body));
+        driver.run(() -> driver.studio.selection().select(body));
         driver.type(row("Sphere x").keys());
         driver.type(KeyCode.RIGHT);
     }
@@ -234,7 +234,7 @@ class PhysicsTest {
 
     @Test
     void thePanelShowsWhereTheSelectedSphereIs() {
-        driver.run(() -> driver.studio.select(Layout.FIRST_SPHERE));
+        driver.run(() -> driver.studio.selection().select(Layout.FIRST_SPHERE));
         TextField field = driver.find("#sphere-y .text-field", TextField.class);
         assertThat(Double.parseDouble(field.getText())).isEqualTo(HEIGHT);
         driver.type(KeyCode.F5);
@@ -249,7 +249,7 @@ class PhysicsTest {
 
     @Test
     void aFieldWithTheFocusKeepsItsTextWhileItsSphereMoves() {
-        driver.run(() -> driver.studio.select(Layout.FIRST_SPHERE));
+        driver.run(() -> driver.studio.selection().select(Layout.FIRST_SPHERE));
         TextField field = driver.find("#sphere-y .text-field", TextField.class);
         driver.run(() -> {
             field.requestFocus();
@@ -294,18 +294,18 @@ class PhysicsTest {
         int first = Layout.FIRST_SPHERE + scene().spheres().size();
         driver.awaitPicture(
                 shown -> shown.request().motion().isOn() && shown.input().bodyCount() > first);
-        driver.run(() -> driver.studio.select(first));
+        driver.run(() -> driver.studio.selection().select(first));
         Polygon outline = driver.find("#outline", Polygon.class);
         driver.await(() -> !outline.getPoints().isEmpty());
         assertThat(driver.text("selection-hint")).startsWith("Poured sphere 1.");
         driver.type(KeyCode.DELETE);
         assertThat(driver.notice()).isEqualTo("A poured sphere can't be deleted");
         driver.type(KeyCode.F2);
-        assertThat(WindowDriver.call(driver.studio.selectionProperty()::get)).isEqualTo(Layout.LIGHT);
+        assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(Layout.LIGHT);
 
-        driver.run(() -> driver.studio.select(first));
+        driver.run(() -> driver.studio.selection().select(first));
         driver.type(KeyCode.F5);
-        assertThat(WindowDriver.call(driver.studio.selectionProperty()::get)).isEqualTo(Layout.NOTHING);
+        assertThat(WindowDriver.call(driver.studio.selection()::active)).isEqualTo(Layout.NOTHING);
     }
 
     @Test

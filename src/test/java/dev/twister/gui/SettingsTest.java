@@ -170,7 +170,7 @@ class SettingsTest {
             assertThat(texts("controls-page")).doesNotContain("Sphere radius");
             driver.type(KeyCode.ESCAPE);
 
-            driver.run(() -> driver.studio.select(Layout.FIRST_SPHERE));
+            driver.run(() -> driver.studio.selection().select(Layout.FIRST_SPHERE));
             driver.run(() -> driver.stage.requestFocus());
             driver.type(KeyCode.F1);
 

@@ -55,11 +55,11 @@ class StudioTest {
     @Test
     void anEditOfAnotherBodyIsAnotherStep() {
         Sphere first = scene.spheres().getFirst();
-        studio.select(Layout.FIRST_SPHERE);
+        studio.selection().select(Layout.FIRST_SPHERE);
         studio.edit("move", now -> BodyEdits.moved(now, Layout.FIRST_SPHERE, new Vector3(0, 7, 0)));
         Scene moved = studio.scene();
         // By a key, while the mouse button is down.
-        studio.select(Layout.FIRST_SPHERE + 1);
+        studio.selection().select(Layout.FIRST_SPHERE + 1);
         studio.edit("move", now -> BodyEdits.moved(now, Layout.FIRST_SPHERE + 1, first.position()));
         studio.undo();
         assertThat(studio.scene().spheres()).isEqualTo(moved.spheres());

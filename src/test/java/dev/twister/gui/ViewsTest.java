@@ -93,7 +93,7 @@ class ViewsTest {
         add();
         Scene before = scene();
         driver.run(() -> {
-            driver.studio.select(Layout.FIRST_SPHERE);
+            driver.studio.selection().select(Layout.FIRST_SPHERE);
             list().requestFocus();
         });
         driver.type(KeyCode.DELETE);

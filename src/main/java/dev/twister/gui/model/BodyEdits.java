@@ -7,7 +7,12 @@ import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.BiFunction;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /** Edits of a scene's bodies, by their {@link BodyNumber}. */
 public final class BodyEdits {
@@ -41,20 +46,27 @@ public final class BodyEdits {
         return body == BodyNumber.LIGHT || body == BodyNumber.PLANE || isSolid(scene, body);
     }
 
+    /** Whether the body can be selected: an editable one, or a sphere that is poured. */
+    public static boolean isSelectable(Scene scene, int body) {
+        return isEditable(scene, body) || isPoured(scene, body);
+    }
+
     /** Whether the body can be taken and moved: the light, the spheres and the meshes. */
     public static boolean isMovable(Scene scene, int body) {
         return body == BodyNumber.LIGHT || isSolid(scene, body);
     }
 
     /**
-     * Whether a number may mean another body in the other scene: one of its kind has come or gone.
+     * Whether a number may mean another body in the other scene: one of its kind has come or gone. There are always one
+     * light and one plane.
      *
      * @param body of the first scene
      */
     public static boolean isRenumbered(Scene scene, Scene other, int body) {
         return isMesh(scene, body)
                 ? scene.meshes().size() != other.meshes().size()
-                : scene.spheres().size() != other.spheres().size();
+                : BodyNumber.sphere(body) >= 0
+                        && scene.spheres().size() != other.spheres().size();
     }
 
     /**
@@ -73,6 +85,17 @@ public final class BodyEdits {
                 : isMesh(scene, body) ? firstMesh + BodyNumber.mesh(body) : body - BodyNumber.NONE;
         int to = Math.floorMod(from + steps, firstMesh + scene.meshes().size());
         return to < firstMesh ? BodyNumber.NONE + to : BodyNumber.ofMesh(to - firstMesh);
+    }
+
+    /** All movable bodies: the light, the spheres and the meshes in the scene's order. */
+    public static List<Integer> movable(Scene scene) {
+        return Stream.of(
+                        IntStream.of(BodyNumber.LIGHT),
+                        IntStream.range(0, scene.spheres().size()).map(BodyNumber::ofSphere),
+                        IntStream.range(0, scene.meshes().size()).map(BodyNumber::ofMesh))
+                .flatMapToInt(numbers -> numbers)
+                .boxed()
+                .toList();
     }
 
     public static Sphere sphere(Scene scene, int body) {
@@ -97,38 +120,72 @@ public final class BodyEdits {
 
     /** The scene with a movable body elsewhere. */
     public static Scene moved(Scene scene, int body, Vector3 position) {
-        if (body == BodyNumber.LIGHT) {
-            return scene.withLight(scene.light().withPosition(position));
-        }
-        return isMesh(scene, body)
-                ? editedMesh(scene, body, mesh -> mesh.withPosition(position))
-                : editedSphere(scene, body, sphere -> sphere.withPosition(position));
+        return moved(scene, Map.of(body, position));
+    }
+
+    /** The scene with movable bodies elsewhere. */
+    static Scene moved(Scene scene, Map<Integer, Vector3> positions) {
+        Scene moved = edited(
+                scene,
+                positions.keySet(),
+                (body, sphere) -> sphere.withPosition(positions.get(body)),
+                (body, mesh) -> mesh.withPosition(positions.get(body)));
+        return positions.containsKey(BodyNumber.LIGHT)
+                ? moved.withLight(scene.light().withPosition(positions.get(BodyNumber.LIGHT)))
+                : moved;
     }
 
     /** The scene without a sphere or a mesh. */
     public static Scene deleted(Scene scene, int body) {
-        return isMesh(scene, body)
-                ? scene.withMeshes(without(scene.meshes(), BodyNumber.mesh(body)))
-                : scene.withSpheres(without(scene.spheres(), BodyNumber.sphere(body)));
+        return deleted(scene, Set.of(body));
+    }
+
+    /** The scene without those spheres and meshes. */
+    public static Scene deleted(Scene scene, Set<Integer> bodies) {
+        List<Sphere> spheres = new ArrayList<>();
+        for (int index = 0; index < scene.spheres().size(); index++) {
+            if (!bodies.contains(BodyNumber.ofSphere(index))) {
+                spheres.add(scene.spheres().get(index));
+            }
+        }
+        List<Mesh> meshes = new ArrayList<>();
+        for (int index = 0; index < scene.meshes().size(); index++) {
+            if (!bodies.contains(BodyNumber.ofMesh(index))) {
+                meshes.add(scene.meshes().get(index));
+            }
+        }
+        return scene.withSpheres(spheres).withMeshes(meshes);
+    }
+
+    /** The scene with changes of those of the bodies that are spheres or meshes, each told its body's number. */
+    static Scene edited(
+            Scene scene,
+            Set<Integer> bodies,
+            BiFunction<Integer, Sphere, Sphere> ofSphere,
+            BiFunction<Integer, Mesh, Mesh> ofMesh) {
+        List<Sphere> spheres = new ArrayList<>(scene.spheres());
+        List<Mesh> meshes = new ArrayList<>(scene.meshes());
+        boolean anySphere = false;
+        boolean anyMesh = false;
+        for (int body : bodies) {
+            if (isMesh(scene, body)) {
+                anyMesh = true;
+                meshes.set(BodyNumber.mesh(body), ofMesh.apply(body, mesh(scene, body)));
+            } else if (isSphere(scene, body)) {
+                anySphere = true;
+                spheres.set(BodyNumber.sphere(body), ofSphere.apply(body, sphere(scene, body)));
+            }
+        }
+        // A list that stays the same one is compared at once, however long it is.
+        Scene edited = anySphere ? scene.withSpheres(spheres) : scene;
+        return anyMesh ? edited.withMeshes(meshes) : edited;
     }
 
     static Scene editedSphere(Scene scene, int body, UnaryOperator<Sphere> edit) {
-        return scene.withSpheres(with(scene.spheres(), BodyNumber.sphere(body), edit));
+        return edited(scene, Set.of(body), (_, sphere) -> edit.apply(sphere), (_, mesh) -> mesh);
     }
 
     static Scene editedMesh(Scene scene, int body, UnaryOperator<Mesh> edit) {
-        return scene.withMeshes(with(scene.meshes(), BodyNumber.mesh(body), edit));
-    }
-
-    private static <T> List<T> with(List<T> bodies, int index, UnaryOperator<T> edit) {
-        List<T> edited = new ArrayList<>(bodies);
-        edited.set(index, edit.apply(bodies.get(index)));
-        return edited;
-    }
-
-    private static <T> List<T> without(List<T> bodies, int index) {
-        List<T> fewer = new ArrayList<>(bodies);
-        fewer.remove(index);
-        return fewer;
+        return edited(scene, Set.of(body), (_, sphere) -> sphere, (_, mesh) -> edit.apply(mesh));
     }
 }

@@ -33,6 +33,19 @@ public record BodyExtent(Vector3 middle, double radius, double halfWidth) {
         return meshes.holds(mesh) ? around(meshes.farPoints(mesh)) : new BodyExtent(mesh.position(), UNKNOWN, UNKNOWN);
     }
 
+    /** That of bodies together; at least one. */
+    public static BodyExtent of(List<BodyExtent> bodies) {
+        double[] x = ends(bodies, body -> body.middle().x(), BodyExtent::halfWidth);
+        double[] y = ends(bodies, body -> body.middle().y(), BodyExtent::radius);
+        double[] z = ends(bodies, body -> body.middle().z(), BodyExtent::radius);
+        Vector3 middle = new Vector3((x[0] + x[1]) / 2, (y[0] + y[1]) / 2, (z[0] + z[1]) / 2);
+        double radius = bodies.stream()
+                .mapToDouble(body -> distance(body.middle(), middle) + body.radius())
+                .max()
+                .orElseThrow();
+        return new BodyExtent(middle, radius, (x[1] - x[0]) / 2);
+    }
+
     /** Meters to the right, for another one like it that does not touch it. */
     public double apart() {
         return APART * halfWidth;
@@ -44,22 +57,31 @@ public record BodyExtent(Vector3 middle, double radius, double halfWidth) {
     }
 
     private static BodyExtent around(List<Vector3> points) {
-        double[] x = ends(points, Vector3::x);
-        double[] y = ends(points, Vector3::y);
-        double[] z = ends(points, Vector3::z);
+        double[] x = ends(points, Vector3::x, _ -> 0);
+        double[] y = ends(points, Vector3::y, _ -> 0);
+        double[] z = ends(points, Vector3::z, _ -> 0);
         Vector3 middle = new Vector3((x[0] + x[1]) / 2, (y[0] + y[1]) / 2, (z[0] + z[1]) / 2);
         double radius = points.stream()
-                .mapToDouble(point ->
-                        Math.hypot(Math.hypot(point.x() - middle.x(), point.y() - middle.y()), point.z() - middle.z()))
+                .mapToDouble(point -> distance(point, middle))
                 .max()
                 .orElseThrow();
         return new BodyExtent(middle, radius, (x[1] - x[0]) / 2);
     }
 
-    private static double[] ends(List<Vector3> points, ToDoubleFunction<Vector3> axis) {
+    private static <T> double[] ends(List<T> things, ToDoubleFunction<T> place, ToDoubleFunction<T> half) {
         return new double[] {
-            points.stream().mapToDouble(axis).min().orElseThrow(),
-            points.stream().mapToDouble(axis).max().orElseThrow()
+            things.stream()
+                    .mapToDouble(thing -> place.applyAsDouble(thing) - half.applyAsDouble(thing))
+                    .min()
+                    .orElseThrow(),
+            things.stream()
+                    .mapToDouble(thing -> place.applyAsDouble(thing) + half.applyAsDouble(thing))
+                    .max()
+                    .orElseThrow()
         };
+    }
+
+    private static double distance(Vector3 one, Vector3 other) {
+        return Math.hypot(Math.hypot(one.x() - other.x(), one.y() - other.y()), one.z() - other.z());
     }
 }

@@ -3,28 +3,33 @@ package dev.twister.gui.model;
 import dev.twister.scene.Scene;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /** The bodies that a person can choose from by name. */
 public final class BodyList {
-    /** Of more spheres or meshes, only the selected one is listed. */
+    /** Of more spheres or meshes, only the selected ones are listed, and no more of those. */
     private static final int MOST = 1000;
 
     private BodyList() {}
 
-    /** Nothing, the light, the plane, then the spheres and the meshes in the scene's order. */
-    public static List<Integer> of(Scene scene, int selected) {
+    /** The light, the plane, then the spheres and the meshes in the scene's order; last a poured sphere. */
+    public static List<Integer> of(Scene scene, SelectedBodies selected) {
         int spheres = scene.spheres().size();
         int meshes = scene.meshes().size();
-        List<Integer> bodies = IntStream.concat(
-                        IntStream.range(BodyNumber.NONE, BodyNumber.ofSphere(spheres <= MOST ? spheres : 0)),
-                        IntStream.range(0, meshes <= MOST ? meshes : 0).map(BodyNumber::ofMesh))
-                .boxed()
+        return Stream.of(
+                        Stream.of(BodyNumber.LIGHT, BodyNumber.PLANE),
+                        some(spheres, BodyNumber::ofSphere, selected),
+                        some(meshes, BodyNumber::ofMesh, selected),
+                        selected.bodies().stream().filter(body -> BodyEdits.isPoured(scene, body)))
+                .flatMap(bodies -> bodies)
                 .toList();
-        return bodies.contains(selected)
-                ? bodies
-                : Stream.concat(bodies.stream(), Stream.of(selected)).toList();
+    }
+
+    private static Stream<Integer> some(int count, IntFunction<Integer> number, SelectedBodies selected) {
+        Stream<Integer> all = IntStream.range(0, count).mapToObj(number);
+        return count <= MOST ? all : all.filter(selected::contains).limit(MOST);
     }
 
     /**

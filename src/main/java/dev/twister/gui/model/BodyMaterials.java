@@ -3,6 +3,7 @@ package dev.twister.gui.model;
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.UnaryOperator;
 
 /** What a scene's plane, spheres and meshes are made of, by their {@link BodyNumber}. */
@@ -28,7 +29,20 @@ public final class BodyMaterials {
 
     /** The scene with another material of that body alone. */
     public static Scene edited(Scene scene, int body, UnaryOperator<Material> edit) {
-        return with(scene, body, edit.apply(of(scene, body)));
+        return edited(scene, Set.of(body), edit);
+    }
+
+    /** The scene with other materials of those bodies; a body that has none stays as it is. */
+    public static Scene edited(Scene scene, Set<Integer> bodies, UnaryOperator<Material> edit) {
+        Scene edited = BodyEdits.edited(
+                scene,
+                bodies,
+                (_, sphere) -> sphere.withMaterial(edit.apply(sphere.material())),
+                (_, mesh) -> mesh.withMaterial(mesh.material().map(edit)));
+        return bodies.contains(BodyNumber.PLANE)
+                ? edited.withPlane(
+                        scene.plane().withMaterial(edit.apply(scene.plane().material())))
+                : edited;
     }
 
     /** The scene with that material of that body alone. */

@@ -31,6 +31,11 @@ public final class Projection {
         return seen[2] < NEAREST ? new double[0] : pixel(seen);
     }
 
+    /** What a meter across the view comes to at a place before the camera. */
+    double pixelsPerMeter(Vector3 place) {
+        return camera[Layout.CAMERA_EYE_DISTANCE] / seen(place)[2] * Math.min(width, height) / 2;
+    }
+
     /** x and y of both ends of what is seen of a line; empty where it is behind the camera. */
     public double[] line(Vector3 from, Vector3 to) {
         double[] start = seen(from);

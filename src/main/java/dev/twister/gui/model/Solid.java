@@ -19,10 +19,37 @@ public sealed interface Solid {
     Solid withPosition(Vector3 position);
 
     /** The scene with this one as the last of its kind. */
-    Scene insertedInto(Scene scene);
+    default Scene insertedInto(Scene scene) {
+        return inserted(scene, List.of(this));
+    }
 
-    /** The number of the last one of this kind. */
-    int last(Scene scene);
+    /** The scene with those, in their order, as the last of their kinds. */
+    static Scene inserted(Scene scene, List<Solid> bodies) {
+        List<Sphere> spheres = new ArrayList<>(scene.spheres());
+        List<Mesh> meshes = new ArrayList<>(scene.meshes());
+        for (Solid body : bodies) {
+            switch (body) {
+                case OfSphere(Sphere sphere) -> spheres.add(sphere);
+                case OfMesh(Mesh mesh) -> meshes.add(mesh);
+            }
+        }
+        return scene.withSpheres(spheres).withMeshes(meshes);
+    }
+
+    /** The numbers of those, once they are {@link #inserted}. */
+    static List<Integer> numbers(Scene inserted, List<Solid> bodies) {
+        int meshes = (int) bodies.stream().filter(OfMesh.class::isInstance).count();
+        int sphere = inserted.spheres().size() - (bodies.size() - meshes);
+        int mesh = inserted.meshes().size() - meshes;
+        List<Integer> numbers = new ArrayList<>();
+        for (Solid body : bodies) {
+            switch (body) {
+                case OfSphere _ -> numbers.add(BodyNumber.ofSphere(sphere++));
+                case OfMesh _ -> numbers.add(BodyNumber.ofMesh(mesh++));
+            }
+        }
+        return numbers;
+    }
 
     /** The same so far to the right, in meters. */
     default Solid beside(double apart) {
@@ -45,16 +72,6 @@ public sealed interface Solid {
         public Solid withPosition(Vector3 position) {
             return new OfSphere(sphere.withPosition(position));
         }
-
-        @Override
-        public Scene insertedInto(Scene scene) {
-            return scene.withSpheres(with(scene.spheres(), sphere));
-        }
-
-        @Override
-        public int last(Scene scene) {
-            return BodyNumber.ofSphere(scene.spheres().size() - 1);
-        }
     }
 
     record OfMesh(Mesh mesh) implements Solid {
@@ -72,21 +89,5 @@ public sealed interface Solid {
         public Solid withPosition(Vector3 position) {
             return new OfMesh(mesh.withPosition(position));
         }
-
-        @Override
-        public Scene insertedInto(Scene scene) {
-            return scene.withMeshes(with(scene.meshes(), mesh));
-        }
-
-        @Override
-        public int last(Scene scene) {
-            return BodyNumber.ofMesh(scene.meshes().size() - 1);
-        }
-    }
-
-    private static <T> List<T> with(List<T> bodies, T another) {
-        List<T> more = new ArrayList<>(bodies);
-        more.add(another);
-        return more;
     }
 }

@@ -15,6 +15,7 @@ import java.util.stream.Stream;
  * @param engine an engine's id
  * @param recentScenes scene files as absolute paths, the newest first, at most {@value #MAX_RECENT}
  * @param qUp whether Q leads up and E down, instead of the other way round
+ * @param axisHandles whether bodies have arrows by which they are moved along an axis
  * @param folded headings of the panel whose sections are folded
  * @param hintSeen whether the hint of the first start has been seen
  */
@@ -27,6 +28,7 @@ public record WindowSettings(
         String engine,
         List<String> recentScenes,
         boolean qUp,
+        boolean axisHandles,
         List<String> folded,
         boolean hintSeen) {
     public static final int MIN_SIDE = 200;
@@ -44,6 +46,7 @@ public record WindowSettings(
             FastestEngine.AUTO,
             List.of(),
             false,
+            true,
             List.of("Camera", "Views", "Light", "Sky", "Plane", "Physics", "Compare"),
             false);
 
@@ -80,23 +83,44 @@ public record WindowSettings(
                 engine,
                 recentScenes,
                 qUp,
+                axisHandles,
                 folded,
                 hintSeen);
     }
 
     public WindowSettings withPanelShown(boolean shown) {
         return new WindowSettings(
-                width, height, maximized, shown, frameTimesShown, engine, recentScenes, qUp, folded, hintSeen);
+                width,
+                height,
+                maximized,
+                shown,
+                frameTimesShown,
+                engine,
+                recentScenes,
+                qUp,
+                axisHandles,
+                folded,
+                hintSeen);
     }
 
     public WindowSettings withFrameTimesShown(boolean shown) {
         return new WindowSettings(
-                width, height, maximized, panelShown, shown, engine, recentScenes, qUp, folded, hintSeen);
+                width, height, maximized, panelShown, shown, engine, recentScenes, qUp, axisHandles, folded, hintSeen);
     }
 
     public WindowSettings withEngine(String id) {
         return new WindowSettings(
-                width, height, maximized, panelShown, frameTimesShown, id, recentScenes, qUp, folded, hintSeen);
+                width,
+                height,
+                maximized,
+                panelShown,
+                frameTimesShown,
+                id,
+                recentScenes,
+                qUp,
+                axisHandles,
+                folded,
+                hintSeen);
     }
 
     /** The file comes first; where there are too many, the oldest is forgotten. */
@@ -106,7 +130,17 @@ public record WindowSettings(
                 .limit(MAX_RECENT)
                 .toList();
         return new WindowSettings(
-                width, height, maximized, panelShown, frameTimesShown, engine, newest, qUp, folded, hintSeen);
+                width,
+                height,
+                maximized,
+                panelShown,
+                frameTimesShown,
+                engine,
+                newest,
+                qUp,
+                axisHandles,
+                folded,
+                hintSeen);
     }
 
     /** Without a file that is no longer there. */
@@ -114,12 +148,47 @@ public record WindowSettings(
         List<String> rest =
                 recentScenes.stream().filter(recent -> !recent.equals(file)).toList();
         return new WindowSettings(
-                width, height, maximized, panelShown, frameTimesShown, engine, rest, qUp, folded, hintSeen);
+                width,
+                height,
+                maximized,
+                panelShown,
+                frameTimesShown,
+                engine,
+                rest,
+                qUp,
+                axisHandles,
+                folded,
+                hintSeen);
     }
 
     public WindowSettings withQUp(boolean up) {
         return new WindowSettings(
-                width, height, maximized, panelShown, frameTimesShown, engine, recentScenes, up, folded, hintSeen);
+                width,
+                height,
+                maximized,
+                panelShown,
+                frameTimesShown,
+                engine,
+                recentScenes,
+                up,
+                axisHandles,
+                folded,
+                hintSeen);
+    }
+
+    public WindowSettings withAxisHandles(boolean shown) {
+        return new WindowSettings(
+                width,
+                height,
+                maximized,
+                panelShown,
+                frameTimesShown,
+                engine,
+                recentScenes,
+                qUp,
+                shown,
+                folded,
+                hintSeen);
     }
 
     /** With a section of the panel folded or not. */
@@ -129,12 +198,32 @@ public record WindowSettings(
         List<String> now =
                 isFolded ? Stream.concat(others.stream(), Stream.of(heading)).toList() : others;
         return new WindowSettings(
-                width, height, maximized, panelShown, frameTimesShown, engine, recentScenes, qUp, now, hintSeen);
+                width,
+                height,
+                maximized,
+                panelShown,
+                frameTimesShown,
+                engine,
+                recentScenes,
+                qUp,
+                axisHandles,
+                now,
+                hintSeen);
     }
 
     public WindowSettings withHintSeen() {
         return new WindowSettings(
-                width, height, maximized, panelShown, frameTimesShown, engine, recentScenes, qUp, folded, true);
+                width,
+                height,
+                maximized,
+                panelShown,
+                frameTimesShown,
+                engine,
+                recentScenes,
+                qUp,
+                axisHandles,
+                folded,
+                true);
     }
 
     private static void require(boolean holds, String field) {

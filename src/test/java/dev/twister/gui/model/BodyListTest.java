@@ -21,8 +21,7 @@ class BodyListTest {
 
     @Test
     void bodiesAreListedInTheirOrder() {
-        assertThat(BodyList.of(scene, BodyNumber.NONE))
-                .containsExactly(BodyNumber.NONE, BodyNumber.LIGHT, BodyNumber.PLANE, 2, 3);
+        assertThat(BodyList.of(scene, SelectedBodies.NONE)).containsExactly(BodyNumber.LIGHT, BodyNumber.PLANE, 2, 3);
         assertThat(BodyList.name(scene, 3)).isEqualTo("Sphere 2");
     }
 
@@ -31,7 +30,8 @@ class BodyListTest {
         Sphere sphere = scene.spheres().getFirst();
         Scene crowd = scene.withSpheres(Collections.nCopies(2000, sphere));
 
-        assertThat(BodyList.of(crowd, 700)).containsExactly(BodyNumber.NONE, BodyNumber.LIGHT, BodyNumber.PLANE, 700);
+        assertThat(BodyList.of(crowd, SelectedBodies.of(List.of(700, 30))))
+                .containsExactly(BodyNumber.LIGHT, BodyNumber.PLANE, 30, 700);
     }
 
     @Test
@@ -42,7 +42,7 @@ class BodyListTest {
                 .withMeshes(List.of(knot, knot.withMaterial(Optional.of(glass))));
         int first = BodyNumber.ofMesh(0);
 
-        assertThat(BodyList.of(meshes, BodyNumber.NONE)).endsWith(3, first, first + 1);
+        assertThat(BodyList.of(meshes, SelectedBodies.NONE)).endsWith(3, first, first + 1);
         assertThat(BodyList.name(meshes, first)).isEqualTo("Mesh 1 (knot.obj)");
         assertThat(BodyList.name(meshes, first + 1)).isEqualTo("Mesh 2 (knot.obj), glass");
     }

@@ -1,0 +1,70 @@
+package dev.twister.gui.model;
+
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Vector3;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.SequencedMap;
+import java.util.function.ToDoubleFunction;
+
+/** Bodies that are moved together, where they were when one of them was taken. */
+public final class HeldBodies {
+    private final SequencedMap<Integer, Vector3> places = new LinkedHashMap<>();
+    private final int active;
+    private final Vector3 held;
+    private final Vector3 least;
+    private final Vector3 most;
+
+    /**
+     * Takes what is movable of a selection, by its active body.
+     *
+     * @param scene with the bodies where they are seen
+     */
+    public HeldBodies(Scene scene, SelectedBodies selected) {
+        active = selected.active();
+        held = BodyEdits.position(scene, active);
+        for (int body : selected.bodies()) {
+            if (BodyEdits.isMovable(scene, body)) {
+                places.put(body, BodyEdits.position(scene, body));
+            }
+        }
+        // The group keeps its shape: it stops where the first body comes to the end of the scene's room.
+        least = new Vector3(least(Vector3::x), least(Vector3::y), least(Vector3::z));
+        most = new Vector3(most(Vector3::x), most(Vector3::y), most(Vector3::z));
+    }
+
+    /** Where the body by which they were taken was. */
+    public Vector3 held() {
+        return held;
+    }
+
+    /** The scene with that body there, and all others moved as far. */
+    public Scene moved(Scene scene, Vector3 wanted) {
+        Vector3 to = new Vector3(
+                Math.clamp(wanted.x(), least.x(), most.x()),
+                Math.clamp(wanted.y(), least.y(), most.y()),
+                Math.clamp(wanted.z(), least.z(), most.z()));
+        Map<Integer, Vector3> moved = new LinkedHashMap<>();
+        places.forEach((body, place) -> moved.put(body, body == active ? to : movedAsFar(place, to)));
+        return BodyEdits.moved(scene, moved);
+    }
+
+    private Vector3 movedAsFar(Vector3 place, Vector3 to) {
+        return new Vector3(
+                SceneLimits.POSITION.clamp(place.x() + (to.x() - held.x())),
+                SceneLimits.POSITION.clamp(place.y() + (to.y() - held.y())),
+                SceneLimits.POSITION.clamp(place.z() + (to.z() - held.z())));
+    }
+
+    private double least(ToDoubleFunction<Vector3> axis) {
+        double lowest = places.values().stream().mapToDouble(axis).min().orElseThrow();
+        return SceneLimits.POSITION.min() + (axis.applyAsDouble(held) - lowest);
+    }
+
+    private double most(ToDoubleFunction<Vector3> axis) {
+        double highest = places.values().stream().mapToDouble(axis).max().orElseThrow();
+        // Rounding must not put it below the least.
+        return Math.max(least(axis), SceneLimits.POSITION.max() - (highest - axis.applyAsDouble(held)));
+    }
+}
