@@ -24,6 +24,7 @@ final class BodiesRow extends PanelRow {
     private final ListView<Named> list = new ListView<>();
     private boolean showing;
     private boolean taking;
+    private int shownActive = BodyNumber.NONE;
 
     /** A body in the list. */
     private record Named(int body, String name) {
@@ -69,13 +70,9 @@ final class BodiesRow extends PanelRow {
                 marks.selectIndices(lines[0], lines);
             }
         }
-        int active = IntStream.range(0, names.size())
-                .filter(line -> names.get(line).body() == selected.active())
-                .findFirst()
-                .orElse(-1);
-        if (active >= 0 && list.getFocusModel().getFocusedIndex() != active) {
-            list.getFocusModel().focus(active);
-            list.scrollTo(Math.max(0, active - 1));
+        if (selected.active() != shownActive) {
+            shownActive = selected.active();
+            focus(names.indexOf(Named.of(scene, shownActive)));
         }
         showing = false;
         setReset(selected.count() > 0, () -> studio.selection().select(BodyNumber.NONE));
@@ -86,13 +83,21 @@ final class BodiesRow extends PanelRow {
         return list;
     }
 
+    private void focus(int line) {
+        list.getFocusModel().focus(line);
+        // Under a pointer that clicks in it, the list stays.
+        if (line >= 0 && !taking) {
+            list.scrollTo(Math.max(0, line - 1));
+        }
+    }
+
     /** A click changes the marks several times. */
     private void takeSoon() {
         if (!showing && !taking) {
             taking = true;
             Platform.runLater(() -> {
-                taking = false;
                 take();
+                taking = false;
             });
         }
     }
