@@ -198,7 +198,7 @@ final class Panel extends ScrollPane {
     }
 
     /** Scrolls so that what is there is in the middle, or as near to it as it comes; not where it is seen already. */
-    private void scrollTo(Region part) {
+    void scrollTo(Region part) {
         applyCss();
         layout();
         Bounds place = getContent().sceneToLocal(part.localToScene(part.getLayoutBounds()));

@@ -56,7 +56,7 @@ class StagesTest {
                 .filter(RadioMenuItem.class::isInstance)
                 .map(RadioMenuItem.class::cast)
                 .filter(RadioMenuItem::isSelected)
-                .map(RadioMenuItem::getText)
+                .map(item -> item.getText().replace("_", ""))
                 .findFirst()
                 .orElse(""));
     }

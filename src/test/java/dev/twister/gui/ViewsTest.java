@@ -76,6 +76,7 @@ class ViewsTest {
         assertThat(scene().camera()).isEqualTo(view.camera());
 
         driver.run(() -> driver.studio.moveCamera(camera -> camera.withYaw(80)));
+        driver.run(() -> driver.window.workbench().panel().scrollTo(list()));
         Point2D place = WindowDriver.call(() -> cell(0).localToScreen(20, 5));
         driver.withRobot(robot -> {
             robot.mouseMove(place.getX(), place.getY());
