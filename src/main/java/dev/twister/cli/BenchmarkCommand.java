@@ -13,6 +13,7 @@ import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
 import dev.twister.image.PictureSize;
 import dev.twister.physics.Simulation;
+import dev.twister.render.SceneInputs;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import dev.twister.world.World;
@@ -168,7 +169,7 @@ final class BenchmarkCommand implements Callable<Integer> {
         files.check();
         // An error in these should not come out once for each JVM.
         engineIds();
-        files.checkKeeps(SceneFiles.find(sceneName));
+        files.checkKeeps(List.of(SceneFiles.find(sceneName)));
         List<String> arguments = spec.commandLine().getParseResult().originalArgs();
         JitReport report = new JitRuns(arguments).run(jits.stream().distinct().toList());
         spec.commandLine().getOut().println(report.table());
@@ -221,7 +222,7 @@ final class BenchmarkCommand implements Callable<Integer> {
         files.check();
         Path file = SceneFiles.find(sceneName);
         Scene scene = SceneReader.read(file);
-        files.checkKeeps(SkyFiles.inputs(file, scene));
+        files.checkKeeps(SceneInputs.of(file, scene));
         BenchmarkReport report = run(plan, scene, files);
         spec.commandLine().getOut().println(ReportTable.of(report));
         files.write(report);

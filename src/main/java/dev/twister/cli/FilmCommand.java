@@ -1,8 +1,13 @@
 package dev.twister.cli;
 
 import dev.twister.files.PrintableText;
+import dev.twister.film.EncodedPixels;
+import dev.twister.film.FilmFile;
 import dev.twister.film.FilmFormat;
+import dev.twister.film.FilmWriting;
 import dev.twister.image.PngNotes;
+import dev.twister.render.FrameRange;
+import dev.twister.render.NumberedFiles;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -54,7 +59,7 @@ final class FilmCommand implements Callable<Integer> {
     @Option(
             names = "--frames",
             paramLabel = "RANGE",
-            converter = FrameRange.Converter.class,
+            converter = FrameRangeConverter.class,
             description = "N: frames 0 to N-1; A-B: frames A to B. Default: all frames found.")
     private Optional<FrameRange> frames = Optional.empty();
 
@@ -74,10 +79,7 @@ final class FilmCommand implements Callable<Integer> {
             throw new BadInputException("FILES is " + pattern + ", but must end in .png");
         }
         List<Path> pictures = pictures();
-        FilmFile film = FilmFile.of(
-                output,
-                System.getenv().getOrDefault("PATH", ""),
-                spec.commandLine().getErr());
+        FilmFile film = FilmOutput.of(output, spec.commandLine().getErr());
         BufferedImage first = read(pictures.getFirst());
         FilmFormat format = new FilmFormat(first.getWidth(), first.getHeight(), framesPerSecond, pictures.size());
         try (FilmWriting writing = new FilmWriting(film, format);
@@ -101,7 +103,7 @@ final class FilmCommand implements Callable<Integer> {
     }
 
     private List<Path> pictures() throws IOException {
-        NumberedFiles names = NumberedFiles.of(pattern, frames.orElse(FrameRange.of(0, 0)));
+        NumberedFiles names = FrameNames.of(pattern, frames.orElse(FrameRange.of(0, 0)));
         SortedMap<Integer, Path> there = names.existing();
         if (there.isEmpty()) {
             throw new BadInputException("there is no file " + names.file(0) + " or the like");

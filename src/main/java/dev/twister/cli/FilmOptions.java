@@ -1,6 +1,7 @@
 package dev.twister.cli;
 
 import dev.twister.motion.MotionFile;
+import dev.twister.render.FrameRange;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.world.CameraPath;
@@ -17,7 +18,7 @@ final class FilmOptions {
     @Option(
             names = "--frames",
             paramLabel = "RANGE",
-            converter = FrameRange.Converter.class,
+            converter = FrameRangeConverter.class,
             description = "Render frames of a film: N for frames 0 to N-1, A-B for frames A to B, to FILE-0000.png,"
                     + " FILE-0001.png, ...; %%04d or #### in FILE is the place of the number. Default: all of --motion"
                     + " or --turntable.")
@@ -48,8 +49,8 @@ final class FilmOptions {
         return skipExisting;
     }
 
-    boolean overwrites() {
-        return overwrite;
+    ExistingFrames existing() {
+        return skipExisting ? ExistingFrames.KEPT : overwrite ? ExistingFrames.REPLACED : ExistingFrames.REFUSED;
     }
 
     /** Refuses options that make no sense together. */

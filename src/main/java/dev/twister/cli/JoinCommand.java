@@ -69,7 +69,7 @@ final class JoinCommand implements Callable<Integer> {
                 throw new BadInputException(part + ": file not found");
             }
         }
-        OutputFile.checkKeeps("--output", output, parts.toArray(Path[]::new));
+        OutputFile.checkKeeps("--output", output, parts);
         ExrPicture picture = joined();
         write(picture, settings);
         spec.commandLine()
@@ -88,7 +88,7 @@ final class JoinCommand implements Callable<Integer> {
     private ExrPicture joined() throws IOException {
         try {
             ExrPicture first = ExrReader.read(parts.getFirst());
-            PictureMemory.check(
+            SizeCheck.check(
                     new PictureSize(first.width(), first.height()),
                     (Double.BYTES + 2L * Float.BYTES) * first.channels().size());
             JoinedPicture joined = new JoinedPicture(parts.getFirst(), first);

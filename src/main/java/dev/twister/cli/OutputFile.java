@@ -2,9 +2,11 @@ package dev.twister.cli;
 
 import dev.twister.files.SystemReason;
 import dev.twister.files.WholeFile;
+import dev.twister.render.SceneInputs;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 
 /** Looks at where a result is to go before the work is done, not after it. */
@@ -61,12 +63,10 @@ final class OutputFile {
      * @param inputs files that are there
      * @throws BadInputException where the result would replace one of them
      */
-    static void checkKeeps(String option, Path file, Path... inputs) throws IOException {
-        for (Path input : inputs) {
-            if (Files.exists(input) && Files.exists(file) && replaces(input, file)) {
-                throw new BadInputException(
-                        option + " would replace " + file + ", which is read for it; give another file");
-            }
+    static void checkKeeps(String option, Path file, List<Path> inputs) throws IOException {
+        if (SceneInputs.areReplacedBy(file, inputs)) {
+            throw new BadInputException(
+                    option + " would replace " + file + ", which is read for it; give another file");
         }
     }
 

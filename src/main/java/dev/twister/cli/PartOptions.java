@@ -1,7 +1,9 @@
 package dev.twister.cli;
 
+import dev.twister.render.PicturePart;
+import dev.twister.render.PicturePart.Samples;
+import dev.twister.render.PicturePart.Tile;
 import dev.twister.scene.RenderSettings;
-import dev.twister.world.FrameInput;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.regex.Matcher;
@@ -15,72 +17,50 @@ final class PartOptions {
     @Option(
             names = "--tile",
             paramLabel = "K/N",
-            converter = Tile.Converter.class,
+            converter = TileConverter.class,
             description = "Render the rows of tile K of N, from the top, to an .exr file for 'twister join'.")
     private Optional<Tile> tile = Optional.empty();
 
     @Option(
             names = "--sample-range",
             paramLabel = "A-B",
-            converter = Samples.Converter.class,
+            converter = SamplesConverter.class,
             description = "Render samples A to B of each pixel's sequence, to an .exr file for 'twister join'."
                     + " --samples N takes 1-N where N is even, and 0-(N-1) where it is odd.")
     private Optional<Samples> samples = Optional.empty();
 
-    /**
-     * Some of a picture's rows.
-     *
-     * @param number from 1
-     * @param count of tiles
-     */
-    record Tile(int number, int count) {
+    /** Reads {@code K/N}. */
+    static final class TileConverter implements ITypeConverter<Tile> {
         private static final Pattern TEXT = Pattern.compile("(\\d{1,9})/(\\d{1,9})");
 
-        int firstRow(int height) {
-            return (int) ((number - 1L) * height / count);
-        }
-
-        int rows(int height) {
-            return (int) ((long) number * height / count) - firstRow(height);
-        }
-
-        static final class Converter implements ITypeConverter<Tile> {
-            @Override
-            public Tile convert(String text) {
-                Matcher parts = TEXT.matcher(text);
-                if (!parts.matches()) {
-                    throw new TypeConversionException("'" + text + "' is not a tile; write K/N, such as 2/7");
-                }
-                int count = Ranges.check(
-                        "the number of tiles of --tile", Integer.parseInt(parts.group(2)), 1, RenderSettings.MAX_SIDE);
-                return new Tile(Ranges.check("--tile", Integer.parseInt(parts.group(1)), 1, count), count);
+        @Override
+        public Tile convert(String text) {
+            Matcher parts = TEXT.matcher(text);
+            if (!parts.matches()) {
+                throw new TypeConversionException("'" + text + "' is not a tile; write K/N, such as 2/7");
             }
+            int count = Ranges.check(
+                    "the number of tiles of --tile", Integer.parseInt(parts.group(2)), 1, RenderSettings.MAX_SIDE);
+            return new Tile(Ranges.check("--tile", Integer.parseInt(parts.group(1)), 1, count), count);
         }
     }
 
-    /** Samples of a sequence, both in it. */
-    record Samples(int first, int last) {
+    /** Reads {@code A-B}. */
+    static final class SamplesConverter implements ITypeConverter<Samples> {
         private static final int MOST = 1_000_000;
         private static final Pattern TEXT = Pattern.compile("(\\d{1,9})-(\\d{1,9})");
 
-        int count() {
-            return last - first + 1;
-        }
-
-        static final class Converter implements ITypeConverter<Samples> {
-            @Override
-            public Samples convert(String text) {
-                Matcher parts = TEXT.matcher(text);
-                if (!parts.matches()) {
-                    throw new TypeConversionException(
-                            "'" + text + "' is not a range of samples; write the first and the last one, such as 0-63");
-                }
-                int first = Ranges.check("--sample-range", Integer.parseInt(parts.group(1)), 0, MOST);
-                int most = first + RenderSettings.MAX_SAMPLES_PER_PIXEL - 1;
-                int last = Ranges.check(
-                        "the last sample of --sample-range", Integer.parseInt(parts.group(2)), first, most);
-                return new Samples(first, last);
+        @Override
+        public Samples convert(String text) {
+            Matcher parts = TEXT.matcher(text);
+            if (!parts.matches()) {
+                throw new TypeConversionException(
+                        "'" + text + "' is not a range of samples; write the first and the last one, such as 0-63");
             }
+            int first = Ranges.check("--sample-range", Integer.parseInt(parts.group(1)), 0, MOST);
+            int most = first + RenderSettings.MAX_SAMPLES_PER_PIXEL - 1;
+            int last = Ranges.check("the last sample of --sample-range", Integer.parseInt(parts.group(2)), first, most);
+            return new Samples(first, last);
         }
     }
 
@@ -111,17 +91,8 @@ final class PartOptions {
     }
 
     /** The part of a picture. */
-    FrameInput of(FrameInput input) {
-        FrameInput sampled = samples.map(range -> input.withSamples(range.first(), range.count()))
-                .orElse(input);
-        int height = input.height();
-        return tile.map(part -> sampled.band(part.firstRow(height), part.rows(height)))
-                .orElse(sampled);
-    }
-
-    /** The samples of each pixel, as a number or a range. */
-    Optional<String> samples() {
-        return samples.map(range -> range.first() + "-" + range.last());
+    PicturePart part() {
+        return new PicturePart(tile, samples);
     }
 
     /** How many samples each pixel has. */

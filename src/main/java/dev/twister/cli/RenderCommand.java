@@ -4,11 +4,20 @@ import dev.twister.engine.Engines;
 import dev.twister.engine.ExposureMeter;
 import dev.twister.engine.auto.FastestEngine;
 import dev.twister.files.PrintableText;
-import dev.twister.film.FilmFormat;
+import dev.twister.film.FilmFile;
 import dev.twister.image.PictureSize;
-import dev.twister.image.Provenance;
 import dev.twister.motion.MotionFile;
 import dev.twister.physics.Simulation;
+import dev.twister.render.BandedDrawing;
+import dev.twister.render.DrawnPicture;
+import dev.twister.render.FilmBodies;
+import dev.twister.render.FilmRendering;
+import dev.twister.render.FilmScene;
+import dev.twister.render.FrameRange;
+import dev.twister.render.FrameRendering;
+import dev.twister.render.PictureDrawing;
+import dev.twister.render.Sampling;
+import dev.twister.render.SceneInputs;
 import dev.twister.scene.Camera;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
@@ -18,7 +27,6 @@ import dev.twister.world.Picture;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.io.Writer;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -55,7 +63,6 @@ import picocli.CommandLine.Spec;
         })
 final class RenderCommand implements Callable<Integer> {
     private static final double NANOS_PER_MILLI = 1e6;
-    private static final int MOST_WRITERS = 4;
 
     @Spec
     private CommandSpec spec;
@@ -149,26 +156,19 @@ final class RenderCommand implements Callable<Integer> {
         part.check(settings.height());
         if (FilmFile.isFilm(output)) {
             checkFilm();
-            FilmFile written = FilmFile.of(
-                    output,
-                    System.getenv().getOrDefault("PATH", ""),
-                    spec.commandLine().getErr());
-            OutputFile.checkKeeps("--output", written.file(), SkyFiles.inputs(file, scene));
-            long kept = (FilmWriting.WAITING + 1L) * BandedDrawing.bytesPerPixel(false);
-            PictureMemory.check(new PictureSize(settings.width(), settings.height()), kept);
+            FilmFile written = FilmOutput.of(output, spec.commandLine().getErr());
+            OutputFile.checkKeeps("--output", written.file(), SceneInputs.of(file, scene));
+            SizeCheck.check(new PictureSize(settings.width(), settings.height()), FilmRendering.bytesPerPixel());
             draw(scene, settings, from, recorded, true, false, (drawing, shown) -> {
                 drawFilm(drawing, shown, frames.orElseThrow(), written);
             });
             return;
         }
         PictureOutput pictures = PictureOutput.of(
-                output,
-                frames,
-                film.overwrites() || film.skipsExisting(),
-                picture.pictures().size());
-        pictures.checkKeeps(SkyFiles.inputs(file, scene));
-        long kept = frames.isPresent() ? 1 + WritingBeside.waiting(writers(pictures)) : 1;
-        PictureMemory.check(
+                output, frames, film.existing(), picture.pictures().size());
+        pictures.checkKeeps(SceneInputs.of(file, scene));
+        long kept = frames.isPresent() ? FrameRendering.picturesKept(pictures.isOrdered()) : 1;
+        SizeCheck.check(
                 new PictureSize(settings.width(), settings.height()),
                 kept * pictures.bytesPerPixel(picture.pictures()));
         draw(scene, settings, from, recorded, frames.isPresent(), pictures.isLinear(), (drawing, shown) -> {
@@ -205,13 +205,14 @@ final class RenderCommand implements Callable<Integer> {
             work.draw(drawing, shown);
         };
         double rate = recorded.map(MotionFile::rate).orElse(1 / motion.secondsPerFrame());
-        try (PictureDrawing drawing = new PictureDrawing(engineId, picture.pictures(), sampling, part, linear)) {
+        try (PictureDrawing drawing =
+                new PictureDrawing(() -> Engines.open(engineId), picture.pictures(), sampling, part.part(), linear)) {
             if (motion.isOn()) {
                 // A typing error in the name should not come out after minutes of motion.
                 Engines.offer(engineId).check();
                 try (Simulation simulation = Simulation.of(scene, world.meshes())) {
                     motion.begin(simulation, spec.commandLine().getErr());
-                    FilmBodies bodies = FilmBodies.simulated(simulation, motion.secondsPerFrame());
+                    FilmBodies bodies = FilmBodies.simulated(simulation, motion.secondsPerFrame(), () -> {});
                     metered.draw(drawing, new FilmScene(scene, world, bodies, cameras, rate));
                 }
             } else {
@@ -242,16 +243,8 @@ final class RenderCommand implements Callable<Integer> {
     private void drawFilm(PictureDrawing drawing, FilmScene shown, FrameRange frames, FilmFile file)
             throws IOException {
         RenderSettings settings = shown.world().settings();
-        FilmFormat format = new FilmFormat(settings.width(), settings.height(), shown.rate(), frames.count());
-        try (FilmWriting writing = new FilmWriting(file, format);
-                ProgressLine line = progress.start(spec.commandLine(), "rendering", frames.count())) {
-            for (int number : frames.numbers().toArray()) {
-                DrawnPicture drawn = drawing.draw(shown.frame(number), silent()).getFirst();
-                boolean encoded = settings.srgb() || !drawn.picture().isColor();
-                writing.add(EncodedPixels.of(drawn.pixels(), encoded));
-                line.step();
-            }
-            writing.finish();
+        try (ProgressLine line = progress.start(spec.commandLine(), "rendering", frames.count())) {
+            FilmRendering.render(drawing, shown, frames, file, new FrameLine(line));
         }
         spec.commandLine()
                 .getOut()
@@ -267,21 +260,9 @@ final class RenderCommand implements Callable<Integer> {
     private void drawFrames(PictureDrawing drawing, FilmScene shown, FrameRange frames, PictureOutput pictures)
             throws IOException {
         long start = System.nanoTime();
-        int skipped = 0;
-        try (WritingBeside writing = new WritingBeside(writers(pictures));
-                ProgressLine line = progress.start(spec.commandLine(), "rendering", frames.count())) {
-            for (int number : frames.numbers().toArray()) {
-                FrameInput input = shown.frame(number);
-                Provenance made = drawing.provenance(input);
-                if (film.skipsExisting() && pictures.has(number, made, part.of(input))) {
-                    skipped++;
-                } else {
-                    List<DrawnPicture> drawn = drawing.draw(input, silent());
-                    writing.submit(() -> pictures.write(number, drawn, part.of(input), made));
-                }
-                line.step();
-            }
-            writing.finish();
+        int skipped;
+        try (ProgressLine line = progress.start(spec.commandLine(), "rendering", frames.count())) {
+            skipped = FrameRendering.render(drawing, shown, frames, pictures, new FrameLine(line));
         }
         RenderSettings settings = shown.world().settings();
         summaryWriter(pictures)
@@ -296,21 +277,12 @@ final class RenderCommand implements Callable<Integer> {
                         skipped == 0 ? "" : ", %d of them were there".formatted(skipped));
     }
 
-    // Frames on standard output come one after the other.
-    private static int writers(PictureOutput pictures) {
-        return pictures.isStandardOutput()
-                ? 1
-                : Math.clamp(Runtime.getRuntime().availableProcessors() / 2, 1, MOST_WRITERS);
-    }
-
-    // A frame's own line of progress would write over that of the frames.
-    private static PrintWriter silent() {
-        return new PrintWriter(Writer.nullWriter());
-    }
-
     private void drawPicture(PictureDrawing drawing, FrameInput input, PictureOutput pictures) throws IOException {
-        List<DrawnPicture> drawn = drawing.draw(input, spec.commandLine().getErr());
-        FrameInput drawnPart = part.of(input);
+        List<DrawnPicture> drawn;
+        try (BandLine line = new BandLine(spec.commandLine().getErr())) {
+            drawn = drawing.draw(input, line);
+        }
+        FrameInput drawnPart = part.part().of(input);
         pictures.write(0, drawn, drawnPart, drawing.provenance(input));
         summaryWriter(pictures)
                 .printf(

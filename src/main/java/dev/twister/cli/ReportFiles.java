@@ -35,7 +35,7 @@ record ReportFiles(Optional<Path> json, Optional<Path> csv) {
      *
      * @throws BadInputException where a report would replace one of these files
      */
-    void checkKeeps(Path... inputs) throws IOException {
+    void checkKeeps(List<Path> inputs) throws IOException {
         if (json.isPresent()) {
             OutputFile.checkKeeps("--json", json.get(), inputs);
         }

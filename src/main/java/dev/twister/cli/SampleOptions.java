@@ -1,5 +1,6 @@
 package dev.twister.cli;
 
+import dev.twister.render.Sampling;
 import dev.twister.scene.RenderSettings;
 import dev.twister.world.Picture;
 import java.util.List;

@@ -11,6 +11,7 @@ import dev.twister.sky.ShippedSky;
 import dev.twister.world.SceneMeshes;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.ArgGroup;
@@ -105,7 +106,7 @@ final class SceneCommand implements Callable<Integer> {
         OutputFile.check("--output", wanted.output);
         Path day = Home.skyboxes().resolve(ShippedSky.DAY.fileName());
         Scene scene = wanted.sky.over(SceneGenerator.spheres(wanted.count, wanted.seed, day));
-        OutputFile.checkKeeps("--output", wanted.output, scene.skybox());
+        OutputFile.checkKeeps("--output", wanted.output, List.of(scene.skybox()));
         // As --check does: a scene that no command can draw is not to be written.
         SkyFiles.read(scene.skybox(), spec.commandLine().getErr());
         SceneWriter.write(scene, wanted.output);

@@ -6,6 +6,8 @@ import dev.twister.motion.MotionFrame;
 import dev.twister.motion.MotionRecording;
 import dev.twister.motion.PointCache;
 import dev.twister.physics.Simulation;
+import dev.twister.render.FrameRange;
+import dev.twister.render.SceneInputs;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import java.io.IOException;
@@ -57,7 +59,7 @@ final class SimulateCommand implements Callable<Integer> {
             names = "--frames",
             required = true,
             paramLabel = "RANGE",
-            converter = FrameRange.Converter.class,
+            converter = FrameRangeConverter.class,
             description = "N: frames 0 to N-1; A-B: frames A to B. Frame n is at n / fps seconds.")
     private FrameRange frames;
 
@@ -82,7 +84,7 @@ final class SimulateCommand implements Callable<Integer> {
         Path file = SceneFiles.find(sceneName);
         Scene scene = SceneReader.read(file);
         OutputFile.check("--output", output);
-        OutputFile.checkKeeps("--output", output, SkyFiles.inputs(file, scene));
+        OutputFile.checkKeeps("--output", output, SceneInputs.of(file, scene));
         int kept = record(scene, framesPerSecond);
         CommandLine command = spec.commandLine();
         command.getOut()

@@ -98,7 +98,7 @@ final class SkyCommand implements Callable<Integer> {
         OutputFile.check("--output", output);
         Ranges.check("--size's height", size.height(), 1, DaylightSky.MAX_HEIGHT);
         Daylight daylight = daylight();
-        PictureMemory.check(size, BYTES_PER_TEXEL);
+        SizeCheck.check(size, BYTES_PER_TEXEL);
         Skybox sky = DaylightSky.panorama(size.width(), size.height(), daylight);
         HdrWriter.write(output, sky.width(), sky.height(), sky.radiance());
         spec.commandLine()

@@ -1,6 +1,5 @@
 package dev.twister.cli;
 
-import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
@@ -10,7 +9,6 @@ import dev.twister.world.World;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.function.Consumer;
-import java.util.stream.Stream;
 
 /** Reads panoramas, textures and meshes for commands. */
 final class SkyFiles {
@@ -43,16 +41,6 @@ final class SkyFiles {
      */
     static SceneMeshes meshes(Scene scene, PrintWriter err) {
         return SceneMeshes.read(scene, warnings(err));
-    }
-
-    /** The files that a scene is drawn from. */
-    static Path[] inputs(Path sceneFile, Scene scene) {
-        return Stream.of(
-                        Stream.of(sceneFile, scene.skybox()),
-                        scene.textures().keySet().stream(),
-                        scene.meshes().stream().map(Mesh::file))
-                .flatMap(files -> files)
-                .toArray(Path[]::new);
     }
 
     private static Consumer<String> warnings(PrintWriter err) {

@@ -1,7 +1,7 @@
 package dev.twister.cli;
 
+import dev.twister.render.TimeLeft;
 import java.io.PrintWriter;
-import java.time.Duration;
 import java.util.Locale;
 import java.util.function.LongSupplier;
 
@@ -44,19 +44,11 @@ final class StatusLines {
         long now = nanoTime.getAsLong();
         if (now - last >= NANOS_BETWEEN || done == steps) {
             last = now;
-            double left = done == 0 ? 0 : (double) (now - start) / done * (steps - done);
             out.printf(Locale.ROOT, "openjd_progress: %.1f%n", 100.0 * done / steps);
-            out.printf("openjd_status: %s: %d of %d, %s left%n", task, done, steps, time((long) left));
+            out.printf(
+                    "openjd_status: %s: %d of %d, %s left%n",
+                    task, done, steps, TimeLeft.text(TimeLeft.of(now - start, (double) done / steps)));
             out.flush();
         }
-    }
-
-    private static String time(long nanos) {
-        Duration left = Duration.ofNanos(nanos);
-        return left.toHours() > 0
-                ? "%d h %d min".formatted(left.toHours(), left.toMinutesPart())
-                : left.toMinutes() > 0
-                        ? "%d min %d s".formatted(left.toMinutes(), left.toSecondsPart())
-                        : left.toSeconds() + " s";
     }
 }

@@ -9,6 +9,7 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.SceneWriter;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -48,7 +49,7 @@ final class ViewCommand implements Callable<Integer> {
         Scene scene = MeshFiles.stage(file, spec.commandLine().getErr());
         if (output.isPresent()) {
             OutputFile.check("--output", output.get());
-            OutputFile.checkKeeps("--output", output.get(), file);
+            OutputFile.checkKeeps("--output", output.get(), List.of(file));
             SceneWriter.write(scene, output.get());
         } else {
             engineId.filter(id -> !Engines.isDevice(id))

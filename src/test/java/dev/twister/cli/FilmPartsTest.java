@@ -9,14 +9,16 @@ import dev.twister.image.ExrChannel;
 import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrReader;
 import dev.twister.image.Frame;
+import dev.twister.render.BandedDrawing;
+import dev.twister.render.PicturePart;
+import dev.twister.render.RenderProgress;
+import dev.twister.render.Sampling;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneReader;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
 import dev.twister.world.World;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -65,7 +67,7 @@ class FilmPartsTest {
     void tilesHaveTheBitsOfTheWhole(int tiles) {
         int next = 0;
         for (int number = 1; number <= tiles; number++) {
-            PartOptions.Tile tile = new PartOptions.Tile(number, tiles);
+            PicturePart.Tile tile = new PicturePart.Tile(number, tiles);
             assertThat(tile.firstRow(HEIGHT)).isEqualTo(next);
             int rows = tile.rows(HEIGHT);
             Frame drawn = draw(input.band(next, rows));
@@ -78,7 +80,7 @@ class FilmPartsTest {
     }
 
     private Frame draw(FrameInput part) {
-        return BandedDrawing.draw(engine, part, SAMPLING, true, new PrintWriter(Writer.nullWriter()))
+        return BandedDrawing.draw(engine, part, SAMPLING, true, RenderProgress.SILENT)
                 .frame();
     }
 

@@ -1,13 +1,12 @@
-package dev.twister.cli;
+package dev.twister.render;
 
 import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
-import java.io.PrintWriter;
 
-/** Draws a picture in bands of rows, so that long work shows how far it is. */
-final class BandedDrawing {
+/** Draws a picture in bands of rows, so that long work tells how far it is. */
+public final class BandedDrawing {
     /** View rays in a band: a picture of 1280 x 720 with one a pixel is still drawn at once. */
     private static final long RAYS_PER_BAND = 1 << 20;
 
@@ -28,22 +27,23 @@ final class BandedDrawing {
      * @param fewestSamples of a pixel
      * @param mostSamples of a pixel
      */
-    record Drawn(Frame frame, int fewestSamples, int mostSamples) {}
+    public record Drawn(Frame frame, int fewestSamples, int mostSamples) {}
 
     /** Draws the rows of the picture that the input has, each with the bits that it has in the whole picture. */
-    static Drawn draw(Engine engine, FrameInput input, Sampling sampling, boolean linear, PrintWriter err) {
+    public static Drawn draw(
+            Engine engine, FrameInput input, Sampling sampling, boolean linear, RenderProgress progress) {
         int first = input.firstRow() / SQUARE * SQUARE;
         int end = Math.min(input.height(), Math.ceilDiv(input.firstRow() + input.rows(), SQUARE) * SQUARE);
         if (end - first == input.rows()) {
-            return drawSquares(engine, input, sampling, linear, err);
+            return drawSquares(engine, input, sampling, linear, progress);
         }
-        Drawn squares = drawSquares(engine, input.band(first, end - first), sampling, linear, err);
+        Drawn squares = drawSquares(engine, input.band(first, end - first), sampling, linear, progress);
         Frame rows = squares.frame().rows(input.firstRow() - first, input.rows());
         return new Drawn(rows, squares.fewestSamples(), squares.mostSamples());
     }
 
     private static Drawn drawSquares(
-            Engine engine, FrameInput input, Sampling sampling, boolean linear, PrintWriter err) {
+            Engine engine, FrameInput input, Sampling sampling, boolean linear, RenderProgress progress) {
         int height = input.rows();
         Frame whole = linear ? Frame.ofRadiance(input.width(), height) : Frame.ofPixels(input.width(), height);
         int rowsPerBand = rowsPerBand(input, sampling.usual());
@@ -56,26 +56,26 @@ final class BandedDrawing {
         int bands = Math.ceilDiv(height, rowsPerBand);
         FrameTimes times = FrameTimes.NONE;
         Frame band = whole.ofRows(rowsPerBand);
-        try (ProgressLine progress = ProgressLine.start(err, engine.id(), bands)) {
-            for (int first = 0; first < height; first += rowsPerBand) {
-                int rows = Math.min(rowsPerBand, height - first);
-                if (rows != band.height()) {
-                    band = whole.ofRows(rows);
-                }
-                int samples = sampling.draw(engine, input.band(input.firstRow() + first, rows), band);
-                fewest = Math.min(fewest, samples);
-                most = Math.max(most, samples);
-                whole.put(band, first);
-                times = times.plus(band.times());
-                progress.step();
+        for (int drawn = 0; drawn < bands; drawn++) {
+            progress.bands(engine.id(), drawn, bands);
+            int first = drawn * rowsPerBand;
+            int rows = Math.min(rowsPerBand, height - first);
+            if (rows != band.height()) {
+                band = whole.ofRows(rows);
             }
+            int samples = sampling.draw(engine, input.band(input.firstRow() + first, rows), band);
+            fewest = Math.min(fewest, samples);
+            most = Math.max(most, samples);
+            whole.put(band, first);
+            times = times.plus(band.times());
         }
+        progress.bands(engine.id(), bands, bands);
         whole.setTimes(times);
         return new Drawn(whole, fewest, most);
     }
 
     /** Bytes that drawing takes for each pixel of the picture; the bands come to less than as much again. */
-    static long bytesPerPixel(boolean linear) {
+    public static long bytesPerPixel(boolean linear) {
         return (linear ? CHANNELS : 1) * (long) Integer.BYTES;
     }
 

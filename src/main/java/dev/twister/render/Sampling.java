@@ -1,4 +1,4 @@
-package dev.twister.cli;
+package dev.twister.render;
 
 import dev.twister.engine.ConvergingPicture;
 import dev.twister.engine.Engine;
@@ -12,9 +12,9 @@ import java.util.Optional;
  * @param samples of each pixel; the limit where there is a bound of the noise
  * @param noise as a share of white
  */
-record Sampling(int samples, Optional<Double> noise) {
+public record Sampling(int samples, Optional<Double> noise) {
     /** Fewer do not show how noisy a picture is. */
-    static final int LEAST_CONVERGING = 8;
+    public static final int LEAST_CONVERGING = 8;
 
     /**
      * Draws a band.

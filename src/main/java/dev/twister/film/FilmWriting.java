@@ -1,6 +1,5 @@
-package dev.twister.cli;
+package dev.twister.film;
 
-import dev.twister.film.FilmFormat;
 import java.io.IOException;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
@@ -9,9 +8,9 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 
 /** Encodes a film on another thread while its next frames are drawn; a bounded number of them waits. */
-final class FilmWriting implements AutoCloseable {
+public final class FilmWriting implements AutoCloseable {
     /** How many pictures are kept beside the one that is drawn: those that wait and the one that is encoded. */
-    static final int WAITING = 3;
+    public static final int WAITING = 3;
 
     private static final int[] GIVEN_UP = {};
     private static final long POLL_MILLIS = 100;
@@ -20,7 +19,8 @@ final class FilmWriting implements AutoCloseable {
     private final FutureTask<Void> encoding;
     private boolean finished;
 
-    FilmWriting(FilmFile film, FilmFormat format) {
+    /** Begins a film; {@link #close} is to be called. */
+    public FilmWriting(FilmFile film, FilmFormat format) {
         encoding = new FutureTask<>(() -> {
             film.write(format, this::next);
             return null;
@@ -46,7 +46,7 @@ final class FilmWriting implements AutoCloseable {
      *
      * @throws IOException what the encoder has thrown
      */
-    void add(int[] srgb) throws IOException {
+    public void add(int[] srgb) throws IOException {
         boolean taken = false;
         while (!taken) {
             if (encoding.isDone()) {
@@ -71,7 +71,7 @@ final class FilmWriting implements AutoCloseable {
      *
      * @throws IOException what the encoder has thrown
      */
-    void finish() throws IOException {
+    public void finish() throws IOException {
         finished = true;
         result();
     }

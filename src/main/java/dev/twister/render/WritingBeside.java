@@ -1,4 +1,4 @@
-package dev.twister.cli;
+package dev.twister.render;
 
 import java.io.IOException;
 import java.util.Optional;
@@ -9,7 +9,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 
 /** Writes files on other threads while the next pictures are drawn; a bounded number of them waits. */
-final class WritingBeside implements AutoCloseable {
+public final class WritingBeside implements AutoCloseable {
     /** Work that may fail. */
     @FunctionalInterface
     interface Work {

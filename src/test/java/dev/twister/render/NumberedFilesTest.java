@@ -1,4 +1,4 @@
-package dev.twister.cli;
+package dev.twister.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
@@ -35,7 +35,7 @@ class NumberedFilesTest {
 
     @Test
     void refusesNumbersThatWouldBreakTheOrder() {
-        assertThatExceptionOfType(BadInputException.class)
+        assertThatExceptionOfType(IllegalArgumentException.class)
                 .isThrownBy(() -> files("f-####.png", FrameRange.of(9990, 10_000)))
                 .withMessageContaining("frame 10000 needs 5 digits; write #####");
         assertThat(files("f-%d.png", FrameRange.of(9990, 10_000)).file(10_000)).hasFileName("f-10000.png");

@@ -1,4 +1,4 @@
-package dev.twister.cli;
+package dev.twister.render;
 
 import dev.twister.motion.MotionFile;
 import dev.twister.physics.Simulation;
@@ -6,7 +6,7 @@ import dev.twister.world.World;
 import java.io.IOException;
 
 /** Where bodies are in the frames of a film. */
-interface FilmBodies {
+public interface FilmBodies {
     /**
      * Moves a world's bodies to where they are in a frame.
      *
@@ -20,8 +20,12 @@ interface FilmBodies {
         return (_, _) -> {};
     }
 
-    /** They are simulated from frame to frame. */
-    static FilmBodies simulated(Simulation simulation, double secondsPerFrame) {
+    /**
+     * They are simulated from frame to frame.
+     *
+     * @param eachFrame called after each of them, also of those that are not asked for; what it throws ends it
+     */
+    static FilmBodies simulated(Simulation simulation, double secondsPerFrame, Runnable eachFrame) {
         return new FilmBodies() {
             private int simulated;
 
@@ -30,6 +34,7 @@ interface FilmBodies {
                 while (simulated < frame) {
                     simulation.advance(secondsPerFrame);
                     simulated++;
+                    eachFrame.run();
                 }
                 simulation.place(world);
             }

@@ -1,9 +1,9 @@
-package dev.twister.cli;
+package dev.twister.film;
 
 import java.util.stream.IntStream;
 
 /** Makes pixels of linear light into sRGB's, which films have. */
-final class EncodedPixels {
+public final class EncodedPixels {
     private static final int LEVELS = 256;
 
     private static final double WHITE = 255;
@@ -12,7 +12,7 @@ final class EncodedPixels {
     private EncodedPixels() {}
 
     /** The pixels as they are where they are sRGB-encoded already. */
-    static int[] of(int[] argb, boolean srgb) {
+    public static int[] of(int[] argb, boolean srgb) {
         if (srgb) {
             return argb;
         }

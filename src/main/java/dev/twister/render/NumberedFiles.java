@@ -1,4 +1,4 @@
-package dev.twister.cli;
+package dev.twister.render;
 
 import java.io.IOException;
 import java.nio.file.DirectoryStream;
@@ -15,8 +15,9 @@ import java.util.regex.Pattern;
  * Names for frames, which sort as they were drawn. The number's place is {@code %04d} or {@code ####} in the file's
  * name; where there is none, {@code fall.png} becomes {@code fall-0000.png} and so on.
  */
-final class NumberedFiles {
+public final class NumberedFiles {
     private static final int MIN_DIGITS = 4;
+    private static final String ONE_PLACE = "must have one pattern for the frame number, such as %04d or ####";
     private static final Pattern PLACE = Pattern.compile("%(?:0(?<width>[1-9]))?d|#+");
 
     private final Path file;
@@ -35,14 +36,15 @@ final class NumberedFiles {
      * Names for frames. Those of a part of a film have the same digits as all others' of the film.
      *
      * @param file has an ending
-     * @throws BadInputException where the name has two places for a number, or too few digits for the film's part
+     * @throws IllegalArgumentException where the name has two places for a number, or too few digits for the film's
+     *     part; the message says what the name must have
      */
-    static NumberedFiles of(Path file, FrameRange frames) {
+    public static NumberedFiles of(Path file, FrameRange frames) {
         NumberedFiles files = of(file, frames.counted() ? frames.count() : 1);
         int needed = Integer.toString(frames.last()).length();
         if (!frames.counted() && files.digits > 1 && needed > files.digits) {
-            throw new BadInputException("--output is " + file + ", but the number of frame " + frames.last() + " needs "
-                    + needed + " digits; write " + "#".repeat(needed) + " or more in its place");
+            throw new IllegalArgumentException("the number of frame " + frames.last() + " needs " + needed
+                    + " digits; write " + "#".repeat(needed) + " or more in its place");
         }
         return files;
     }
@@ -58,8 +60,7 @@ final class NumberedFiles {
         NumberedFiles files =
                 new NumberedFiles(file, name.substring(0, place.start()), digits(place), name.substring(place.end()));
         if (place.find()) {
-            throw new BadInputException(
-                    "--output is " + file + ", but must have one pattern for the frame number, such as %04d or ####");
+            throw new IllegalArgumentException(ONE_PLACE);
         }
         return files;
     }
@@ -72,21 +73,21 @@ final class NumberedFiles {
     }
 
     /** The file of a number, from 0; larger numbers than its place takes make the name longer. */
-    Path file(int number) {
+    public Path file(int number) {
         return file.resolveSibling(start + String.format(Locale.ROOT, "%0" + digits + "d", number) + end);
     }
 
     /**
      * Those that are there, by their numbers.
      *
-     * @throws IOException where their folder cannot be read
+     * @throws IOException where their folder is not there or cannot be read
      */
-    SortedMap<Integer, Path> existing() throws IOException {
+    public SortedMap<Integer, Path> existing() throws IOException {
         Pattern name = Pattern.compile(Pattern.quote(start) + "(\\d{1,9})" + Pattern.quote(end));
         SortedMap<Integer, Path> files = new TreeMap<>();
         Path folder = Optional.ofNullable(file.getParent()).orElse(Path.of(""));
         if (!Files.isDirectory(folder)) {
-            throw new BadInputException("there is no folder " + folder);
+            throw new IOException("there is no folder " + folder);
         }
         try (DirectoryStream<Path> all = Files.newDirectoryStream(folder)) {
             for (Path each : all) {

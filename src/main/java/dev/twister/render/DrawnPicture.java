@@ -1,4 +1,4 @@
-package dev.twister.cli;
+package dev.twister.render;
 
 import dev.twister.engine.NumberColors;
 import dev.twister.image.ExrChannel;
@@ -12,16 +12,17 @@ import java.util.List;
  *
  * @param drawn its frame is linear where the output is, or where the picture is no color
  */
-record DrawnPicture(Picture picture, BandedDrawing.Drawn drawn) {
+public record DrawnPicture(Picture picture, BandedDrawing.Drawn drawn) {
     private static final String COLOR_CHANNELS = "RGB";
     private static final int CHANNELS = 3;
 
-    Frame frame() {
+    /** The pixels, or the radiance. */
+    public Frame frame() {
         return drawn.frame();
     }
 
     /** 0xAARRGGBB of each pixel, row by row from the top. */
-    int[] pixels() {
+    public int[] pixels() {
         return picture.isColor() ? frame().argb() : NumberColors.pixels(picture, frame().radiance());
     }
 

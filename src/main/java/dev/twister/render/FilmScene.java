@@ -1,4 +1,4 @@
-package dev.twister.cli;
+package dev.twister.render;
 
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
@@ -14,9 +14,13 @@ import java.util.function.DoubleFunction;
  * @param camera at a time, in seconds
  * @param rate frames a second
  */
-record FilmScene(Scene scene, World world, FilmBodies bodies, DoubleFunction<Camera> camera, double rate) {
-    /** A frame, whatever frames were before it. */
-    FrameInput frame(int number) throws IOException {
+public record FilmScene(Scene scene, World world, FilmBodies bodies, DoubleFunction<Camera> camera, double rate) {
+    /**
+     * A frame, whatever frames were before it.
+     *
+     * @throws IOException where the bodies' places cannot be read
+     */
+    public FrameInput frame(int number) throws IOException {
         Camera seen = camera.apply(number / rate);
         World near = world;
         if (!world.isNear(seen)) {

@@ -1,0 +1,101 @@
+package dev.twister.render;
+
+import dev.twister.image.ExrChannel;
+import dev.twister.image.ExrPicture;
+import dev.twister.image.ExrWriter;
+import dev.twister.image.Frame;
+import dev.twister.image.HdrWriter;
+import dev.twister.image.PngWriter;
+import dev.twister.image.Provenance;
+import dev.twister.world.FrameInput;
+import dev.twister.world.Picture;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/** The kinds of picture files. */
+public enum PictureFormat {
+    PNG(".png"),
+    HDR(".hdr"),
+    EXR(".exr");
+
+    private final String ending;
+
+    PictureFormat(String ending) {
+        this.ending = ending;
+    }
+
+    /** The one that a file's name ends in. */
+    public static Optional<PictureFormat> of(Path file) {
+        String name = file.toString().toLowerCase(Locale.ROOT);
+        return Arrays.stream(values())
+                .filter(format -> name.endsWith(format.ending))
+                .findFirst();
+    }
+
+    /** With its dot. */
+    public String ending() {
+        return ending;
+    }
+
+    /** Whether it holds linear radiance, not pixels. */
+    public boolean isLinear() {
+        return this != PNG;
+    }
+
+    /** Bytes per pixel that rendering and writing these pictures takes. */
+    public long bytesPerPixel(List<Picture> pictures) {
+        long drawn = pictures.stream()
+                .mapToLong(picture -> BandedDrawing.bytesPerPixel(isLinear() || !picture.isColor()))
+                .sum();
+        return this == EXR ? 2 * drawn : drawn;
+    }
+
+    /** Whether 8-bit pixels are sRGB-encoded: numbers are shown as they are, which no viewer is to encode. */
+    static boolean isEncoded(DrawnPicture drawn, FrameInput input) {
+        return input.srgb() || !drawn.picture().isColor();
+    }
+
+    /**
+     * Writes a PNG to a stream, which stays open.
+     *
+     * @param part what was drawn
+     * @param made told in the file
+     */
+    public static void writePng(OutputStream out, DrawnPicture drawn, FrameInput part, Provenance made)
+            throws IOException {
+        Frame frame = drawn.frame();
+        PngWriter.write(out, frame.width(), frame.height(), drawn.pixels(), isEncoded(drawn, part), made);
+    }
+
+    /**
+     * Writes a file, whole or not at all.
+     *
+     * @param drawn one, or more into an EXR file
+     * @param input what they were drawn from, the whole picture or a part
+     * @param made told in the file
+     * @throws IOException as {@link dev.twister.files.WholeFile#write}
+     */
+    public void write(Path file, List<DrawnPicture> drawn, FrameInput input, Provenance made) throws IOException {
+        DrawnPicture first = drawn.getFirst();
+        int width = first.frame().width();
+        int height = first.frame().height();
+        switch (this) {
+            case PNG -> PngWriter.write(file, width, height, first.pixels(), isEncoded(first, input), made);
+            case HDR -> HdrWriter.write(file, width, height, first.frame().radiance(), made);
+            case EXR -> {
+                List<ExrChannel> channels = drawn.stream()
+                        .flatMap(picture -> picture.channels(drawn.size() == 1).stream())
+                        .toList();
+                ExrWriter.write(
+                        file,
+                        new ExrPicture(
+                                width, input.height(), input.firstRow(), input.rows(), channels, Optional.of(made)));
+            }
+        }
+    }
+}

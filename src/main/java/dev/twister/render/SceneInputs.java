@@ -1,0 +1,38 @@
+package dev.twister.render;
+
+import dev.twister.scene.Mesh;
+import dev.twister.scene.Scene;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+
+/** The files that a scene is rendered from, which no rendering is to replace. */
+public final class SceneInputs {
+    private SceneInputs() {}
+
+    /** The scene's own file, its sky, textures and meshes. */
+    public static List<Path> of(Path sceneFile, Scene scene) {
+        return Stream.of(
+                        Stream.of(sceneFile, scene.skybox()),
+                        scene.textures().keySet().stream(),
+                        scene.meshes().stream().map(Mesh::file))
+                .flatMap(files -> files)
+                .toList();
+    }
+
+    /**
+     * Whether writing a file would replace one of these.
+     *
+     * @throws IOException where files cannot be compared
+     */
+    public static boolean areReplacedBy(Path file, List<Path> inputs) throws IOException {
+        for (Path input : inputs) {
+            if (Files.isRegularFile(input) && Files.exists(file) && Files.isSameFile(input, file)) {
+                return true;
+            }
+        }
+        return false;
+    }
+}
