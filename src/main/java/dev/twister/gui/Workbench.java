@@ -38,6 +38,7 @@ final class Workbench implements AutoCloseable {
     private final FileActions files;
     private final AutosaveKeeper autosaves;
     private final PictureActions pictures;
+    private final RenderActions render;
     private final HelpWindows help;
     private final Panel panel;
     private final PixelInspector inspector;
@@ -87,6 +88,7 @@ final class Workbench implements AutoCloseable {
         middle.getChildren().addAll(inspector, table);
         String usualEngine = studio.engineProperty().get().offer().id();
         EngineList engines = EngineList.load(studio, errands);
+        render = new RenderActions(stage, studio, engines, options.files(), dialogs);
         CommandActions actions = actions(() -> Panel.resetAll(studio, engines, usualEngine));
         panel = new Panel(studio, engines, comparison, files, actions);
         panel.foldAsKept(settings);
@@ -139,6 +141,7 @@ final class Workbench implements AutoCloseable {
     /** Called in every pulse. */
     void pulse(long nanos) {
         pictures.pulse();
+        render.pulse();
         autosaves.pulse(nanos);
         panel.pulse(nanos);
         inspector.pulse();
@@ -157,6 +160,7 @@ final class Workbench implements AutoCloseable {
         help.close();
         comparison.close();
         pictures.finish();
+        render.finish();
         autosaves.finish();
         reading.cancel();
         errands.finish();
@@ -169,6 +173,7 @@ final class Workbench implements AutoCloseable {
      */
     void awaitFiles() {
         pictures.close();
+        render.close();
         errands.close();
         autosaves.close();
     }
@@ -201,8 +206,9 @@ final class Workbench implements AutoCloseable {
                 .on(Command.SAVE, files::save)
                 .on(Command.SAVE_AS, files::saveAs)
                 .on(Command.SCREENSHOT, pictures::screenshot)
+                .on(Command.RENDER, render::show)
                 .on(Command.RECORD, pictures::toggleRecording)
-                .on(Command.QUIT, () -> files.afterSaving(stage::hide))
+                .on(Command.QUIT, this::closeOnceSaved)
                 .on(Command.UNDO, studio::undo)
                 .on(Command.REDO, studio::redo)
                 .on(Command.REDO_ALSO, studio::redo)
@@ -343,7 +349,11 @@ final class Workbench implements AutoCloseable {
 
     private void closeOnceSaved(WindowEvent event) {
         event.consume();
-        files.afterSaving(stage::hide);
+        closeOnceSaved();
+    }
+
+    private void closeOnceSaved() {
+        render.beforeClosing(() -> files.afterSaving(stage::hide));
     }
 
     private boolean takeTyped() {
