@@ -9,6 +9,7 @@ enum Command {
     SAVE(Group.FILE, "Save", "Shortcut+S", "Saves the scene, with the camera where it is now."),
     SAVE_AS(Group.FILE, "Save as…", "Shortcut+Shift+S", "Saves the scene under another name."),
     SCREENSHOT(Group.FILE, "Screenshot…", "F12", "Saves the picture as PNG, or as HDR with its radiance."),
+    RENDER(Group.FILE, "Render to file…", "Shift+F12", "Renders a picture or a film, beside the window."),
     RECORD(Group.FILE, "Record…", "Shortcut+R", "Saves each picture drawn as a numbered PNG, until chosen again."),
     QUIT(Group.FILE, "Quit", "Shortcut+Q", "Closes the window."),
     UNDO(Group.EDIT, "Undo", "Shortcut+Z", "Undoes the last edit."),

@@ -73,6 +73,34 @@ final class Dialogs {
                 later);
     }
 
+    /** Asks whether to replace frames of an earlier film. */
+    void askToReplaceFrames(String name, Answer other, Answer replace) {
+        ask(
+                "frames-question",
+                name + " already exists",
+                "Rendering replaces the frames of an earlier film.",
+                other,
+                replace,
+                Answer.CANCEL);
+    }
+
+    /** Asks whether to cancel what is being rendered to a file; usually it goes on. */
+    void askToCancelRender(String name, Answer cancel) {
+        ButtonType yes = new ButtonType(cancel.label(), ButtonData.NO);
+        Alert alert = alert(
+                AlertType.CONFIRMATION,
+                "Cancel the render?",
+                name + " is not finished. It will be lost if you close the window now.");
+        alert.getDialogPane().setId("render-question");
+        alert.getButtonTypes().setAll(List.of(yes, new ButtonType("Keep rendering", ButtonData.CANCEL_CLOSE)));
+        alert.setOnHidden(_ -> {
+            if (yes.equals(alert.getResult())) {
+                cancel.action().run();
+            }
+        });
+        alert.show();
+    }
+
     private void ask(String id, String header, String message, Answer usual, Answer other, Answer neither) {
         ButtonType yes = new ButtonType(usual.label(), ButtonData.YES);
         ButtonType no = new ButtonType(other.label(), ButtonData.NO);

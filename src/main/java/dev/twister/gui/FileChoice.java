@@ -23,6 +23,14 @@ interface FileChoice {
     /** Where to save a picture, .png or .hdr. */
     Optional<Path> toSavePicture(Path suggested);
 
+    /**
+     * Where to render to.
+     *
+     * @param kind of file, for a person
+     * @param ending of its name, with a dot
+     */
+    Optional<Path> toRender(Path suggested, String kind, String ending);
+
     /** A folder for a recording. */
     Optional<Path> folder(Path suggested);
 }

@@ -88,6 +88,14 @@ final class SystemFileChoice implements FileChoice {
     }
 
     @Override
+    public Optional<Path> toRender(Path suggested, String kind, String ending) {
+        FileChooser chooser = chooser("Render to file", parent(suggested));
+        chooser.setInitialFileName(String.valueOf(suggested.getFileName()));
+        chooser.getExtensionFilters().add(new ExtensionFilter(kind, "*" + ending));
+        return path(chooser.showSaveDialog(owner)).map(file -> ChosenFile.withEnding(file, ending));
+    }
+
+    @Override
     public Optional<Path> folder(Path suggested) {
         DirectoryChooser chooser = new DirectoryChooser();
         chooser.setTitle("Record into a folder");

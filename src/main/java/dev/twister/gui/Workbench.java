@@ -36,6 +36,7 @@ final class Workbench implements AutoCloseable {
     private final FileActions files;
     private final AutosaveKeeper autosaves;
     private final PictureActions pictures;
+    private final RenderActions render;
     private final HelpWindows help;
     private final Panel panel;
     private final PixelInspector inspector;
@@ -85,6 +86,7 @@ final class Workbench implements AutoCloseable {
         middle.getChildren().addAll(inspector, table);
         String usualEngine = studio.engineProperty().get().offer().id();
         EngineList engines = EngineList.load(studio, errands);
+        render = new RenderActions(stage, studio, engines, options.files(), dialogs);
         CommandActions actions = actions(() -> Panel.resetAll(studio, engines, usualEngine));
         ClippingView clipping = new ClippingView(picture, studio);
         picture.addOverlay(clipping);
@@ -155,6 +157,7 @@ final class Workbench implements AutoCloseable {
     /** Called in every pulse. */
     void pulse(long nanos) {
         pictures.pulse();
+        render.pulse();
         autosaves.pulse(nanos);
         panel.pulse(nanos);
         inspector.pulse();
@@ -173,6 +176,7 @@ final class Workbench implements AutoCloseable {
         help.close();
         comparison.close();
         pictures.finish();
+        render.finish();
         autosaves.finish();
         reading.cancel();
         errands.finish();
@@ -185,6 +189,7 @@ final class Workbench implements AutoCloseable {
      */
     void awaitFiles() {
         pictures.close();
+        render.close();
         errands.close();
         autosaves.close();
     }
@@ -217,8 +222,9 @@ final class Workbench implements AutoCloseable {
                 .on(Command.SAVE, files::save)
                 .on(Command.SAVE_AS, files::saveAs)
                 .on(Command.SCREENSHOT, pictures::screenshot)
+                .on(Command.RENDER, render::show)
                 .on(Command.RECORD, pictures::toggleRecording)
-                .on(Command.QUIT, () -> files.afterSaving(stage::hide))
+                .on(Command.QUIT, this::closeOnceSaved)
                 .on(Command.UNDO, studio::undo)
                 .on(Command.REDO, studio::redo)
                 .on(Command.REDO_ALSO, studio::redo)
@@ -351,7 +357,11 @@ final class Workbench implements AutoCloseable {
 
     private void closeOnceSaved(WindowEvent event) {
         event.consume();
-        files.afterSaving(stage::hide);
+        closeOnceSaved();
+    }
+
+    private void closeOnceSaved() {
+        render.beforeClosing(() -> files.afterSaving(stage::hide));
     }
 
     private boolean takeTyped() {

@@ -54,6 +54,11 @@ final class Answers implements FileChoice {
     }
 
     @Override
+    public Optional<Path> toRender(Path suggestion, String kind, String ending) {
+        return answer(suggestion);
+    }
+
+    @Override
     public Optional<Path> folder(Path suggestion) {
         return answer(suggestion);
     }

@@ -6,6 +6,7 @@ import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
 import dev.twister.sky.TextureReader;
 import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -183,6 +184,25 @@ public final class SkyShelf {
 
     private synchronized Optional<Skybox> keptTexture(Path file) {
         return Optional.ofNullable(textures.get(file));
+    }
+
+    /**
+     * The sky and the textures of a scene and its meshes: those at hand, and others read now, which are not kept. Waits
+     * for no other thread.
+     *
+     * @throws SkyException where one cannot be read
+     */
+    public SceneImages images(Scene scene, SceneMeshes meshes) {
+        Skybox sky = kept(scene.skybox()).orElseGet(() -> reader.apply(scene.skybox(), warnings::add));
+        return new SceneImages(
+                sky,
+                SceneImages.textures(
+                        scene,
+                        meshes,
+                        file -> meshes.embeddedImage(file)
+                                .map(bytes -> TextureReader.read(file, bytes, warnings::add))
+                                .or(() -> keptTexture(file))
+                                .orElseGet(() -> textureReader.apply(file, warnings::add))));
     }
 
     /** How often textures were read anew. */

@@ -2,6 +2,7 @@ package dev.twister.gui.model;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
 
 /**
  * What is written where a person chose a name without the ending that the file's kind has. They were asked whether to
@@ -21,6 +22,14 @@ public final class ChosenFile {
     /** A picture's file, of either kind. */
     public static Path forPicture(Path chosen, boolean linear) {
         return spared(chosen, linear ? PictureFile.asHdr(chosen) : PictureFile.withEnding(chosen));
+    }
+
+    /** A file of a kind that has that ending: it is added where the name has another one. */
+    public static Path withEnding(Path chosen, String ending) {
+        String name = chosen.getFileName().toString();
+        return name.toLowerCase(Locale.ROOT).endsWith(ending)
+                ? chosen
+                : spared(chosen, chosen.resolveSibling(name + ending));
     }
 
     private static Path spared(Path chosen, Path ended) {

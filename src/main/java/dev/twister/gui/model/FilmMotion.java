@@ -1,0 +1,61 @@
+package dev.twister.gui.model;
+
+import dev.twister.scene.Camera;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
+import dev.twister.world.CameraPath;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.DoubleFunction;
+
+/** What moves in a film. */
+public enum FilmMotion {
+    CAMERA_AND_PHYSICS("Camera keyframes and physics", true, true),
+    CAMERA("Camera keyframes", true, false),
+    PHYSICS("Physics", false, true);
+
+    private static final Vector3 NONE = new Vector3(0, 0, 0);
+
+    /** One keyframe is no way. */
+    private static final int FEWEST_KEYFRAMES = 2;
+
+    private final String label;
+    private final boolean camera;
+    private final boolean physics;
+
+    FilmMotion(String label, boolean camera, boolean physics) {
+        this.label = label;
+        this.camera = camera;
+        this.physics = physics;
+    }
+
+    /** What can move in a scene; empty where nothing does. */
+    public static List<FilmMotion> of(Scene scene) {
+        boolean path = scene.camera().keyframes().size() >= FEWEST_KEYFRAMES;
+        boolean bodies = !scene.spheres().isEmpty() || scene.pour().isPresent();
+        boolean falls = bodies && !scene.physics().gravity().equals(NONE);
+        return Arrays.stream(values())
+                .filter(motion -> (path || !motion.camera) && (falls || !motion.physics))
+                .toList();
+    }
+
+    /** The name for a person. */
+    public String label() {
+        return label;
+    }
+
+    /** Whether the camera follows its keyframes. */
+    public boolean movesCamera() {
+        return camera;
+    }
+
+    /** Whether bodies are simulated. */
+    public boolean movesBodies() {
+        return physics;
+    }
+
+    /** The camera at a time of the film, in seconds. */
+    DoubleFunction<Camera> camera(Camera from) {
+        return camera ? seconds -> CameraPath.at(from, seconds) : _ -> from;
+    }
+}

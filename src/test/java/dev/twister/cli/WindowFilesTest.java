@@ -1,0 +1,158 @@
+package dev.twister.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.engine.Engines;
+import dev.twister.gui.model.FilmMotion;
+import dev.twister.gui.model.RenderJob;
+import dev.twister.gui.model.RenderOrder;
+import dev.twister.physics.Simulation;
+import dev.twister.render.FrameRange;
+import dev.twister.scene.Camera;
+import dev.twister.scene.CameraKeyframe;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneReader;
+import dev.twister.scene.SceneWriter;
+import dev.twister.scene.Vector3;
+import dev.twister.world.FrameInput;
+import dev.twister.world.Picture;
+import dev.twister.world.SceneImages;
+import dev.twister.world.SceneMeshes;
+import dev.twister.world.World;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Files that the window renders: those of {@code twister render}, byte by byte. */
+class WindowFilesTest {
+    private static final String ENGINE = "sequential";
+    private static final double RATE = 10;
+
+    @TempDir
+    private Path folder;
+
+    @ParameterizedTest
+    @ValueSource(strings = {"a.png", "a.hdr", "a.exr"})
+    void pictures(String name) {
+        Path file = render(scene("teaching"), Picture.REFLECTIONS, Optional.empty(), Optional.empty(), name);
+
+        assertThat(file).hasSameBinaryContentAs(command(name));
+    }
+
+    @Test
+    void picturesOfMeshes() {
+        Path file = render(scene("knot"), Picture.REFLECTIONS, Optional.empty(), Optional.empty(), "a.png");
+
+        assertThat(file).hasSameBinaryContentAs(command("a.png"));
+    }
+
+    @Test
+    void stagesAndViews() {
+        Scene scene = scene("teaching");
+        Path stage = render(scene, Picture.DIFFUSE, Optional.empty(), Optional.empty(), "a.png");
+        Path view = render(scene, Picture.DEPTH, Optional.empty(), Optional.empty(), "b.png");
+
+        assertThat(stage).hasSameBinaryContentAs(command("a.png", "--stage", "diffuse"));
+        assertThat(view).hasSameBinaryContentAs(command("b.png", "--view", "depth"));
+    }
+
+    @Test
+    void filmsOfKeyframes() {
+        Path file = film(withPath(scene("benchmark")), FilmMotion.CAMERA, FrameRange.of(0, 20), "a.apng");
+
+        // Without --frames the command renders the whole path, which is 2 s long.
+        assertThat(file).hasSameBinaryContentAs(command("a.apng", "--fps", "10"));
+    }
+
+    @Test
+    void framesOfPhysics() {
+        Path file = film(scene("pour-1000"), FilmMotion.PHYSICS, FrameRange.of(5, 6), "f-####.png");
+
+        Path same = command("f-####.png", "--physics", "--fps", "10", "--frames", "5-6");
+        assertThat(file).hasFileName("f-0005.png");
+        for (String name : List.of("f-0005.png", "f-0006.png")) {
+            assertThat(file.resolveSibling(name)).hasSameBinaryContentAs(same.resolveSibling(name));
+        }
+    }
+
+    @Test
+    void framesOfBoth() {
+        Path file = film(withPath(scene("teaching")), FilmMotion.CAMERA_AND_PHYSICS, FrameRange.of(3, 3), "f.exr");
+
+        Path same = command("f.exr", "--physics", "--fps", "10", "--frames", "3-3");
+        assertThat(file).hasSameBinaryContentAs(same.resolveSibling("f-0003.exr"));
+    }
+
+    @Test
+    void bodiesAreWhereTheyAreSeen() {
+        Scene scene = scene("teaching");
+        World world = world(scene);
+        FrameInput seen;
+        try (Simulation simulation = Simulation.of(scene, world.meshes())) {
+            simulation.advance(0.5);
+            simulation.place(world);
+            seen = world.snapshot();
+        }
+
+        Path file = render(scene, Picture.REFLECTIONS, Optional.empty(), Optional.of(seen), "a.png");
+
+        assertThat(file).hasSameBinaryContentAs(command("a.png", "--physics", "--start", "0.5"));
+    }
+
+    private static Scene scene(String name) {
+        Scene scene = SceneReader.read(Path.of("scenes", name + ".json").toAbsolutePath());
+        return scene.withSettings(
+                scene.settings().withSize(32, 18).withShadows(2).withSamplesPerPixel(3));
+    }
+
+    private static Scene withPath(Scene scene) {
+        Camera camera = scene.camera();
+        Vector3 from = camera.position();
+        return scene.withCamera(camera.withKeyframes(List.of(
+                CameraKeyframe.of(0, camera),
+                CameraKeyframe.of(2, camera.withPosition(new Vector3(from.x() + 3, from.y(), from.z()))))));
+    }
+
+    private static World world(Scene scene) {
+        SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
+        return World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
+    }
+
+    private Path film(Scene scene, FilmMotion motion, FrameRange frames, String name) {
+        return render(
+                scene,
+                Picture.REFLECTIONS,
+                Optional.of(new RenderOrder.Film(motion, RATE, frames)),
+                Optional.empty(),
+                name);
+    }
+
+    /** Renders as the window does, and saves the scene. */
+    private Path render(
+            Scene scene, Picture picture, Optional<RenderOrder.Film> film, Optional<FrameInput> seen, String name) {
+        SceneWriter.write(scene, folder.resolve("scene.json"));
+        RenderOrder order = new RenderOrder(scene, picture, Engines.offer(ENGINE), film, seen, folder.resolve(name));
+        return RenderJob.start(order, () -> world(scene), System::nanoTime)
+                .result()
+                .join();
+    }
+
+    /** Renders the saved scene as the command does, into a folder of its own. */
+    private Path command(String name, String... options) {
+        Path file = folder.resolve("command").resolve(name);
+        assertThat(file.toFile().getParentFile().isDirectory()
+                        || file.toFile().getParentFile().mkdir())
+                .isTrue();
+        List<String> arguments = new ArrayList<>(
+                List.of("render", folder.resolve("scene.json").toString(), "-o", file.toString(), "--engine", ENGINE));
+        arguments.addAll(List.of(options));
+        Outcome outcome = Outcome.of(arguments.toArray(String[]::new));
+        assertThat(outcome.err()).isEmpty();
+        return file;
+    }
+}
