@@ -152,7 +152,7 @@ final class RenderActions implements AutoCloseable {
     private void start(RenderOrder order) {
         SceneMeshes meshes =
                 studio.pictureProperty().get().map(DrawnPicture::meshes).orElse(SceneMeshes.NONE);
-        job = Optional.of(RenderJob.start(order, () -> studio.world(order.scene(), meshes), System::nanoTime));
+        job = Optional.of(RenderJob.start(order, () -> studio.assets().world(order.scene(), meshes), System::nanoTime));
         pulse();
     }
 

@@ -133,9 +133,9 @@ final class RenderForm extends GridPane {
     private Optional<FrameInput> movedBodies(Scene scene) {
         return studio.pictureProperty()
                 .get()
-                .filter(_ -> studio.motionProperty().get().isOn())
+                .filter(_ -> studio.motion().isOn())
                 .filter(seen -> seen.request().motion().start()
-                                == studio.motionProperty().get().start()
+                                == studio.motion().motionProperty().get().start()
                         && seen.request().scene().spheres().equals(scene.spheres())
                         && seen.request().scene().pour().equals(scene.pour()))
                 .map(DrawnPicture::input);

@@ -8,6 +8,7 @@ import dev.twister.mesh.MeshFile;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.world.SceneMeshes;
+import dev.twister.world.World;
 import java.nio.file.Path;
 import java.util.Optional;
 
@@ -78,6 +79,12 @@ final class SceneAssets {
     /** Keeps a mesh's file that was read for a scene that is shown next, or is edited to have it. */
     void keepMesh(Mesh mesh, MeshFile file) {
         meshes.keep(mesh, file);
+    }
+
+    /** A scene's world, of what is at hand; the rest is read. */
+    World world(Scene wanted, SceneMeshes atHand) {
+        SceneMeshes all = atHand.changedTo(wanted.meshes(), SceneMeshes.reader(skies::warn));
+        return World.of(wanted, skies.images(wanted, all), all);
     }
 
     /**

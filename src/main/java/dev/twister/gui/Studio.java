@@ -25,7 +25,6 @@ import dev.twister.scene.Vector3;
 import dev.twister.world.CameraMotion;
 import dev.twister.world.Picture;
 import dev.twister.world.SceneMeshes;
-import dev.twister.world.World;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -150,12 +149,6 @@ public final class Studio implements AutoCloseable {
     /** The files that scenes name. */
     SceneAssets assets() {
         return assets;
-    }
-
-    /** A scene's world, of what is at hand; the rest is read. Any thread may ask. */
-    World world(Scene wanted, SceneMeshes atHand) {
-        SceneMeshes all = atHand.changedTo(wanted.meshes(), SceneMeshes.reader(skies::warn));
-        return World.of(wanted, skies.images(wanted, all), all);
     }
 
     /** See {@link DrawingLoop#radiance}. */
