@@ -24,8 +24,10 @@ import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.RadioButton;
 import javafx.scene.control.ToggleGroup;
+import javafx.scene.layout.ColumnConstraints;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 
 /** What is rendered to a file, and how; it stays as it was left. */
@@ -46,11 +48,15 @@ final class RenderForm extends GridPane {
     private final PlainBox<Picture> shown = new PlainBox<>("render-show", ShownPictures::label, this::check);
     private final PlainBox<RenderFormat> format = new PlainBox<>("render-format", RenderFormat::label, this::check);
     private Optional<Long> document = Optional.empty();
+    private int rows;
 
     RenderForm(Studio studio, EngineList engines) {
         this.studio = studio;
         this.engines = engines;
         getStyleClass().add("render-form");
+        ColumnConstraints controls = new ColumnConstraints();
+        controls.setHgrow(Priority.ALWAYS);
+        getColumnConstraints().setAll(new ColumnConstraints(), controls);
         RadioButton picture = radio("render-picture", "_Picture");
         picture.setSelected(true);
         ToggleGroup group = new ToggleGroup();
@@ -190,8 +196,9 @@ final class RenderForm extends GridPane {
         Label label = new Label(name);
         label.setMnemonicParsing(true);
         label.setLabelFor(first);
-        label.setMinWidth(USE_PREF_SIZE);
-        addRow(getRowCount(), label, controls);
+        label.getStyleClass().add("row-name");
+        addRow(rows, label, controls);
+        rows++;
         first.setAccessibleText(name.replace("_", ""));
         return List.of(label, controls);
     }
@@ -199,6 +206,8 @@ final class RenderForm extends GridPane {
     private static RadioButton radio(String id, String label) {
         RadioButton button = new RadioButton(label);
         button.setId(id);
+        // Its underlined letter does no more than this.
+        button.setOnAction(_ -> button.setSelected(true));
         return button;
     }
 }

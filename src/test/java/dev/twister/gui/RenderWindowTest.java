@@ -68,6 +68,9 @@ class RenderWindowTest {
             type(driver, "render-frames-per-second", "4");
             driver.run(() -> formats().setValue(RenderFormat.PNG_FRAMES));
             assertThat(text("render-length")).isEqualTo("9 frames, 2.25 s");
+            driver.pulse();
+            assertThat(bottom("render-motion")).isLessThan(bottom("render-frames-per-second"));
+            assertThat(bottom("render-frames-per-second")).isLessThan(bottom("render-size"));
 
             press(driver, "render-start");
             driver.await(() -> driver.notice().startsWith("Rendered"));
@@ -227,6 +230,14 @@ class RenderWindowTest {
 
     private static String text(String id) {
         return WindowDriver.call(() -> find(id, Label.class).getText());
+    }
+
+    /** Where a control ends in its window. */
+    private static double bottom(String id) {
+        return WindowDriver.call(() -> {
+            Node node = find(id, Node.class);
+            return node.localToScene(node.getLayoutBounds()).getMaxY();
+        });
     }
 
     private static boolean isDisabled(String id) {

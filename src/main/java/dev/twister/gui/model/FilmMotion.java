@@ -10,9 +10,9 @@ import java.util.function.DoubleFunction;
 
 /** What moves in a film. */
 public enum FilmMotion {
-    CAMERA_AND_PHYSICS("Camera keyframes and physics", true, true),
     CAMERA("Camera keyframes", true, false),
-    PHYSICS("Physics", false, true);
+    PHYSICS("Physics", false, true),
+    CAMERA_AND_PHYSICS("Camera keyframes and physics", true, true);
 
     private static final Vector3 NONE = new Vector3(0, 0, 0);
 
