@@ -2,7 +2,6 @@ package dev.twister.film;
 
 import dev.twister.files.SystemReason;
 import dev.twister.files.WholeFile;
-import java.io.BufferedOutputStream;
 import java.io.File;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -64,18 +63,14 @@ public record Ffmpeg(Path program) {
                 .redirectErrorStream(true)
                 .redirectOutput(log.toFile())
                 .start();
-        boolean broken = false;
-        try (OutputStream in = new BufferedOutputStream(process.getOutputStream(), 1 << 16)) {
-            ByteBuffer bytes = ByteBuffer.allocate(Math.multiplyExact(Integer.BYTES, format.width() * format.height()))
-                    .order(ByteOrder.LITTLE_ENDIAN);
-            for (int frame = 0; frame < format.frames() && !broken; frame++) {
-                bytes.asIntBuffer().put(source.next());
-                broken = !isTaken(in, bytes.array());
-            }
-        } catch (IOException failure) {
-            if (!broken && process.isAlive()) {
+        boolean fed = false;
+        try {
+            feed(process.getOutputStream(), format, source);
+            fed = true;
+        } finally {
+            close(process.getOutputStream());
+            if (!fed) {
                 process.destroy();
-                throw failure;
             }
         }
         if (exitCode(process) != 0) {
@@ -83,13 +78,30 @@ public record Ffmpeg(Path program) {
         }
     }
 
-    // ffmpeg that ends early says why in its log.
+    private static void feed(OutputStream in, FilmFormat format, FrameSource source) throws IOException {
+        ByteBuffer bytes = ByteBuffer.allocate(Math.multiplyExact(Integer.BYTES, format.width() * format.height()))
+                .order(ByteOrder.LITTLE_ENDIAN);
+        boolean taken = true;
+        for (int frame = 0; frame < format.frames() && taken; frame++) {
+            bytes.asIntBuffer().put(source.next());
+            taken = isTaken(in, bytes.array());
+        }
+    }
+
     private static boolean isTaken(OutputStream in, byte[] frame) {
         try {
             in.write(frame);
             return true;
         } catch (IOException _) {
             return false;
+        }
+    }
+
+    private static void close(OutputStream in) {
+        try {
+            in.close();
+        } catch (IOException _) {
+            // ffmpeg has ended early. Its exit code tells, and its log says why.
         }
     }
 

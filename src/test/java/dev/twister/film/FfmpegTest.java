@@ -49,6 +49,37 @@ class FfmpegTest {
         assertThat(folder.resolve("film.mp4")).doesNotExist();
     }
 
+    @Test
+    void anEncoderThatClosesItsInputBeforeItEndsIsAskedWhy() throws IOException {
+        Ffmpeg ffmpeg =
+                program("exec <&-; touch \"$(dirname \"$0\")/closed\"; sleep 0.3; echo 'Unknown encoder' >&2; exit 1");
+
+        assertThatIOException()
+                .isThrownBy(() -> ffmpeg.write(folder.resolve("film.mp4"), FORMAT, () -> {
+                    awaitClosedInput();
+                    return new int[2];
+                }))
+                .withMessage(ffmpeg.program() + " failed: Unknown encoder");
+    }
+
+    @Test
+    void whatTheSourceThrowsIsThrownAndNoFilmIsLeft() throws IOException {
+        Ffmpeg ffmpeg = program("cat >/dev/null");
+
+        assertThatIOException()
+                .isThrownBy(() -> ffmpeg.write(folder.resolve("film.mp4"), FORMAT, () -> {
+                    throw new IOException("no frame");
+                }))
+                .withMessage("no frame");
+        assertThat(folder.resolve("film.mp4")).doesNotExist();
+    }
+
+    private void awaitClosedInput() {
+        while (!Files.exists(folder.resolve("closed"))) {
+            Thread.onSpinWait();
+        }
+    }
+
     private Ffmpeg program(String body) throws IOException {
         Path file = Files.writeString(folder.resolve("ffmpeg"), "#!/bin/sh\n" + body + "\n");
         assertThat(file.toFile().setExecutable(true)).isTrue();
