@@ -199,6 +199,26 @@ class PhysicsTest {
                 .isEqualTo(HEIGHT);
     }
 
+    @Test
+    void farFromZeroABodyIsWhereItIsSeen() {
+        Vector3 far = new Vector3(5000, 0, 5000);
+        driver.run(() -> {
+            driver.studio.edit(
+                    "far",
+                    scene -> scene.withSpheres(
+                            List.of(scene.spheres().getFirst().withPosition(new Vector3(far.x(), HEIGHT, far.z())))));
+            driver.studio.endGesture();
+            driver.studio.moveCamera(camera -> camera.withPosition(new Vector3(far.x(), 2, far.z() - 8)));
+        });
+        DrawnPicture fallen = awaitSteps(10);
+        Vector3 now = WindowDriver.call(() -> driver.studio.positionNow(Layout.FIRST_SPHERE));
+
+        assertThat(fallen.input().bodies().origin()).isNotEqualTo(new Vector3(0, 0, 0));
+        assertThat(now.x()).isCloseTo(far.x(), within(1e-3));
+        assertThat(now.z()).isCloseTo(far.z(), within(1e-3));
+        assertThat(now.y()).isBetween(HEIGHT - 1, HEIGHT - 0.01);
+    }
+
     /** Steps so many times more. */
     private static DrawnPicture awaitSteps(int more) {
         driver.run(() -> {
