@@ -8,7 +8,6 @@ import dev.twister.gui.model.BodyExtent;
 import dev.twister.gui.model.Projection;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
-import dev.twister.world.Bodies;
 import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.List;
@@ -160,17 +159,8 @@ final class AxisHandles extends Group {
                 .map(bodies -> bodies.inPicture(active))
                 .filter(body -> BodyEdits.isMovable(scene, body))
                 .map(body -> BodyEdits.isSphere(scene, body)
-                        ? center(picture.input().bodies(), body)
+                        ? picture.input().bodies().centerInScene(body)
                         : BodyExtent.of(scene, picture.meshes(), body).middle());
-    }
-
-    /** Where it has come to, if it moves. */
-    private static Vector3 center(Bodies bodies, int body) {
-        Vector3 origin = bodies.origin();
-        return new Vector3(
-                origin.x() + bodies.center(body, 0),
-                origin.y() + bodies.center(body, 1),
-                origin.z() + bodies.center(body, 2));
     }
 
     private static AxisHandle.Point inView(PicturePlace place, AxisHandle.Point pixel) {

@@ -101,11 +101,11 @@ record MovedScene(Scene standing, Optional<DrawnPicture> seen) {
     }
 
     private static Vector3 place(Bodies bodies, int body) {
-        Vector3 origin = bodies.origin();
+        Vector3 center = bodies.centerInScene(body);
         return new Vector3(
-                SceneLimits.POSITION.clamp(origin.x() + bodies.center(body, 0)),
-                SceneLimits.POSITION.clamp(origin.y() + bodies.center(body, 1)),
-                SceneLimits.POSITION.clamp(origin.z() + bodies.center(body, 2)));
+                SceneLimits.POSITION.clamp(center.x()),
+                SceneLimits.POSITION.clamp(center.y()),
+                SceneLimits.POSITION.clamp(center.z()));
     }
 
     private static Sphere at(Vector3 place, Sphere sphere) {

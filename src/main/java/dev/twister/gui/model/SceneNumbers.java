@@ -87,7 +87,7 @@ public final class SceneNumbers {
 
     public static final NumberSetting FOCUS_DISTANCE = new NumberSetting(
             "Focus distance",
-            "Distance to the plane in focus, straight ahead. Shift+click in the picture sets it.",
+            "Distance to the plane in focus, straight ahead. Ctrl+Shift+click in the picture sets it.",
             SceneLimits.FOCUS_DISTANCE,
             new Range(0.1, 100),
             Scale.LOGARITHMIC,
