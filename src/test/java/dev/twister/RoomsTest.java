@@ -36,6 +36,7 @@ class RoomsTest {
         return Stream.of(
                 room("files"),
                 room("scene", "files"),
+                room("scene.format", "files", "scene"),
                 room("sky"),
                 room("mesh", "files", "scene"),
                 room("image", "files"),
@@ -43,7 +44,17 @@ class RoomsTest {
                 room("film", "files"),
                 room("motion", "files", "scene", "kernel", "world"),
                 room("engine", "kernel", "world", "image"),
-                room("render", "files", "scene", "world", "physics", "motion", "film", "engine", "image"),
+                room(
+                        "render",
+                        "files",
+                        "scene",
+                        "scene.format",
+                        "world",
+                        "physics",
+                        "motion",
+                        "film",
+                        "engine",
+                        "image"),
                 room("engine.tornado", "kernel", "world", "image", "engine"),
                 room("engine.vector.lanes", "kernel", "engine"),
                 room("engine.vector.frame", "kernel", "world", "image", "engine.vector.lanes"),
@@ -79,6 +90,7 @@ class RoomsTest {
                         "gui.model",
                         "files",
                         "scene",
+                        "scene.format",
                         "sky",
                         "kernel",
                         "world",
@@ -94,6 +106,7 @@ class RoomsTest {
                         "gui.drawing",
                         "mesh",
                         "scene",
+                        "scene.format",
                         "sky",
                         "world",
                         "physics",
@@ -107,6 +120,7 @@ class RoomsTest {
                         "files",
                         "mesh",
                         "scene",
+                        "scene.format",
                         "sky",
                         "world",
                         "physics",
@@ -125,6 +139,7 @@ class RoomsTest {
                         "files",
                         "mesh",
                         "scene",
+                        "scene.format",
                         "mesh",
                         "sky",
                         "world",
@@ -172,7 +187,8 @@ class RoomsTest {
     @Test
     void worldKnowsTheKernelsNumbersOnly() {
         DescribedPredicate<JavaClass> allowed = resideOutsideOfPackage("dev.twister..")
-                .or(resideInAnyPackage("dev.twister.world", "dev.twister.scene", "dev.twister.sky", "dev.twister.mesh"))
+                .or(resideInAnyPackage(
+                        "dev.twister.world", "dev.twister.scene..", "dev.twister.sky", "dev.twister.mesh"))
                 .or(belongToAnyOf(Aspect.class, Layout.class, Tone.class));
         classes()
                 .that()
@@ -205,7 +221,7 @@ class RoomsTest {
         DescribedPredicate<JavaClass> allowed = resideOutsideOfPackage("dev.twister..")
                 .or(resideInAnyPackage(
                         "dev.twister",
-                        "dev.twister.scene",
+                        "dev.twister.scene..",
                         "dev.twister.sky",
                         "dev.twister.mesh",
                         "dev.twister.world",

@@ -7,7 +7,7 @@ import dev.twister.explain.PixelPath;
 import dev.twister.image.PictureSize;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.world.World;
 import java.io.PrintWriter;
 import java.util.Optional;

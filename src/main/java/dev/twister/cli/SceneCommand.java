@@ -5,8 +5,9 @@ import dev.twister.mesh.MeshFile;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneGenerator;
-import dev.twister.scene.SceneReader;
-import dev.twister.scene.SceneWriter;
+import dev.twister.scene.format.SceneReader;
+import dev.twister.scene.format.SceneWriter;
+import dev.twister.scene.format.TexturePlaces;
 import dev.twister.sky.ShippedSky;
 import dev.twister.world.SceneMeshes;
 import java.io.IOException;
@@ -86,7 +87,7 @@ final class SceneCommand implements Callable<Integer> {
         SceneMeshes meshes = SkyFiles.world(scene, spec.commandLine().getErr()).meshes();
         return file + ": valid, " + spheres(scene)
                 + also(scene.materials().size(), "material")
-                + also(scene.textures().size(), "texture")
+                + also(TexturePlaces.of(scene).size(), "texture")
                 + meshes(scene, meshes);
     }
 

@@ -6,7 +6,7 @@ import dev.twister.gui.OpenedScene;
 import dev.twister.gui.ShippedFolders;
 import dev.twister.mesh.MeshStage;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneWriter;
+import dev.twister.scene.format.SceneWriter;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.Links;
 import dev.twister.image.HdrWriter;
 import dev.twister.scene.SceneGenerator;
-import dev.twister.scene.SceneWriter;
+import dev.twister.scene.format.SceneWriter;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
