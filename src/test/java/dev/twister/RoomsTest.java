@@ -36,14 +36,25 @@ class RoomsTest {
         return Stream.of(
                 room("files"),
                 room("scene", "files"),
-                room("sky"),
+                room("scene.format", "files", "scene"),
+                room("sky", "files"),
                 room("mesh", "files", "scene"),
                 room("image", "files"),
                 room("threads"),
                 room("film", "files"),
                 room("motion", "files", "scene", "kernel", "world"),
                 room("engine", "kernel", "world", "image"),
-                room("render", "files", "scene", "world", "physics", "motion", "film", "engine", "image"),
+                room(
+                        "render",
+                        "files",
+                        "scene",
+                        "scene.format",
+                        "world",
+                        "physics",
+                        "motion",
+                        "film",
+                        "engine",
+                        "image"),
                 room("engine.tornado", "kernel", "world", "image", "engine"),
                 room("engine.vector.lanes", "kernel", "engine"),
                 room("engine.vector.frame", "kernel", "world", "image", "engine.vector.lanes"),
@@ -79,6 +90,7 @@ class RoomsTest {
                         "gui.model",
                         "files",
                         "scene",
+                        "scene.format",
                         "sky",
                         "kernel",
                         "world",
@@ -94,6 +106,7 @@ class RoomsTest {
                         "gui.drawing",
                         "mesh",
                         "scene",
+                        "scene.format",
                         "sky",
                         "world",
                         "physics",
@@ -120,6 +133,7 @@ class RoomsTest {
                         "files",
                         "mesh",
                         "scene",
+                        "scene.format",
                         "sky",
                         "world",
                         "gui.controls",
@@ -181,6 +195,7 @@ class RoomsTest {
                         "files",
                         "mesh",
                         "scene",
+                        "scene.format",
                         "mesh",
                         "sky",
                         "world",
@@ -230,7 +245,8 @@ class RoomsTest {
     @Test
     void worldKnowsTheKernelsNumbersOnly() {
         DescribedPredicate<JavaClass> allowed = resideOutsideOfPackage("dev.twister..")
-                .or(resideInAnyPackage("dev.twister.world", "dev.twister.scene", "dev.twister.sky", "dev.twister.mesh"))
+                .or(resideInAnyPackage(
+                        "dev.twister.world", "dev.twister.scene..", "dev.twister.sky", "dev.twister.mesh"))
                 .or(belongToAnyOf(Aspect.class, Layout.class, Tone.class));
         classes()
                 .that()
@@ -263,7 +279,7 @@ class RoomsTest {
         DescribedPredicate<JavaClass> allowed = resideOutsideOfPackage("dev.twister..")
                 .or(resideInAnyPackage(
                         "dev.twister",
-                        "dev.twister.scene",
+                        "dev.twister.scene..",
                         "dev.twister.sky",
                         "dev.twister.mesh",
                         "dev.twister.world",

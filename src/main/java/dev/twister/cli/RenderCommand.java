@@ -21,7 +21,7 @@ import dev.twister.render.SceneInputs;
 import dev.twister.scene.Camera;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.world.FrameInput;
 import dev.twister.world.Picture;
 import dev.twister.world.World;

@@ -1,6 +1,7 @@
 package dev.twister.world;
 
 import dev.twister.scene.Scene;
+import dev.twister.scene.format.TexturePlaces;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
@@ -79,7 +80,7 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
      */
     public static Map<Path, Skybox> textures(Scene scene, Function<Path, Skybox> reader) {
         Map<Path, Skybox> textures = new HashMap<>();
-        scene.textures().forEach((file, place) -> textures.put(file, texture(file, place, reader)));
+        TexturePlaces.of(scene).forEach((file, place) -> textures.put(file, texture(file, place, reader)));
         return textures;
     }
 

@@ -1,6 +1,7 @@
 package dev.twister.gui.drawing;
 
 import dev.twister.scene.Scene;
+import dev.twister.scene.format.TexturePlaces;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
@@ -164,7 +165,7 @@ public final class SkyShelf {
         Skybox read = textureReader.apply(file, warnings::add);
         synchronized (this) {
             Map<Path, Skybox> kept = new HashMap<>(textures);
-            kept.keySet().retainAll(scene.textures().keySet());
+            kept.keySet().retainAll(TexturePlaces.of(scene).keySet());
             kept.put(file, read);
             textures = kept;
             texturesEdition++;

@@ -14,6 +14,7 @@ import dev.twister.gui.panel.ChoiceRow.Look;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
+import dev.twister.scene.format.TexturePlaces;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -214,7 +215,7 @@ final class MaterialRows {
     private List<Optional<Path>> textures(Scene scene) {
         return Stream.concat(
                         Stream.of(Optional.<Path>empty()),
-                        Stream.concat(scene.textures().keySet().stream(), firstMaterial().texture().stream())
+                        Stream.concat(TexturePlaces.of(scene).keySet().stream(), firstMaterial().texture().stream())
                                 .distinct()
                                 .sorted()
                                 .map(Optional::of))

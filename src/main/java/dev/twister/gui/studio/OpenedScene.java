@@ -3,7 +3,7 @@ package dev.twister.gui.studio;
 import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.model.FileMark;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import java.nio.file.Path;
 
 /**
