@@ -120,6 +120,7 @@ class RoomsTest {
                         "gui.studio",
                         "mesh",
                         "scene",
+                        "scene.format",
                         "world",
                         "physics",
                         "engine",
@@ -167,6 +168,7 @@ class RoomsTest {
                 room(
                         "gui.panel",
                         "scene",
+                        "scene.format",
                         "world",
                         "engine",
                         "gui.controls",
