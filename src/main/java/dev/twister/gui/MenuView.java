@@ -86,7 +86,7 @@ final class MenuView extends MenuBar {
         check(Command.MOVE, studio.motion().motionProperty().map(Motion::isOn));
         check(Command.PAUSE, studio.motion().motionProperty().map(motion -> motion.isOn() && !motion.running()));
         settings.settingsProperty().subscribe(kept -> showRecent(kept.recentScenes(), files));
-        studio.editsProperty().subscribe(this::showEdits);
+        studio.document().editsProperty().subscribe(this::showEdits);
         studio.selection()
                 .bodiesProperty()
                 .subscribe(selected -> items.get(Command.DELETE)

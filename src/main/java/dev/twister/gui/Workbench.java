@@ -9,15 +9,18 @@ import dev.twister.gui.camera.OrbitMouse;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.Dialogs;
+import dev.twister.gui.controls.Problems;
+import dev.twister.gui.files.AssetActions;
 import dev.twister.gui.files.AutosaveKeeper;
 import dev.twister.gui.files.DropTarget;
 import dev.twister.gui.files.FileActions;
+import dev.twister.gui.files.FileNames;
 import dev.twister.gui.files.Reading;
 import dev.twister.gui.files.ReadingView;
+import dev.twister.gui.files.SceneSaving;
 import dev.twister.gui.files.SettingsKeeper;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.ShownPictures;
-import dev.twister.gui.model.ThrownSpheres;
 import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.panel.Panel;
 import dev.twister.gui.panel.PanelKeys;
@@ -40,7 +43,6 @@ import dev.twister.gui.rendering.RenderActions;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Studio;
-import dev.twister.scene.Scene;
 import dev.twister.world.Picture;
 import java.util.Optional;
 import javafx.beans.value.ObservableValue;
@@ -69,6 +71,8 @@ final class Workbench implements AutoCloseable {
     private final Reading reading;
     private final Errands errands = new Errands();
     private final FileActions files;
+    private final SceneSaving saving;
+    private final AssetActions assets;
     private final AutosaveKeeper autosaves;
     private final PictureActions pictures;
     private final RenderActions render;
@@ -105,14 +109,16 @@ final class Workbench implements AutoCloseable {
         this.reading = reading;
         settings = new SettingsKeeper(options.settings(), options.found(), studio::notice);
         Dialogs dialogs = new Dialogs(stage);
-        files = new FileActions(
-                studio, options.files(), options.shipped(), dialogs, settings, errands, reading, this::takeTyped);
+        saving = new SceneSaving(
+                studio, options.files(), options.shipped(), dialogs, settings, errands, this::takeTyped);
+        assets = new AssetActions(studio, options.files(), dialogs, settings, reading);
+        files = new FileActions(studio, options.files(), options.shipped(), dialogs, settings, reading, saving, assets);
         autosaves = new AutosaveKeeper(studio, options.autosaves());
         pictures = new PictureActions(studio, options.files(), dialogs, errands);
         help = new HelpWindows(stage);
         comparison = new Comparison(studio, studio.assets()::drawingLoop);
         middle.getChildren().add(1, new SplitView(picture, studio, comparison));
-        bodies = new BodyActions(studio);
+        bodies = new BodyActions(studio, errands);
         inspector = new PixelInspector(picture, studio, errands);
         StackPane.setAlignment(inspector, Pos.TOP_RIGHT);
         paths = new PathPick(studio);
@@ -131,7 +137,7 @@ final class Workbench implements AutoCloseable {
                         Command.CLIPPING,
                         () -> clipping.shownProperty()
                                 .set(!clipping.shownProperty().get()));
-        panel = new Panel(studio, engines, comparison, clipping.shownProperty(), files, actions);
+        panel = new Panel(studio, engines, comparison, clipping.shownProperty(), assets, actions);
         panel.foldAsKept(settings);
         menu = new MenuView(studio, settings, files, actions);
         pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
@@ -166,7 +172,7 @@ final class Workbench implements AutoCloseable {
         errands.run(
                 () -> SkyList.in(options.shipped().skyboxes()),
                 panel::offerSkies,
-                problem -> studio.notice(FileActions.explain(problem)));
+                problem -> studio.notice(Problems.explain(problem)));
         if (!settings.settings().hintSeen()) {
             HintLine hint = new HintLine(picture, () -> settings.change(WindowSettings::withHintSeen));
             StackPane.setAlignment(hint, Pos.BOTTOM_CENTER);
@@ -177,12 +183,12 @@ final class Workbench implements AutoCloseable {
         panel.visibleProperty().subscribe(_ -> limitWidth());
         // Style sheets say it, in the text's size.
         panel.minWidthProperty().subscribe(_ -> limitWidth());
-        options.asked().ifPresent(files::remember);
+        options.asked().ifPresent(settings::remember);
         studio.engineProperty()
                 .subscribe((_, choice) ->
                         settings.change(kept -> kept.withEngine(choice.offer().id())));
-        studio.editsProperty().subscribe(_ -> showTitle());
-        studio.fileProperty().subscribe(_ -> showTitle());
+        studio.document().editsProperty().subscribe(_ -> showTitle());
+        studio.document().fileProperty().subscribe(_ -> showTitle());
         stage.setOnCloseRequest(this::closeOnceSaved);
         autosaves.offer(dialogs, files);
         stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
@@ -246,16 +252,19 @@ final class Workbench implements AutoCloseable {
         return files;
     }
 
-    /** What would be kept if the window were closed now. */
-    WindowSettings settings() {
-        return settings.settings();
+    SceneSaving saving() {
+        return saving;
+    }
+
+    SettingsKeeper settings() {
+        return settings;
     }
 
     private CommandActions actions(Runnable resetAll) {
         return new CommandActions()
                 .on(Command.OPEN, files::open)
-                .on(Command.SAVE, files::save)
-                .on(Command.SAVE_AS, files::saveAs)
+                .on(Command.SAVE, saving::save)
+                .on(Command.SAVE_AS, saving::saveAs)
                 .on(Command.SCREENSHOT, pictures::screenshot)
                 .on(Command.RENDER, render::show)
                 .on(Command.RECORD, pictures::toggleRecording)
@@ -264,7 +273,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.REDO, studio::redo)
                 .on(Command.REDO_ALSO, studio::redo)
                 .on(Command.INSERT, bodies::insert)
-                .on(Command.INSERT_MESH, files::insertMesh)
+                .on(Command.INSERT_MESH, assets::insertMesh)
                 .on(Command.DUPLICATE, bodies::duplicate)
                 .on(Command.COPY, bodies::copy)
                 .on(Command.PASTE, bodies::paste)
@@ -282,7 +291,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.ZOOM_IN, () -> picture.zoom(ZoomMouse.STEP))
                 .on(Command.ZOOM_OUT, () -> picture.zoom(1 / ZoomMouse.STEP))
                 .on(Command.ZOOM_TO_FIT, picture::zoomToFit)
-                .on(Command.PANEL, () -> showPanel(!isPanelShown()))
+                .on(Command.PANEL, () -> showPanel(!panel.isVisible()))
                 .on(Command.FRAME_TIMES, () -> showFrameTimes(!frameTimes.isVisible()))
                 .on(Command.MOVE, () -> studio.motion().setOn(!studio.motion().isOn()))
                 .on(Command.FRAME, bodies::frameSelected)
@@ -291,7 +300,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.AXIS_HANDLES, () -> settings.change(kept -> kept.withAxisHandles(!kept.axisHandles())))
                 .on(Command.PAUSE, studio.motion()::togglePause)
                 .on(Command.STEP, studio.motion()::stepOnce)
-                .on(Command.RANDOMIZE, this::randomize)
+                .on(Command.RANDOMIZE, bodies::randomize)
                 .on(Command.FULL_SCREEN, () -> stage.setFullScreen(!stage.isFullScreen()))
                 .on(Command.PLAY, studio.film()::togglePlaying)
                 .on(Command.SET_KEYFRAME, studio.film()::setKeyframe)
@@ -299,7 +308,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.NEXT_KEYFRAME, () -> studio.film().goAlong(true))
                 .on(Command.PREVIOUS_KEYFRAME, () -> studio.film().goAlong(false))
                 .on(Command.FILM, () -> studio.film().shownProperty().set(!film.isVisible()))
-                .on(Command.CONTROLS, this::showControls)
+                .on(Command.CONTROLS, () -> help.showControls(panel.rows()))
                 .on(Command.ABOUT, help::showAbout);
     }
 
@@ -337,37 +346,6 @@ final class Workbench implements AutoCloseable {
         settings.change(kept -> kept.withFrameTimesShown(shown));
     }
 
-    private boolean isPanelShown() {
-        return panel.isVisible();
-    }
-
-    private void showControls() {
-        help.showControls(panel.rows());
-    }
-
-    /** Half a million spheres take a while to place, and may be edited meanwhile. */
-    private void randomize() {
-        Scene before = studio.scene();
-        long document = studio.document();
-        errands.run(
-                () -> ThrownSpheres.of(before, System.nanoTime()),
-                thrown -> {
-                    if (studio.document() == document) {
-                        place(thrown);
-                    }
-                },
-                problem -> studio.notice(FileActions.explain(problem)));
-    }
-
-    private void place(Scene thrown) {
-        if (ThrownSpheres.fit(thrown, studio.scene())) {
-            studio.edit("randomize", scene -> ThrownSpheres.placed(thrown, scene));
-            studio.endGesture();
-        } else {
-            randomize();
-        }
-    }
-
     private void toggleComparison() {
         comparison.modeProperty().set(comparison.isOn() ? Mode.OFF : Mode.SPLIT);
     }
@@ -396,7 +374,7 @@ final class Workbench implements AutoCloseable {
     }
 
     private void closeOnceSaved() {
-        render.beforeClosing(() -> files.afterSaving(stage::hide));
+        render.beforeClosing(() -> saving.afterSaving(stage::hide));
     }
 
     private boolean takeTyped() {
@@ -404,7 +382,7 @@ final class Workbench implements AutoCloseable {
     }
 
     private void showTitle() {
-        String name = FileActions.name(studio.fileProperty().get().path());
-        stage.setTitle((studio.editsProperty().get().changed() ? "• " : "") + name + " – Twister");
+        String name = FileNames.name(studio.document().file());
+        stage.setTitle((studio.document().editsProperty().get().changed() ? "• " : "") + name + " – Twister");
     }
 }

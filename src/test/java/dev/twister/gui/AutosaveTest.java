@@ -100,7 +100,7 @@ class AutosaveTest {
         leave(file);
         try (WindowDriver driver = open()) {
             driver.answer(driver.awaitDialog("restore-question"), "Restore");
-            driver.await(() -> driver.studio.editsProperty().get().changed());
+            driver.await(() -> driver.studio.document().editsProperty().get().changed());
             assertThat(WindowDriver.call(driver.studio::scene)).isEqualTo(edited);
             assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("• mine.json – Twister");
             assertThat(keepsSomething()).isTrue();
@@ -116,10 +116,11 @@ class AutosaveTest {
         leave(file);
         try (WindowDriver driver = open()) {
             driver.answer(driver.awaitDialog("restore-question"), "Restore");
-            driver.await(() -> driver.studio.editsProperty().get().changed());
+            driver.await(() -> driver.studio.document().editsProperty().get().changed());
             driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
             assertThat(WindowDriver.call(driver.studio::scene)).isEqualTo(scene);
-            assertThat(WindowDriver.call(driver.studio.editsProperty()::get).changed())
+            assertThat(WindowDriver.call(driver.studio.document().editsProperty()::get)
+                            .changed())
                     .isFalse();
         }
     }
@@ -129,7 +130,7 @@ class AutosaveTest {
         leave(parent.resolve("gone.json"));
         try (WindowDriver driver = open()) {
             driver.answer(driver.awaitDialog("restore-question"), "Restore");
-            driver.await(() -> driver.studio.editsProperty().get().changed());
+            driver.await(() -> driver.studio.document().editsProperty().get().changed());
             assertThat(WindowDriver.call(driver.studio::scene)).isEqualTo(edited);
             assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("• gone.json – Twister");
         }
@@ -144,7 +145,7 @@ class AutosaveTest {
         Files.delete(sky);
         try (WindowDriver driver = open()) {
             driver.answer(driver.awaitDialog("restore-question"), "Restore");
-            driver.await(() -> driver.studio.editsProperty().get().changed());
+            driver.await(() -> driver.studio.document().editsProperty().get().changed());
             assertThat(WindowDriver.call(driver.studio::scene)).isEqualTo(edited);
         }
     }

@@ -72,7 +72,7 @@ class PanelTest {
         driver.type(Command.RESET.keys());
         driver.clearNotice();
         driver.run(() -> driver.studio.selection().select(SPHERE));
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
 
     static Stream<NumberSetting> numbers() {
@@ -130,7 +130,7 @@ class PanelTest {
         // Fingers leave the keys in any order.
         driver.release(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.HOME);
 
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
 
     @Test
@@ -313,7 +313,7 @@ class PanelTest {
         TextField field = in(row, ".text-field", TextField.class);
         typeText(field, "many");
         assertThat(driver.notice()).isEqualTo("Shadow samples is 'many', but must be a number from 1 to 1024");
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
         driver.type(KeyCode.ESCAPE);
         assertThat(field.getText()).isEqualTo("1");
         assertThat(driver.text("notice")).isEmpty();
@@ -489,7 +489,7 @@ class PanelTest {
         assertThat(brightness(driver.awaitCurrentPicture())).isLessThan(mapped);
         driver.click(in(row("sRGB curve"), ".reset", Button.class));
         driver.click(in(row("Tone map"), ".reset", Button.class));
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
 
     @Test
@@ -595,12 +595,16 @@ class PanelTest {
         long before = brightness(driver.awaitCurrentPicture());
         driver.type(row("Sky").keys());
         driver.type(KeyCode.DOWN);
-        driver.await(() ->
-                !driver.studio.scene().skybox().equals(driver.studio.original().skybox()));
+        driver.await(() -> !driver.studio
+                .scene()
+                .skybox()
+                .equals(driver.studio.document().original().skybox()));
         assertThat(brightness(driver.awaitCurrentPicture())).isNotEqualTo(before);
         driver.click(in(row("Sky"), ".reset", Button.class));
-        driver.await(() ->
-                driver.studio.scene().skybox().equals(driver.studio.original().skybox()));
+        driver.await(() -> driver.studio
+                .scene()
+                .skybox()
+                .equals(driver.studio.document().original().skybox()));
     }
 
     @Test
@@ -664,7 +668,8 @@ class PanelTest {
         driver.run(() -> driver.studio.selection().select(Layout.NOTHING));
         driver.type(KeyCode.DELETE);
         assertThat(driver.notice()).isEqualTo("Nothing is selected");
-        driver.run(() -> driver.studio.show(new OpenedScene(Path.of("test.json"), driver.studio.original())));
+        driver.run(() -> driver.studio.show(
+                new OpenedScene(Path.of("test.json"), driver.studio.document().original())));
         driver.type(Command.UNDO.keys());
         assertThat(driver.notice()).isEqualTo("Nothing to undo");
         driver.type(Command.REDO.keys());
@@ -683,7 +688,7 @@ class PanelTest {
         driver.run(() -> driver.window.workbench().panel().setVvalue(1));
         driver.pulse();
         driver.click(driver.find("#reset-everything", Button.class));
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
         assertThat(WindowDriver.call(driver.studio.refiningProperty()::get)).isTrue();
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
         assertThat(scene()).isEqualTo(edited);
@@ -751,7 +756,7 @@ class PanelTest {
                 .containsExactly(0.0, 1.0, 1.0);
         driver.type(KeyCode.ESCAPE);
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
 
     @Test
@@ -772,7 +777,8 @@ class PanelTest {
         driver.type(Command.AXIS_HANDLES.keys());
         assertThat(WindowDriver.call(() -> driver.find("#handle-x", Group.class).isVisible()))
                 .isFalse();
-        assertThat(WindowDriver.call(() -> driver.window.workbench().settings().axisHandles()))
+        assertThat(WindowDriver.call(
+                        () -> driver.window.workbench().settings().settings().axisHandles()))
                 .isFalse();
         driver.type(Command.AXIS_HANDLES.keys());
         assertThat(WindowDriver.call(() -> driver.find("#handle-x", Group.class).isVisible()))

@@ -85,7 +85,8 @@ class SettingsTest {
                 assertThat(driver.find("#hint-line", Node.class).isVisible())
                         .as(used)
                         .isFalse();
-                assertThat(driver.window.workbench().settings().hintSeen()).isTrue();
+                assertThat(driver.window.workbench().settings().settings().hintSeen())
+                        .isTrue();
             }
         }
     }
@@ -103,7 +104,7 @@ class SettingsTest {
         SettingsStore store = new SettingsStore(Optional.of(folder));
         try (WindowDriver later = WindowDriver.open(store)) {
             try (WindowDriver sooner = WindowDriver.open(store)) {
-                sooner.run(() -> sooner.window.workbench().files().remember(Path.of("another.json")));
+                sooner.run(() -> sooner.window.workbench().settings().remember(Path.of("another.json")));
             }
             later.typeWith(KeyCode.E, KeyCode.CONTROL);
         }
@@ -116,7 +117,7 @@ class SettingsTest {
     void aSceneThatWasAskedForIsARecentOne() {
         SettingsStore store = new SettingsStore(Optional.of(folder));
         try (WindowDriver driver = WindowDriver.open(store)) {
-            assertThat(driver.window.workbench().settings().recentScenes())
+            assertThat(driver.window.workbench().settings().settings().recentScenes())
                     .containsExactly(Path.of("test.json").toAbsolutePath().toString());
         }
         assertThat(store.read().settings().recentScenes()).hasSize(1);

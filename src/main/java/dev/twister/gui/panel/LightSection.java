@@ -33,7 +33,7 @@ final class LightSection {
                 scene -> Radiance.of(scene.light().color()).hue(),
                 LightSection::withHue);
         studio.sceneProperty().subscribe(_ -> refresh());
-        studio.originalProperty().subscribe(_ -> refresh());
+        studio.document().originalProperty().subscribe(_ -> refresh());
     }
 
     List<PanelRow> rows() {
@@ -47,7 +47,7 @@ final class LightSection {
     }
 
     private void refresh() {
-        numbers.forEach(row -> row.show(studio.scene(), studio.original()));
-        color.show(studio.scene(), studio.original());
+        numbers.forEach(row -> row.show(studio.scene(), studio.document().original()));
+        color.show(studio.scene(), studio.document().original());
     }
 }

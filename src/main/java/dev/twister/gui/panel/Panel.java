@@ -3,7 +3,7 @@ package dev.twister.gui.panel;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.Tooltips;
-import dev.twister.gui.files.FileActions;
+import dev.twister.gui.files.AssetActions;
 import dev.twister.gui.files.SettingsKeeper;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.CameraRig;
@@ -55,7 +55,7 @@ public final class Panel extends ScrollPane {
             EngineList engines,
             Comparison comparison,
             BooleanProperty clippingShown,
-            FileActions files,
+            AssetActions assets,
             CommandActions actions) {
         engine = new EngineSection(
                 studio, engines, studio.engineProperty().get().offer().id());
@@ -64,11 +64,11 @@ public final class Panel extends ScrollPane {
         histogram = new HistogramView(studio, actions);
         camera = new CameraSection(studio);
         light = new LightSection(studio);
-        sky = new SkySection(studio, files);
+        sky = new SkySection(studio, assets);
         plane = new PlaneSection(studio);
         physics = new PhysicsSection(studio, actions);
         selection = new SelectionSection(studio);
-        material = new MaterialSection(studio, files);
+        material = new MaterialSection(studio, assets);
         Button reset = new Button("Reset everything");
         reset.setId("reset-everything");
         reset.setTooltip(Tooltips.of(
@@ -226,8 +226,10 @@ public final class Panel extends ScrollPane {
         studio.motion().setOn(false);
         studio.edit(
                 "everything",
-                scene -> studio.original()
-                        .withCamera(CameraRig.of(studio.original().camera()).on(scene.camera())));
+                scene -> studio.document()
+                        .original()
+                        .withCamera(CameraRig.of(studio.document().original().camera())
+                                .on(scene.camera())));
         studio.endGesture();
         studio.hand().goHome();
         studio.setResolution(ResolutionMode.WINDOW);

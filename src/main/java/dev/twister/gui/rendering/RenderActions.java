@@ -4,9 +4,10 @@ import dev.twister.engine.EngineException;
 import dev.twister.film.FilmFile;
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Dialogs.Answer;
+import dev.twister.gui.controls.Problems;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.files.FileActions;
 import dev.twister.gui.files.FileChoice;
+import dev.twister.gui.files.FileNames;
 import dev.twister.gui.model.RenderJob;
 import dev.twister.gui.model.RenderOrder;
 import dev.twister.gui.studio.EngineList;
@@ -68,7 +69,7 @@ public final class RenderActions implements AutoCloseable {
     /** Does that, which closes the window; where something is rendered, asks first whether to cancel it. */
     public void beforeClosing(Runnable then) {
         if (job.isPresent()) {
-            dialogs.askToCancelRender(FileActions.name(job.get().order().file()), new Answer("Cancel render", () -> {
+            dialogs.askToCancelRender(FileNames.name(job.get().order().file()), new Answer("Cancel render", () -> {
                 cancel();
                 then.run();
             }));
@@ -112,7 +113,7 @@ public final class RenderActions implements AutoCloseable {
     }
 
     private String stem() {
-        String name = FileActions.name(studio.fileProperty().get().path());
+        String name = FileNames.name(studio.document().file());
         int dot = name.lastIndexOf('.');
         return dot > 0 ? name.substring(0, dot) : name;
     }
@@ -123,13 +124,13 @@ public final class RenderActions implements AutoCloseable {
                 Optional.ofNullable(order.file().toAbsolutePath().getParent()).orElse(lastFolder);
         try {
             if (SceneInputs.areReplacedBy(
-                    order.file(), SceneInputs.of(studio.fileProperty().get().path(), order.scene()))) {
+                    order.file(), SceneInputs.of(studio.document().file(), order.scene()))) {
                 dialogs.complain(FAILED, order.file() + " is a file of the scene; choose another one");
             } else {
                 Optional<Path> there = firstFrameThere(order);
                 if (there.isPresent()) {
                     dialogs.askToReplaceFrames(
-                            FileActions.name(there.get()),
+                            FileNames.name(there.get()),
                             new Answer("Other name…", this::start),
                             new Answer("Replace", () -> start(order)));
                 } else {
@@ -179,7 +180,7 @@ public final class RenderActions implements AutoCloseable {
     }
 
     private static String explain(Throwable problem) {
-        return problem instanceof EngineException ? problem.getMessage() : FileActions.explain(problem);
+        return problem instanceof EngineException ? problem.getMessage() : Problems.explain(problem);
     }
 
     private void tell(String what) {

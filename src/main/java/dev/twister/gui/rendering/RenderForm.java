@@ -106,8 +106,8 @@ final class RenderForm extends GridPane {
             films.showUsual();
             engines.want();
         }
-        if (!document.equals(Optional.of(studio.document()))) {
-            document = Optional.of(studio.document());
+        if (!document.equals(Optional.of(studio.document().number()))) {
+            document = Optional.of(studio.document().number());
             shadows.show(scene.settings().shadowSamples());
             films.startAnew();
         }
