@@ -1,5 +1,6 @@
 package dev.twister.gui;
 
+import dev.twister.gui.model.WindowSettings;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.gui.files.ShippedFolders;
@@ -71,7 +72,7 @@ public final class Gui {
             Stage stage = new Stage();
             SettingsStore store = SettingsStore.ofThisUser();
             SettingsStore.Found found = store.read();
-            String id = engine.orElse(found.settings().engine());
+            String id = engine.orElse(found.settings().get(WindowSettings.ENGINE));
             // Looking for engines takes TornadoVM a second: that is left to the thread that opens this one.
             EngineOffer offer = EngineOffer.working(id, "", "", () -> Engines.open(id));
             Studio studio = Studio.start(opened, offer);

@@ -1,5 +1,6 @@
 package dev.twister.gui;
 
+import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.bodies.BodyActions;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.Command.Group;
@@ -85,7 +86,7 @@ final class MenuView extends MenuBar {
         underline(getMenus());
         check(Command.MOVE, studio.motion().motionProperty().map(Motion::isOn));
         check(Command.PAUSE, studio.motion().motionProperty().map(motion -> motion.isOn() && !motion.running()));
-        settings.settingsProperty().subscribe(kept -> showRecent(kept.recentScenes(), files));
+        settings.settingsProperty().subscribe(kept -> showRecent(kept.get(WindowSettings.RECENT_SCENES), files));
         studio.document().editsProperty().subscribe(this::showEdits);
         studio.selection()
                 .bodiesProperty()

@@ -165,7 +165,7 @@ final class Workbench implements AutoCloseable {
         bodyMouse = BodyMouse.install(picture, studio, paths, handles, stage.focusedProperty());
         bodyMouse.axisProperty().subscribe(outline::showAxis);
         bodyMouse.axisProperty().subscribe(handles::point);
-        handles.onProperty().bind(settings.settingsProperty().map(WindowSettings::axisHandles));
+        handles.onProperty().bind(settings.settingsProperty().map(kept -> kept.get(WindowSettings.AXIS_HANDLES)));
         menu.check(Command.AXIS_HANDLES, handles.onProperty());
         PanelKeys.install(root.getScene(), panel, picture, this::showPanel);
         DropTarget.install(root.getScene(), files);
@@ -173,8 +173,8 @@ final class Workbench implements AutoCloseable {
                 () -> SkyList.in(options.shipped().skyboxes()),
                 panel::offerSkies,
                 problem -> studio.notice(Problems.explain(problem)));
-        if (!settings.settings().hintSeen()) {
-            HintLine hint = new HintLine(picture, () -> settings.change(WindowSettings::withHintSeen));
+        if (!settings.settings().get(WindowSettings.HINT_SEEN)) {
+            HintLine hint = new HintLine(picture, () -> settings.change(kept -> kept.with(WindowSettings.HINT_SEEN, true)));
             StackPane.setAlignment(hint, Pos.BOTTOM_CENTER);
             middle.getChildren().add(hint);
         }
@@ -186,7 +186,7 @@ final class Workbench implements AutoCloseable {
         options.asked().ifPresent(settings::remember);
         studio.engineProperty()
                 .subscribe((_, choice) ->
-                        settings.change(kept -> kept.withEngine(choice.offer().id())));
+                        settings.change(kept -> kept.with(WindowSettings.ENGINE, choice.offer().id())));
         studio.document().editsProperty().subscribe(_ -> showTitle());
         studio.document().fileProperty().subscribe(_ -> showTitle());
         stage.setOnCloseRequest(this::closeOnceSaved);
@@ -211,8 +211,7 @@ final class Workbench implements AutoCloseable {
         boolean filling = stage.isMaximized() || stage.isFullScreen();
         int width = (int) stage.getWidth();
         int height = (int) stage.getHeight();
-        settings.change(kept ->
-                filling ? kept.withWindow(kept.width(), kept.height(), true) : kept.withWindow(width, height, false));
+        settings.change(kept -> (filling ? kept : kept.withSize(width, height)).with(WindowSettings.MAXIMIZED, filling));
         settings.write();
         help.close();
         comparison.close();
@@ -239,9 +238,9 @@ final class Workbench implements AutoCloseable {
         return panel;
     }
 
-    /** See {@link WindowSettings#qUp}. */
+    /** See {@link WindowSettings#Q_UP}. */
     ObservableValue<Boolean> qUpProperty() {
-        return settings.settingsProperty().map(WindowSettings::qUp);
+        return settings.settingsProperty().map(kept -> kept.get(WindowSettings.Q_UP));
     }
 
     Comparison comparison() {
@@ -296,8 +295,8 @@ final class Workbench implements AutoCloseable {
                 .on(Command.MOVE, () -> studio.motion().setOn(!studio.motion().isOn()))
                 .on(Command.FRAME, bodies::frameSelected)
                 .on(Command.FRAME_ALSO, bodies::frameSelected)
-                .on(Command.Q_UP, () -> settings.change(kept -> kept.withQUp(!kept.qUp())))
-                .on(Command.AXIS_HANDLES, () -> settings.change(kept -> kept.withAxisHandles(!kept.axisHandles())))
+                .on(Command.Q_UP, () -> settings.change(kept -> kept.with(WindowSettings.Q_UP, !kept.get(WindowSettings.Q_UP))))
+                .on(Command.AXIS_HANDLES, () -> settings.change(kept -> kept.with(WindowSettings.AXIS_HANDLES, !kept.get(WindowSettings.AXIS_HANDLES))))
                 .on(Command.PAUSE, studio.motion()::togglePause)
                 .on(Command.STEP, studio.motion()::stepOnce)
                 .on(Command.RANDOMIZE, bodies::randomize)
@@ -314,16 +313,16 @@ final class Workbench implements AutoCloseable {
 
     private void restore() {
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
-        stage.setWidth(Math.min(settings.settings().width(), screen.getWidth()));
-        stage.setHeight(Math.min(settings.settings().height(), screen.getHeight()));
+        stage.setWidth(Math.min(settings.settings().get(WindowSettings.WIDTH), screen.getWidth()));
+        stage.setHeight(Math.min(settings.settings().get(WindowSettings.HEIGHT), screen.getHeight()));
         if (Double.isNaN(stage.getY())) {
             // Where a window is as high as the screen, JavaFX would have its upper border above it.
             stage.setX(screen.getMinX() + (screen.getWidth() - stage.getWidth()) / 2);
             stage.setY(screen.getMinY() + (screen.getHeight() - stage.getHeight()) / 2);
         }
-        stage.setMaximized(settings.settings().maximized());
-        showPanel(settings.settings().panelShown());
-        showFrameTimes(settings.settings().frameTimesShown());
+        stage.setMaximized(settings.settings().get(WindowSettings.MAXIMIZED));
+        showPanel(settings.settings().get(WindowSettings.PANEL_SHOWN));
+        showFrameTimes(settings.settings().get(WindowSettings.FRAME_TIMES_SHOWN));
     }
 
     /** The panel hides no picture. */
@@ -338,12 +337,12 @@ final class Workbench implements AutoCloseable {
         if (!shown) {
             picture.requestFocus();
         }
-        settings.change(kept -> kept.withPanelShown(shown));
+        settings.change(kept -> kept.with(WindowSettings.PANEL_SHOWN, shown));
     }
 
     private void showFrameTimes(boolean shown) {
         frameTimes.setVisible(shown);
-        settings.change(kept -> kept.withFrameTimesShown(shown));
+        settings.change(kept -> kept.with(WindowSettings.FRAME_TIMES_SHOWN, shown));
     }
 
     private void toggleComparison() {

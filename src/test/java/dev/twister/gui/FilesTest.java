@@ -1,5 +1,6 @@
 package dev.twister.gui;
 
+import dev.twister.gui.model.WindowSettings;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -214,7 +215,7 @@ class FilesTest {
         driver.await(() -> driver.studio.document().file().equals(third));
         assertThat(SceneReader.read(third)).isEqualTo(scene());
         assertThat(driver.notice()).isEqualTo("Saved " + third);
-        assertThat(driver.window.workbench().settings().settings().recentScenes())
+        assertThat(driver.window.workbench().settings().settings().get(WindowSettings.RECENT_SCENES))
                 .startsWith(third.toString(), other.toString());
     }
 

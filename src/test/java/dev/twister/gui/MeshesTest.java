@@ -1,5 +1,6 @@
 package dev.twister.gui;
 
+import dev.twister.gui.model.WindowSettings;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -332,7 +333,7 @@ class MeshesTest {
         assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("pot.json – Twister");
         DrawnPicture picture = awaitMeshes();
         assertThat(picture.input().bodies().firstMesh()).isPositive();
-        assertThat(driver.window.workbench().settings().settings().recentScenes())
+        assertThat(driver.window.workbench().settings().settings().get(WindowSettings.RECENT_SCENES))
                 .contains(mesh.toString());
     }
 

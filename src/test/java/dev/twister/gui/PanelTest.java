@@ -1,5 +1,6 @@
 package dev.twister.gui;
 
+import dev.twister.gui.model.WindowSettings;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -778,7 +779,7 @@ class PanelTest {
         assertThat(WindowDriver.call(() -> driver.find("#handle-x", Group.class).isVisible()))
                 .isFalse();
         assertThat(WindowDriver.call(
-                        () -> driver.window.workbench().settings().settings().axisHandles()))
+                        () -> driver.window.workbench().settings().settings().get(WindowSettings.AXIS_HANDLES)))
                 .isFalse();
         driver.type(Command.AXIS_HANDLES.keys());
         assertThat(WindowDriver.call(() -> driver.find("#handle-x", Group.class).isVisible()))

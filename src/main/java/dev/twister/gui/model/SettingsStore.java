@@ -7,9 +7,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.util.Map;
 import java.util.Optional;
 import tools.jackson.core.JacksonException;
-import tools.jackson.databind.DeserializationFeature;
+import tools.jackson.core.type.TypeReference;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.SerializationFeature;
 import tools.jackson.databind.json.JsonMapper;
@@ -30,8 +31,6 @@ public record SettingsStore(Optional<Path> folder) {
 
     private static final JsonMapper JSON = JsonMapper.builder()
             .enable(SerializationFeature.INDENT_OUTPUT)
-            // A newer version's file is no damaged one.
-            .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
             .build();
 
     /**
@@ -67,7 +66,7 @@ public record SettingsStore(Optional<Path> folder) {
         if (folder.isEmpty()) {
             return;
         }
-        byte[] json = JSON.writeValueAsBytes(settings);
+        byte[] json = JSON.writeValueAsBytes(settings.values());
         Files.createDirectories(folder.get());
         WholeFile.write(folder.get().resolve(FILE), out -> {
             out.write(json);
@@ -80,9 +79,7 @@ public record SettingsStore(Optional<Path> folder) {
         if (!(found instanceof ObjectNode fields)) {
             throw new IOException("not an object");
         }
-        ObjectNode whole = JSON.valueToTree(WindowSettings.DEFAULT);
-        whole.setAll(fields);
-        return JSON.treeToValue(whole, WindowSettings.class);
+        return new WindowSettings(JSON.treeToValue(fields, new TypeReference<Map<String, Object>>() {}));
     }
 
     private static String setAside(Path file) {

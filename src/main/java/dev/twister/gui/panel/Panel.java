@@ -1,5 +1,6 @@
 package dev.twister.gui.panel;
 
+import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.Tooltips;
@@ -200,7 +201,7 @@ public final class Panel extends ScrollPane {
 
     /** Lets sections be folded as they were kept, and keeps how they are. */
     public void foldAsKept(SettingsKeeper settings) {
-        List<String> folded = settings.settings().folded();
+        List<String> folded = settings.settings().get(WindowSettings.FOLDED);
         sections.forEach(section -> section.makeFoldable(
                 folded.contains(section.heading()),
                 isFolded -> settings.change(kept -> kept.withFolded(section.heading(), isFolded))));
