@@ -19,7 +19,7 @@ import dev.twister.render.PictureDrawing;
 import dev.twister.render.Sampling;
 import dev.twister.render.SceneInputs;
 import dev.twister.scene.Camera;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.world.FrameInput;
@@ -152,7 +152,7 @@ final class RenderCommand implements Callable<Integer> {
         if (frames.isEmpty()) {
             film.checkSingle();
         }
-        RenderSettings settings = settings(scene.settings());
+        Rendering settings = settings(scene.rendering());
         part.check(settings.height());
         if (FilmFile.isFilm(output)) {
             checkFilm();
@@ -188,7 +188,7 @@ final class RenderCommand implements Callable<Integer> {
 
     private void draw(
             Scene scene,
-            RenderSettings settings,
+            Rendering settings,
             Camera from,
             Optional<MotionFile> recorded,
             boolean isFilm,
@@ -242,7 +242,7 @@ final class RenderCommand implements Callable<Integer> {
 
     private void drawFilm(PictureDrawing drawing, FilmScene shown, FrameRange frames, FilmFile file)
             throws IOException {
-        RenderSettings settings = shown.world().settings();
+        Rendering settings = shown.world().settings();
         try (ProgressLine line = progress.start(spec.commandLine(), "rendering", frames.count())) {
             FilmRendering.render(drawing, shown, frames, file, new FrameLine(line));
         }
@@ -264,7 +264,7 @@ final class RenderCommand implements Callable<Integer> {
         try (ProgressLine line = progress.start(spec.commandLine(), "rendering", frames.count())) {
             skipped = FrameRendering.render(drawing, shown, frames, pictures, new FrameLine(line));
         }
-        RenderSettings settings = shown.world().settings();
+        Rendering settings = shown.world().settings();
         summaryWriter(pictures)
                 .printf(
                         Locale.ROOT,
@@ -317,9 +317,9 @@ final class RenderCommand implements Callable<Integer> {
         return pictures.isStandardOutput() ? command.getErr() : command.getOut();
     }
 
-    private RenderSettings settings(RenderSettings usual) {
+    private Rendering settings(Rendering usual) {
         PictureSize wanted = size.orElseGet(() -> new PictureSize(usual.width(), usual.height()));
-        RenderSettings shaded = usual.withSize(wanted.width(), wanted.height())
+        Rendering shaded = usual.withSize(wanted.width(), wanted.height())
                 .withShadows(shading.shadowSamplesOr(usual.shadowSamples()))
                 .withBounces(shading.bouncesOr(usual.bounces()))
                 .withSamplesPerPixel(samples.over(usual.samplesPerPixel()).samples());

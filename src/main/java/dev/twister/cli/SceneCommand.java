@@ -107,9 +107,9 @@ final class SceneCommand implements Callable<Integer> {
         OutputFile.check("--output", wanted.output);
         Path day = Home.skyboxes().resolve(ShippedSky.DAY.fileName());
         Scene scene = wanted.sky.over(SceneGenerator.spheres(wanted.count, wanted.seed, day));
-        OutputFile.checkKeeps("--output", wanted.output, List.of(scene.skybox()));
+        OutputFile.checkKeeps("--output", wanted.output, List.of(scene.sky().file()));
         // As --check does: a scene that no command can draw is not to be written.
-        SkyFiles.read(scene.skybox(), spec.commandLine().getErr());
+        SkyFiles.read(scene.sky().file(), spec.commandLine().getErr());
         SceneWriter.write(scene, wanted.output);
         return wanted.output + ": " + spheres(scene);
     }

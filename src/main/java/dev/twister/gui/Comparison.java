@@ -7,7 +7,7 @@ import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.EngineChoice;
 import dev.twister.gui.model.PictureDifference;
 import dev.twister.image.Frame;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.world.Picture;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
@@ -31,7 +31,7 @@ final class Comparison implements AutoCloseable {
     private final ObjectProperty<Mode> mode = new SimpleObjectProperty<>(Mode.OFF);
     private final ObjectProperty<Optional<EngineOffer>> engine = new SimpleObjectProperty<>(Optional.empty());
     private final ObjectProperty<Optional<Picture>> shown = new SimpleObjectProperty<>(Optional.empty());
-    private final ObjectProperty<Optional<RenderSettings>> settings = new SimpleObjectProperty<>(Optional.empty());
+    private final ObjectProperty<Optional<Rendering>> settings = new SimpleObjectProperty<>(Optional.empty());
     private final ReadOnlyObjectWrapper<Optional<Other>> other = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ReadOnlyObjectWrapper<Optional<PictureDifference>> difference =
             new ReadOnlyObjectWrapper<>(Optional.empty());
@@ -85,7 +85,7 @@ final class Comparison implements AutoCloseable {
     }
 
     /** The settings of the second picture; empty for those of the first. */
-    ObjectProperty<Optional<RenderSettings>> settingsProperty() {
+    ObjectProperty<Optional<Rendering>> settingsProperty() {
         return settings;
     }
 
@@ -144,7 +144,7 @@ final class Comparison implements AutoCloseable {
             drawing.request(new DrawingRequest(
                     requests,
                     leading.document(),
-                    settings.get().map(leading.scene()::withSettings).orElse(leading.scene()),
+                    settings.get().map(leading.scene()::withRendering).orElse(leading.scene()),
                     leading.width(),
                     leading.height(),
                     choice,

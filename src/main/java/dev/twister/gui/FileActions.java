@@ -158,7 +158,8 @@ final class FileActions {
 
     /** Asks which panorama, and makes it the sky. */
     void chooseSky() {
-        choice.panorama(Optional.ofNullable(studio.scene().skybox().getParent()).orElse(folder()))
+        choice.panorama(Optional.ofNullable(studio.scene().sky().file().getParent())
+                        .orElse(folder()))
                 .ifPresent(this::useSky);
     }
 
@@ -280,7 +281,7 @@ final class FileActions {
 
     /** Where only the sky is at fault, the scene can be had with another. */
     private void offerAnotherSky(Path file, Throwable problem) {
-        Path present = studio.scene().skybox();
+        Path present = studio.scene().sky().file();
         reading.begin(
                 name(file),
                 () -> {
@@ -322,7 +323,7 @@ final class FileActions {
      * @param failed called when they cannot be
      */
     void restore(Autosave autosave, Runnable then, Runnable failed) {
-        Path present = studio.scene().skybox();
+        Path present = studio.scene().sky().file();
         reading.begin(
                 name(autosave.edited().path()),
                 () -> {
@@ -346,7 +347,9 @@ final class FileActions {
             return studio.assets().readScene(autosaved).scene();
         } catch (SceneException | SkyException _) {
             Scene edits = SceneReader.readWithoutPictures(autosaved);
-            return isReadable(edits.skybox()) ? edits : edits.withSkybox(present);
+            return isReadable(edits.sky().file())
+                    ? edits
+                    : edits.withSky(edits.sky().withFile(present));
         }
     }
 

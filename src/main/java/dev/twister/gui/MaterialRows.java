@@ -169,8 +169,8 @@ final class MaterialRows {
                 "The color of the other squares.",
                 "Alt+Shift+C",
                 studio,
-                scene -> scene.plane().oddColor(),
-                (scene, rgb) -> scene.withPlane(scene.plane().withOddColor(rgb)));
+                scene -> scene.ground().oddColor(),
+                (scene, rgb) -> scene.withGround(scene.ground().withOddColor(rgb)));
         return plane ? List.of(color, odd) : List.of(color);
     }
 

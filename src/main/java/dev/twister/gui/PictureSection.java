@@ -2,7 +2,7 @@ package dev.twister.gui;
 
 import dev.twister.gui.ChoiceRow.Look;
 import dev.twister.gui.model.SceneNumbers;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
 import java.util.List;
@@ -59,9 +59,9 @@ final class PictureSection {
         numbers.forEach(row -> row.show(scene, usual));
         toneMap.show(
                 List.of(ToneMap.values()),
-                scene.settings().toneMap(),
-                usual.settings().toneMap());
-        srgb.show(scene.settings().srgb(), usual.settings().srgb());
+                scene.rendering().toneMap(),
+                usual.rendering().toneMap());
+        srgb.show(scene.rendering().srgb(), usual.rendering().srgb());
     }
 
     private static String label(ToneMap map) {
@@ -80,8 +80,8 @@ final class PictureSection {
         edit("sRGB curve", settings -> settings.withTone(settings.exposure(), settings.toneMap(), on));
     }
 
-    private void edit(String what, UnaryOperator<RenderSettings> change) {
-        studio.edit(what, scene -> scene.withSettings(change.apply(scene.settings())));
+    private void edit(String what, UnaryOperator<Rendering> change) {
+        studio.edit(what, scene -> scene.withRendering(change.apply(scene.rendering())));
         studio.endGesture();
     }
 }

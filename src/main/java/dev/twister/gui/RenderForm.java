@@ -10,7 +10,7 @@ import dev.twister.gui.model.RenderOrder;
 import dev.twister.gui.model.ShownPictures;
 import dev.twister.image.PictureSize;
 import dev.twister.render.PictureMemory;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.world.FrameInput;
@@ -96,7 +96,8 @@ final class RenderForm extends GridPane {
                         new PictureSize(seen.request().width(), seen.request().height()));
         size.offer(window);
         if (document.isEmpty()) {
-            size.show(new PictureSize(scene.settings().width(), scene.settings().height()));
+            size.show(
+                    new PictureSize(scene.rendering().width(), scene.rendering().height()));
             samples.show(RefinementGoal.samples(scene, Picture.REFLECTIONS));
             shown.offer(ShownPictures.all(), Optional.of(studio.shownProperty().get()));
             films.showUsual();
@@ -104,7 +105,7 @@ final class RenderForm extends GridPane {
         }
         if (!document.equals(Optional.of(studio.document()))) {
             document = Optional.of(studio.document());
-            shadows.show(scene.settings().shadowSamples());
+            shadows.show(scene.rendering().shadowSamples());
             films.startAnew();
         }
         films.follow(scene);
@@ -121,7 +122,7 @@ final class RenderForm extends GridPane {
                 .flatMap(wanted -> engine.choice()
                         .flatMap(chosen -> shown.choice()
                                 .map(picture -> new RenderOrder(
-                                        scene.withSettings(settings(scene.settings(), wanted)),
+                                        scene.withRendering(settings(scene.rendering(), wanted)),
                                         picture,
                                         chosen,
                                         moving,
@@ -129,7 +130,7 @@ final class RenderForm extends GridPane {
                                         file))));
     }
 
-    private RenderSettings settings(RenderSettings usual, PictureSize wanted) {
+    private Rendering settings(Rendering usual, PictureSize wanted) {
         return usual.withSize(wanted.width(), wanted.height())
                 .withSamplesPerPixel(samples.wholeNumber())
                 .withShadows(shadows.wholeNumber());

@@ -21,7 +21,7 @@ final class StatusText {
     /** Scene, engine, size, bodies that are there, and where a lens is focused. */
     static String facts(DrawnPicture picture) {
         String chosen = picture.request().engine().offer().id();
-        String name = picture.request().scene().name();
+        String name = picture.request().scene().title().name();
         Camera camera = picture.request().scene().camera();
         return Stream.of(
                         name.isEmpty() ? "untitled" : name,

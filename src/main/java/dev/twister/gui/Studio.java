@@ -425,7 +425,7 @@ public final class Studio implements AutoCloseable {
 
     /** Makes a panorama that was read the sky; one that the scene has already is drawn as its file has it now. */
     void useSky(Path panorama) {
-        edit("sky", now -> now.withSkybox(panorama));
+        edit("sky", now -> now.withSky(now.sky().withFile(panorama)));
         endGesture();
         request();
     }
@@ -496,7 +496,7 @@ public final class Studio implements AutoCloseable {
     }
 
     private static Scene withCameraAbovePlane(Scene scene) {
-        return scene.withCamera(CameraMotion.above(scene.camera(), scene.plane()));
+        return scene.withCamera(CameraMotion.above(scene.camera(), scene.ground()));
     }
 
     /** Asks for a picture of what there is now. */

@@ -16,21 +16,15 @@ public record Bounds(Vector3 least, Vector3 largest) {
 
     /** The smallest box around this one and a point. */
     public Bounds with(Vector3 point) {
-        return new Bounds(
-                new Vector3(
-                        Math.min(least.x(), point.x()), Math.min(least.y(), point.y()), Math.min(least.z(), point.z())),
-                new Vector3(
-                        Math.max(largest.x(), point.x()),
-                        Math.max(largest.y(), point.y()),
-                        Math.max(largest.z(), point.z())));
+        return new Bounds(least.map(point, Math::min), largest.map(point, Math::max));
     }
 
     public Vector3 center() {
-        return new Vector3((least.x() + largest.x()) / 2, (least.y() + largest.y()) / 2, (least.z() + largest.z()) / 2);
+        return least.plus(largest).times(0.5);
     }
 
     /** Half of each side. */
     public Vector3 half() {
-        return new Vector3((largest.x() - least.x()) / 2, (largest.y() - least.y()) / 2, (largest.z() - least.z()) / 2);
+        return largest.minus(least).times(0.5);
     }
 }

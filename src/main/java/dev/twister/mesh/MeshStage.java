@@ -1,12 +1,14 @@
 package dev.twister.mesh;
 
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Mesh;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Title;
 import dev.twister.scene.Vector3;
 import java.nio.file.Path;
 import java.util.List;
@@ -54,8 +56,8 @@ public final class MeshStage {
         Vector3 half = bounds.half();
         double scale = LARGEST_SIDE / 2 / Math.max(half.x(), Math.max(half.y(), half.z()));
         Vector3 center = bounds.center();
-        Vector3 place = new Vector3(-scale * center.x(), -scale * bounds.least().y(), -scale * center.z());
-        double radius = scale * Math.sqrt(half.x() * half.x() + half.y() * half.y() + half.z() * half.z());
+        Vector3 place = new Vector3(center.x(), bounds.least().y(), center.z()).times(-scale);
+        double radius = scale * half.length();
         double distance = ROOM * radius / Math.sin(Math.toRadians(FIELD_OF_VIEW_DEGREES / 2));
         double yaw = Math.toRadians(YAW_DEGREES);
         double pitch = Math.toRadians(PITCH_DEGREES);
@@ -64,11 +66,11 @@ public final class MeshStage {
                 scale * half.y() + distance * Math.sin(pitch),
                 -distance * Math.cos(yaw) * Math.cos(pitch));
         return Scene.under(skybox)
-                .withName(file.getFileName().toString())
+                .withTitle(Title.NONE.withName(file.getFileName().toString()))
                 .withCamera(Camera.of(eye, YAW_DEGREES, PITCH_DEGREES, FIELD_OF_VIEW_DEGREES))
-                .withLight(LIGHT)
-                .withSettings(RenderSettings.DEFAULT.withShadows(SHADOW_SAMPLES))
-                .withPlane(Plane.of(PLANE_SIZE, 0, BRIGHT, DARK, 0))
+                .withLights(Lights.of(LIGHT))
+                .withRendering(Rendering.DEFAULT.withShadows(SHADOW_SAMPLES))
+                .withGround(Ground.of(PLANE_SIZE, 0, BRIGHT, DARK, 0))
                 .withMeshes(List.of(
                         Mesh.of(file).withScale(scale).withPosition(place).withSmooth(SMOOTH_DEGREES)));
     }

@@ -21,10 +21,10 @@ final class MotionDigest {
     static byte[] of(Scene scene) {
         MessageDigest digest = sha256();
         add(digest, scene.physics());
-        add(digest, scene.plane().size());
-        add(digest, scene.plane().height());
-        add(digest, scene.light().position());
-        add(digest, scene.light().radius());
+        add(digest, scene.ground().size());
+        add(digest, scene.ground().height());
+        add(digest, scene.lights().first().position());
+        add(digest, scene.lights().first().radius());
         add(digest, scene.pour().map(pour -> pour.withMaterial(Material.DEFAULT)));
         for (Sphere sphere : scene.spheres()) {
             add(digest, sphere.position());

@@ -4,7 +4,7 @@ import dev.twister.film.EncodedPixels;
 import dev.twister.film.FilmFile;
 import dev.twister.film.FilmFormat;
 import dev.twister.film.FilmWriting;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.world.FrameInput;
 import java.io.IOException;
 
@@ -26,7 +26,7 @@ public final class FilmRendering {
     public static void render(
             PictureDrawing drawing, FilmScene shown, FrameRange frames, FilmFile file, RenderProgress progress)
             throws IOException {
-        RenderSettings settings = shown.world().settings();
+        Rendering settings = shown.world().settings();
         FilmFormat format = new FilmFormat(settings.width(), settings.height(), shown.rate(), frames.count());
         try (FilmWriting writing = new FilmWriting(file, format)) {
             for (int number : frames.numbers().toArray()) {

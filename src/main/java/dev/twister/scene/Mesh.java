@@ -16,12 +16,8 @@ import java.util.Optional;
  * @param material what it is made of, in place of what the file says
  */
 public record Mesh(
-        Path file,
-        Vector3 position,
-        Vector3 rotation,
-        double scale,
-        double smoothDegrees,
-        Optional<Material> material) {
+        Path file, Vector3 position, Vector3 rotation, double scale, double smoothDegrees, Optional<Material> material)
+        implements Body {
     /** As its file has it; has the values of the fields that a scene file leaves out. */
     public static final Mesh DEFAULT =
             new Mesh(Path.of(""), new Vector3(0, 0, 0), new Vector3(0, 0, 0), 1, 0, Optional.empty());
@@ -40,6 +36,7 @@ public record Mesh(
         return new Mesh(newFile, position, rotation, scale, smoothDegrees, material);
     }
 
+    @Override
     public Mesh withPosition(Vector3 newPosition) {
         return new Mesh(file, newPosition, rotation, scale, smoothDegrees, material);
     }

@@ -6,7 +6,7 @@ package dev.twister.scene;
  * @param position its center, in meters
  * @param radius in meters, above 0
  */
-public record Sphere(Vector3 position, double radius, Material material) {
+public record Sphere(Vector3 position, double radius, Material material) implements Body {
     /** A matte white ball of radius 1 at the origin; has the values of the fields that {@link #of} leaves out. */
     public static final Sphere DEFAULT = new Sphere(new Vector3(0, 0, 0), 1, Material.DEFAULT);
 
@@ -27,6 +27,7 @@ public record Sphere(Vector3 position, double radius, Material material) {
         return material.reflectivity();
     }
 
+    @Override
     public Sphere withPosition(Vector3 newPosition) {
         return new Sphere(newPosition, radius, material);
     }

@@ -11,9 +11,10 @@ import dev.twister.oracle.Pictures;
 import dev.twister.oracle.RandomMaterials;
 import dev.twister.oracle.ShippedScenes;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Lights;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
@@ -44,7 +45,7 @@ class PixelPathTest {
     @MethodSource("shipped")
     void shippedScenesAddUp(String name) {
         LitScene scene = ShippedScenes.quick(name);
-        RenderSettings settings = scene.scene().settings();
+        Rendering settings = scene.scene().rendering();
         pathsAddUp(input(scene, settings.withSize(48, 27).withSamplesPerPixel(1)));
     }
 
@@ -53,7 +54,7 @@ class PixelPathTest {
     void randomGlassAndRoughSurfacesAddUp(int bounces) {
         for (int seed = 0; seed < 8; seed++) {
             LitScene scene = RandomMaterials.scene(new Random(seed), bounces);
-            pathsAddUp(input(scene, scene.scene().settings()));
+            pathsAddUp(input(scene, scene.scene().rendering()));
         }
     }
 
@@ -191,18 +192,18 @@ class PixelPathTest {
 
     private static Scene scene(double groundReflectivity, int bounces) {
         return Scene.under(Path.of("none.hdr"))
-                .withLight(Light.of(new Vector3(0, 10, 0), 0.5, new Rgb(1, 1, 1)))
-                .withPlane(Plane.of(40, 0, new Rgb(0.5, 0.5, 0.5), new Rgb(0.5, 0.5, 0.5), groundReflectivity))
+                .withLights(Lights.of(Light.of(new Vector3(0, 10, 0), 0.5, new Rgb(1, 1, 1))))
+                .withGround(Ground.of(40, 0, new Rgb(0.5, 0.5, 0.5), new Rgb(0.5, 0.5, 0.5), groundReflectivity))
                 .withSpheres(List.of(Sphere.of(new Vector3(0, 5, 0), 0.75, new Rgb(0.5, 0.5, 0.5), 0)))
-                .withSettings(RenderSettings.DEFAULT
+                .withRendering(Rendering.DEFAULT
                         .withSize(1, 1)
                         .withBounces(bounces)
                         .withSamplesPerPixel(1)
                         .withShadows(8));
     }
 
-    private static FrameInput input(LitScene lit, RenderSettings settings) {
-        return World.of(lit.scene().withSettings(settings), lit.images(), lit.meshes())
+    private static FrameInput input(LitScene lit, Rendering settings) {
+        return World.of(lit.scene().withRendering(settings), lit.images(), lit.meshes())
                 .snapshot();
     }
 }

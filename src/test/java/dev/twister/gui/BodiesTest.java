@@ -392,7 +392,7 @@ class BodiesTest {
         click(seenAt(Layout.LIGHT));
         assertThat(selected()).isEqualTo(Layout.LIGHT);
         drag(seenAt(Layout.LIGHT), 40, 0);
-        assertThat(scene().light().position().x()).isGreaterThan(-1.1);
+        assertThat(scene().lights().first().position().x()).isGreaterThan(-1.1);
     }
 
     @Test

@@ -309,7 +309,7 @@ class PhysicsTest {
     void aPouredSphereIsSelectedAndFollowed() {
         driver.run(() -> driver.studio.edit(
                 "pour",
-                scene -> WindowScenes.quick(WindowScenes.shipped("pour-1000")).withSettings(scene.settings())));
+                scene -> WindowScenes.quick(WindowScenes.shipped("pour-1000")).withRendering(scene.rendering())));
         driver.type(KeyCode.F5);
         int first = Layout.FIRST_SPHERE + scene().spheres().size();
         driver.awaitPicture(

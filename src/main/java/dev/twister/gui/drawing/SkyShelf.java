@@ -139,7 +139,7 @@ public final class SkyShelf {
      *     hand stay then
      */
     public void refresh(Scene scene) {
-        refresh(scene.skybox());
+        refresh(scene.sky().file());
         refreshTextures(scene);
     }
 
@@ -194,7 +194,8 @@ public final class SkyShelf {
      * @throws SkyException where one cannot be read
      */
     public SceneImages images(Scene scene, SceneMeshes meshes) {
-        Skybox sky = kept(scene.skybox()).orElseGet(() -> reader.apply(scene.skybox(), warnings::add));
+        Skybox sky = kept(scene.sky().file())
+                .orElseGet(() -> reader.apply(scene.sky().file(), warnings::add));
         return new SceneImages(
                 sky,
                 SceneImages.textures(

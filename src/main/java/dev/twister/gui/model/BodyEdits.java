@@ -1,5 +1,6 @@
 package dev.twister.gui.model;
 
+import dev.twister.scene.Lights;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Pour;
 import dev.twister.scene.Scene;
@@ -114,7 +115,7 @@ public final class BodyEdits {
     /** The place of a movable body: the center of the light or a sphere, the origin of a mesh's file. */
     public static Vector3 position(Scene scene, int body) {
         return body == BodyNumber.LIGHT
-                ? scene.light().position()
+                ? scene.lights().first().position()
                 : solid(scene, body).position();
     }
 
@@ -131,7 +132,7 @@ public final class BodyEdits {
                 (body, sphere) -> sphere.withPosition(positions.get(body)),
                 (body, mesh) -> mesh.withPosition(positions.get(body)));
         return positions.containsKey(BodyNumber.LIGHT)
-                ? moved.withLight(scene.light().withPosition(positions.get(BodyNumber.LIGHT)))
+                ? moved.withLights(Lights.of(scene.lights().first().withPosition(positions.get(BodyNumber.LIGHT))))
                 : moved;
     }
 

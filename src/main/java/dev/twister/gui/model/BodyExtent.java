@@ -25,7 +25,7 @@ public record BodyExtent(Vector3 middle, double radius, double halfWidth) {
     public static BodyExtent of(Scene scene, SceneMeshes meshes, int body) {
         if (!BodyEdits.isMesh(scene, body)) {
             double radius = body == BodyNumber.LIGHT
-                    ? scene.light().radius()
+                    ? scene.lights().first().radius()
                     : BodyEdits.sphere(scene, body).radius();
             return new BodyExtent(BodyEdits.position(scene, body), radius, radius);
         }

@@ -29,7 +29,7 @@ public final class NewSphere {
         PointerRay ray = PointerRay.through(input, centerX, centerY);
         Vector3 free = ray.along(distance(ray));
         double y = free.y();
-        double ground = scene.plane().height();
+        double ground = scene.ground().height();
         boolean above = scene.camera().position().y() >= ground;
         Vector3 center = new Vector3(
                 SceneLimits.POSITION.clamp(free.x()),

@@ -113,12 +113,12 @@ public final class RenderJob {
         Scene scene = order.scene();
         World world = reader.get();
         check();
-        world.setSettings(scene.settings());
+        world.setSettings(scene.rendering());
         boolean linear = !FilmFile.isFilm(order.file()) && order.format().isLinear();
         try (PictureDrawing drawing = new PictureDrawing(
                 order.engine().opener(),
                 List.of(picture()),
-                new Sampling(scene.settings().samplesPerPixel(), Optional.empty()),
+                new Sampling(scene.rendering().samplesPerPixel(), Optional.empty()),
                 PicturePart.WHOLE,
                 linear)) {
             return order.film().isPresent() ? film(drawing, world, order.film().get()) : picture(drawing, world);

@@ -35,7 +35,7 @@ public record RenderOrder(
 
     /** The size of each picture. */
     public PictureSize size() {
-        return new PictureSize(scene.settings().width(), scene.settings().height());
+        return new PictureSize(scene.rendering().width(), scene.rendering().height());
     }
 
     /** Bytes per pixel that it takes. */
