@@ -8,7 +8,7 @@ import dev.twister.gui.model.FileMark;
 import dev.twister.gui.model.NewMesh;
 import dev.twister.gui.model.SceneHistory;
 import dev.twister.gui.model.Solid;
-import dev.twister.mesh.Bounds;
+import dev.twister.mesh.Box;
 import dev.twister.mesh.MeshException;
 import dev.twister.mesh.MeshFile;
 import dev.twister.mesh.MeshStage;
@@ -117,7 +117,7 @@ final class FileActions {
 
     private void insert(Mesh mesh, MeshFile held) {
         studio.pictureProperty().get().ifPresent(shown -> {
-            Bounds bounds = held.bounds();
+            Box bounds = held.bounds();
             studio.assets().keepMesh(mesh, held);
             studio.insert(
                     "insert mesh",

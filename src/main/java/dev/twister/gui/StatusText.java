@@ -70,7 +70,7 @@ final class StatusText {
         if (spheres == 0 && !pours) {
             return "Physics on, but the scene has no spheres";
         }
-        if (scene.physics().gravity().equals(new Vector3(0, 0, 0))) {
+        if (scene.physics().gravity().equals(Vector3.ZERO)) {
             return "Physics on, but gravity is 0: nothing falls";
         }
         return "Physics on: " + spheres + (spheres == 1 ? " sphere" : " spheres")

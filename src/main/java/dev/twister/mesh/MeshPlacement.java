@@ -31,7 +31,8 @@ public final class MeshPlacement {
                 new Vector3(Math.sin(yaw), 0, Math.cos(yaw)),
                 mesh.position());
         double scale = mesh.scale();
-        Affine scaled = new Affine(new Vector3(scale, 0, 0), new Vector3(0, scale, 0), new Vector3(0, 0, scale), Vector3.ZERO);
+        Affine scaled =
+                new Affine(new Vector3(scale, 0, 0), new Vector3(0, scale, 0), new Vector3(0, 0, scale), Vector3.ZERO);
         return turned.of(pitched).of(rolled).of(scaled);
     }
 }

@@ -52,7 +52,7 @@ public final class MeshStage {
      * @param skybox the panorama's file
      */
     public static Scene of(Path file, MeshFile held, Path skybox) {
-        Bounds bounds = held.bounds();
+        Box bounds = held.bounds();
         Vector3 half = bounds.half();
         double scale = LARGEST_SIDE / 2 / Math.max(half.x(), Math.max(half.y(), half.z()));
         Vector3 center = bounds.center();

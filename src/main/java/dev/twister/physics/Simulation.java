@@ -275,7 +275,7 @@ public final class Simulation implements AutoCloseable {
      * @return {@code float[3 * room]}, as {@link World#setBodyPositions} takes it, for a world with the scene's origin
      */
     public float[] positions() {
-        return positions(new Vector3(0, 0, 0));
+        return positions(Vector3.ZERO);
     }
 
     /**

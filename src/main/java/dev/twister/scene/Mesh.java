@@ -19,8 +19,7 @@ public record Mesh(
         Path file, Vector3 position, Vector3 rotation, double scale, double smoothDegrees, Optional<Material> material)
         implements Body {
     /** As its file has it; has the values of the fields that a scene file leaves out. */
-    public static final Mesh DEFAULT =
-            new Mesh(Path.of(""), new Vector3(0, 0, 0), new Vector3(0, 0, 0), 1, 0, Optional.empty());
+    public static final Mesh DEFAULT = new Mesh(Path.of(""), Vector3.ZERO, Vector3.ZERO, 1, 0, Optional.empty());
 
     /** As the file has it, at the origin. */
     public static Mesh of(Path file) {

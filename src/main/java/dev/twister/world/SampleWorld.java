@@ -33,7 +33,7 @@ public final class SampleWorld {
         Scene scene = Scene.under(Path.of(""))
                 .withTitle(new Title("Sample", "Five spheres in a row."))
                 .withCamera(Camera.of(new Vector3(0, -5, -15), 0, 7, 50))
-                .withLights(Lights.of(Light.of(new Vector3(0, 0, 0), 1.2, new Rgb(1, 1, 1))))
+                .withLights(Lights.of(Light.of(Vector3.ZERO, 1.2, new Rgb(1, 1, 1))))
                 .withGround(Ground.of(48, -9.75, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32))
                 .withSpheres(spheres())
                 .withRendering(settings);

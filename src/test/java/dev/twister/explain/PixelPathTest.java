@@ -86,10 +86,10 @@ class PixelPathTest {
     }
 
     /** The kernel counts by other methods, which may differ where a ray grazes a sphere. */
-    private static void shadowIsTheMeanOfItsRays(Shading shading) {
-        List<ShadowRay> rays = shading.shadowRays();
+    private static void shadowIsTheMeanOfItsRays(ShadedSurface shading) {
+        List<LightSample> rays = shading.shadowRays();
         // Without rays, a mesh face turned away from the light has visibility 0, everything else 1.
-        double mean = rays.stream().mapToDouble(ShadowRay::light).average().orElse(shading.visible() == 0 ? 0 : 1);
+        double mean = rays.stream().mapToDouble(LightSample::light).average().orElse(shading.visible() == 0 ? 0 : 1);
         double ray = rays.size() > 1 ? 1.0 / rays.size() : 0;
         assertThat(mean).isCloseTo(shading.visible(), within(ray + 1e-5));
     }
@@ -113,7 +113,7 @@ class PixelPathTest {
                 PixelPath.of(one(64, 1, new Vector3(5, 4, 5)), 0, 0, 0).steps();
 
         assertThat(steps).hasSize(2);
-        Shading shading = steps.getFirst().shading().orElseThrow();
+        ShadedSurface shading = steps.getFirst().shading().orElseThrow();
         assertThat(steps.getFirst().body()).isEqualTo(Layout.PLANE);
         assertThat(steps.getFirst().distance()).isCloseTo(4, within(1e-6));
         assertThat(shading.mirror()).isEqualTo(0.5);
@@ -127,7 +127,7 @@ class PixelPathTest {
     @ParameterizedTest
     @CsvSource({"0, 0, 0", "0.9, 1, 2", "5, 1, -1"})
     void shadowRaysNameWhatBlocksThem(double x, double light, int blocker) {
-        Shading shading = PixelPath.of(one(0, 0, new Vector3(x, 1, 0)), 0, 0, 0)
+        ShadedSurface shading = PixelPath.of(one(0, 0, new Vector3(x, 1, 0)), 0, 0, 0)
                 .steps()
                 .getFirst()
                 .shading()

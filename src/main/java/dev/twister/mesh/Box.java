@@ -8,15 +8,15 @@ import dev.twister.scene.Vector3;
  * @param least minimum of each coordinate
  * @param largest maximum of each coordinate
  */
-public record Bounds(Vector3 least, Vector3 largest) {
+public record Box(Vector3 least, Vector3 largest) {
     private static final double FAR = Double.POSITIVE_INFINITY;
 
     /** The bounds of no points. */
-    public static final Bounds NONE = new Bounds(new Vector3(FAR, FAR, FAR), new Vector3(-FAR, -FAR, -FAR));
+    public static final Box NONE = new Box(new Vector3(FAR, FAR, FAR), new Vector3(-FAR, -FAR, -FAR));
 
     /** The smallest box around this one and a point. */
-    public Bounds with(Vector3 point) {
-        return new Bounds(least.map(point, Math::min), largest.map(point, Math::max));
+    public Box with(Vector3 point) {
+        return new Box(least.map(point, Math::min), largest.map(point, Math::max));
     }
 
     public Vector3 center() {
