@@ -11,9 +11,20 @@ import java.util.Locale;
 
 /** Looks at where a result is to go before the work is done, not after it. */
 final class OutputFile {
+    /** Means the standard output, where a command writes to it. */
+    private static final Path STANDARD_OUTPUT = Path.of("-");
+
     private OutputFile() {}
 
+    static boolean isStandardOutput(Path output) {
+        return output.equals(STANDARD_OUTPUT);
+    }
+
     static void check(String option, Path file) {
+        if (isStandardOutput(file)) {
+            throw new BadInputException(option
+                    + " is -, but this is not written to standard output; give a file, ./- for one of that name");
+        }
         Path folder = folderOf(option, file);
         if (folder == null || Files.isDirectory(file)) {
             throw new BadInputException(option + " is " + file + ", but must be a file, not a folder");

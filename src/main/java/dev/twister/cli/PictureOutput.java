@@ -26,7 +26,6 @@ import java.util.Optional;
  */
 final class PictureOutput implements FrameRendering.Target {
     private static final String OPTION = "--output";
-    private static final Path STANDARD_OUTPUT = Path.of("-");
 
     private final Path output;
     private final Optional<NumberedFiles> numbered;
@@ -53,7 +52,7 @@ final class PictureOutput implements FrameRendering.Target {
             throw new BadInputException(OPTION + " is " + output + ", but --view has " + views
                     + " names, which only an .exr file can hold; give one name, or another file");
         }
-        if (output.equals(STANDARD_OUTPUT)) {
+        if (OutputFile.isStandardOutput(output)) {
             checkNoTerminal();
             return new PictureOutput(output, Optional.empty(), frames.orElse(FrameRange.ofCount(1)), existing);
         }
@@ -106,7 +105,7 @@ final class PictureOutput implements FrameRendering.Target {
     }
 
     boolean isStandardOutput() {
-        return output.equals(STANDARD_OUTPUT);
+        return OutputFile.isStandardOutput(output);
     }
 
     /** Whether linear radiance is wanted, not pixels. */
