@@ -20,9 +20,6 @@ import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import java.util.Arrays;
-import java.util.List;
-import java.util.Map;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -305,17 +302,6 @@ class RoomsTest {
         assertThat(TWISTER.stream().map(JavaClass::getPackageName).distinct())
                 .isSubsetOf(Stream.concat(Stream.of("dev.twister"), known.map(name -> "dev.twister." + name))
                         .toList());
-    }
-
-    @Test
-    void noSimpleNameStandsTwice() {
-        Map<String, List<JavaClass>> classesByName =
-                TWISTER.stream().filter(RoomsTest::isTopLevel).collect(Collectors.groupingBy(JavaClass::getSimpleName));
-        assertThat(classesByName.values()).allSatisfy(classes -> assertThat(classes).hasSize(1));
-    }
-
-    private static boolean isTopLevel(JavaClass found) {
-        return found.isTopLevelClass() && !found.getSimpleName().equals("package-info");
     }
 
     @Test

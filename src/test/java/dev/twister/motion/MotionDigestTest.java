@@ -38,12 +38,12 @@ class MotionDigestTest {
         assertThat(SceneChanges.of(FullScene.SCENE).entrySet())
                 .filteredOn(change -> change.getKey().matches("(title|camera|views|sky|shading|rendering|materials).*"))
                 .isNotEmpty()
-                .allSatisfy(change -> assertThat(MotionDigest.of(change.getValue())).isEqualTo(digest));
+                .allSatisfy(
+                        change -> assertThat(MotionDigest.of(change.getValue())).isEqualTo(digest));
     }
 
     private static float[] end(Scene scene) {
-        try (Simulation simulation =
-                Simulation.of(scene, SceneMeshes.of(scene, FullScene.MESHES), 1)) {
+        try (Simulation simulation = Simulation.of(scene, SceneMeshes.of(scene, FullScene.MESHES), 1)) {
             simulation.advance(1.2);
             return simulation.positions();
         }

@@ -18,8 +18,7 @@ public final class FullScene {
     public static final Scene SCENE = scene();
 
     /** Reads the meshes of this scene, or of a changed one. */
-    public static final Function<SceneMeshes.Source, MeshFile> MESHES =
-            _ -> MeshShapes.file(MeshShapes.icosphere(1));
+    public static final Function<SceneMeshes.Source, MeshFile> MESHES = _ -> MeshShapes.file(MeshShapes.icosphere(1));
 
     private FullScene() {}
 
@@ -55,7 +54,6 @@ public final class FullScene {
     }
 
     private static Material material(double transmission, double reflectivity) {
-        return new Material(
-                new Rgb(0.5, 0.6, 0.7), reflectivity, 0.2, transmission, 1.4, Optional.of(TEXTURE));
+        return new Material(new Rgb(0.5, 0.6, 0.7), reflectivity, 0.2, transmission, 1.4, Optional.of(TEXTURE));
     }
 }

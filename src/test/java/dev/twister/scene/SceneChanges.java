@@ -67,12 +67,14 @@ public final class SceneChanges {
             case Optional<?> some ->
                 of(some.orElseThrow()).map(change -> new Change<>(change.place(), Optional.of(change.value())));
             case List<?> items ->
-                of(items.getFirst()).map(change -> new Change<>("[0]" + change.place(), replaced(items, change.value())));
+                of(items.getFirst())
+                        .map(change -> new Change<>("[0]" + change.place(), replaced(items, change.value())));
             case Map<?, ?> named ->
                 of(named.values().iterator().next())
                         .map(change -> new Change<>(
                                 "[0]" + change.place(),
-                                new LinkedHashMap<>(Map.of(named.keySet().iterator().next(), change.value()))));
+                                new LinkedHashMap<>(
+                                        Map.of(named.keySet().iterator().next(), change.value()))));
             default -> throw new IllegalArgumentException("a scene has a " + value.getClass());
         };
     }

@@ -162,7 +162,8 @@ public final class FileActions {
 
     /** Asks which panorama, and makes it the sky. */
     public void chooseSky() {
-        choice.panorama(Optional.ofNullable(studio.scene().sky().file().getParent()).orElse(folder()))
+        choice.panorama(Optional.ofNullable(studio.scene().sky().file().getParent())
+                        .orElse(folder()))
                 .ifPresent(this::useSky);
     }
 
