@@ -26,6 +26,11 @@ public record Mesh(
         return DEFAULT.withFile(file);
     }
 
+    @Override
+    public String kind() {
+        return "mesh";
+    }
+
     /** The material that it has in place of the file's, or the default one to begin with. */
     public Material own() {
         return material.orElse(Material.DEFAULT);

@@ -1,7 +1,7 @@
 package dev.twister.scene;
 
+import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 
 /**
  * The list of a scene's bodies, in the order of their numbers: the spheres, then the meshes.
@@ -16,8 +16,17 @@ public record SceneBodies(List<Sphere> spheres, List<Mesh> meshes) {
         meshes = List.copyOf(meshes);
     }
 
-    public Stream<Body> stream() {
-        return Stream.concat(spheres.stream(), meshes.stream());
+    /** With more bodies, each after those of its kind. */
+    public SceneBodies with(List<Body> more) {
+        List<Sphere> allSpheres = new ArrayList<>(spheres);
+        List<Mesh> allMeshes = new ArrayList<>(meshes);
+        for (Body body : more) {
+            switch (body) {
+                case Sphere sphere -> allSpheres.add(sphere);
+                case Mesh mesh -> allMeshes.add(mesh);
+            }
+        }
+        return new SceneBodies(allSpheres, allMeshes);
     }
 
     public SceneBodies withSpheres(List<Sphere> newSpheres) {

@@ -19,6 +19,11 @@ public record Sphere(Vector3 position, double radius, Material material) impleme
         return DEFAULT.withPosition(position).withRadius(radius).withMaterial(material);
     }
 
+    @Override
+    public String kind() {
+        return "sphere";
+    }
+
     public Rgb color() {
         return material.color();
     }

@@ -1,5 +1,7 @@
 package dev.twister.gui;
 
+import java.util.List;
+
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -10,7 +12,6 @@ import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.model.SelectedBodies;
-import dev.twister.gui.model.Solid;
 import dev.twister.gui.model.SphereOutline;
 import dev.twister.gui.picture.PathPick;
 import dev.twister.gui.picture.PictureView;
@@ -342,7 +343,7 @@ class BodiesTest {
         driver.run(() -> {
             driver.studio.edit("delete sphere", scene -> BodyEdits.deleted(scene, Layout.FIRST_SPHERE));
             Sphere elsewhere = Sphere.of(new Vector3(0, 20, 0), 1, new Rgb(1, 1, 1), 0);
-            driver.studio.edit("insert sphere", new Solid.OfSphere(elsewhere)::insertedInto);
+            driver.studio.edit("insert sphere", scene -> scene.withBodies(scene.bodies().with(List.of(elsewhere))));
             fire(MouseEvent.MOUSE_CLICKED, middle, view());
             assertThat(selected()).isEqualTo(MIDDLE - 1);
             fire(MouseEvent.MOUSE_CLICKED, first, view());

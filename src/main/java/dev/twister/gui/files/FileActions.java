@@ -8,7 +8,6 @@ import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.model.FileMark;
 import dev.twister.gui.model.NewMesh;
 import dev.twister.gui.model.SceneHistory;
-import dev.twister.gui.model.Solid;
 import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.gui.studio.Studio;
@@ -125,8 +124,7 @@ public final class FileActions {
             studio.assets().keepMesh(mesh, held);
             studio.insert(
                     "insert mesh",
-                    List.of(new Solid.OfMesh(
-                            NewMesh.inFrontOf(shown.input(), studio.scene(), mesh, bounds.center(), bounds.half()))));
+                    List.of(NewMesh.inFrontOf(shown.input(), studio.scene(), mesh, bounds.center(), bounds.half())));
         });
     }
 

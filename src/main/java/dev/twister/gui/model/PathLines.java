@@ -69,9 +69,6 @@ public final class PathLines {
     }
 
     private static Vector3 along(Vector3 from, Vector3 direction, double meters) {
-        return new Vector3(
-                from.x() + meters * direction.x(),
-                from.y() + meters * direction.y(),
-                from.z() + meters * direction.z());
+        return from.plus(direction.times(meters));
     }
 }

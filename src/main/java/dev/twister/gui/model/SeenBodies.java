@@ -17,9 +17,8 @@ final class SeenBodies {
     static FilmBodies of(FrameInput seen) {
         Bodies bodies = seen.bodies();
         return (world, _) -> {
-            Vector3 from = bodies.origin();
-            Vector3 to = world.origin();
-            double[] shift = {from.x() - to.x(), from.y() - to.y(), from.z() - to.z()};
+            Vector3 way = bodies.origin().minus(world.origin());
+            double[] shift = {way.x(), way.y(), way.z()};
             float[] positions = new float[shift.length * bodies.room()];
             for (int i = 0; i < positions.length; i++) {
                 int axis = i % shift.length;

@@ -1,5 +1,7 @@
 package dev.twister.gui.studio;
 
+import dev.twister.scene.Body;
+
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.drawing.DrawingLoop;
 import dev.twister.gui.drawing.DrawingRequest;
@@ -15,7 +17,6 @@ import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.model.RefinementGoal;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.gui.model.SceneHistory;
-import dev.twister.gui.model.Solid;
 import dev.twister.image.PictureSize;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Material;
@@ -234,10 +235,10 @@ public final class Studio implements AutoCloseable {
     }
 
     /** Adds spheres and meshes to the scene, which is an edit of its own, and selects them. */
-    public void insert(String what, List<Solid> bodies) {
-        edit(what, standing -> Solid.inserted(standing, bodies));
+    public void insert(String what, List<Body> bodies) {
+        edit(what, standing -> standing.withBodies(standing.bodies().with(bodies)));
         endGesture();
-        selection.select(Solid.numbers(scene.get(), bodies));
+        selection.select(BodyEdits.numbersOfLast(scene.get(), bodies));
     }
 
     /** Whether and how bodies move. */
@@ -267,7 +268,7 @@ public final class Studio implements AutoCloseable {
         Vector3 standing = BodyEdits.position(scene.get(), body);
         Vector3 now = positionNow(body);
         return BodyExtent.of(scene.get(), shown, body)
-                .movedBy(now.x() - standing.x(), now.y() - standing.y(), now.z() - standing.z());
+                .movedBy(now.minus(standing));
     }
 
     /** What a mesh's file says that it is made of; the default where it has not been read. */

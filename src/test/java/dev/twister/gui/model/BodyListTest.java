@@ -1,5 +1,7 @@
 package dev.twister.gui.model;
 
+import dev.twister.scene.Body;
+
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.scene.Material;
@@ -59,9 +61,10 @@ class BodyListTest {
 
     @Test
     void aCopyStandsBesideItsOriginal() {
-        Solid sphere = BodyEdits.solid(scene, 2);
+        Body sphere = BodyEdits.solid(scene, 2);
+        double apart = BodyExtent.of(scene, SceneMeshes.NONE, 2).apart();
 
-        Solid copy = sphere.beside(BodyExtent.of(scene, SceneMeshes.NONE, 2).apart());
+        Body copy = new BodyGroup(List.of(sphere), apart).beside().bodies().getFirst();
 
         assertThat(copy.position()).isEqualTo(new Vector3(3.3000000000000003, 2, 0));
         assertThat(copy.withPosition(sphere.position())).isEqualTo(sphere);

@@ -180,7 +180,7 @@ class PickingTest {
                 - inserted.position().z();
         assertThat(gap).isCloseTo(inserted.radius(), within(0.05));
         assertThat(BodyPicker.bodyAt(
-                        Scenes.input(new Solid.OfSphere(inserted).insertedInto(scene)),
+                        Scenes.input(scene.withBodies(scene.bodies().with(List.of(inserted)))),
                         Scenes.WIDTH / 2.0,
                         Scenes.HEIGHT / 2.0))
                 .isEqualTo(Layout.FIRST_SPHERE + 2);
@@ -190,7 +190,7 @@ class PickingTest {
     void newSpheresPileUpWhereThePictureDoesNotShowThemYet() {
         Scene edited = scene;
         for (int number = 0; number < 5; number++) {
-            edited = new Solid.OfSphere(NewSphere.inFrontOf(input, edited)).insertedInto(edited);
+            edited = edited.withBodies(edited.bodies().with(List.of(NewSphere.inFrontOf(input, edited))));
         }
         assertThat(edited.spheres().stream().map(Sphere::position)).doesNotHaveDuplicates();
     }
