@@ -116,25 +116,81 @@ class RoomsTest {
                         "explain",
                         "image",
                         "gui.model"),
+                room("gui.controls", "scene"),
                 room(
-                        "gui",
+                        "gui.studio",
+                        "mesh",
+                        "scene",
+                        "world",
+                        "physics",
+                        "engine",
+                        "engine.auto",
+                        "image",
+                        "gui.controls",
+                        "gui.drawing",
+                        "gui.model"),
+                room(
+                        "gui.files",
                         "files",
                         "mesh",
                         "scene",
                         "scene.format",
                         "sky",
                         "world",
-                        "physics",
-                        "film",
-                        "render",
+                        "gui.controls",
+                        "gui.drawing",
+                        "gui.model",
+                        "gui.studio"),
+                room(
+                        "gui.picture",
+                        "scene",
+                        "world",
                         "engine",
-                        "engine.auto",
                         "explain",
                         "image",
                         "bench",
-                        "explain",
+                        "gui.controls",
                         "gui.drawing",
-                        "gui.model"),
+                        "gui.model",
+                        "gui.studio",
+                        "gui.files"),
+                room("gui.bodies", "scene", "world", "image", "gui.drawing", "gui.model", "gui.studio", "gui.picture"),
+                room(
+                        "gui.camera",
+                        "scene",
+                        "world",
+                        "image",
+                        "gui.controls",
+                        "gui.drawing",
+                        "gui.model",
+                        "gui.studio",
+                        "gui.picture"),
+                room(
+                        "gui.panel",
+                        "scene",
+                        "world",
+                        "engine",
+                        "gui.controls",
+                        "gui.drawing",
+                        "gui.model",
+                        "gui.studio",
+                        "gui.files",
+                        "gui.picture"),
+                room(
+                        "gui.rendering",
+                        "scene",
+                        "world",
+                        "film",
+                        "engine",
+                        "engine.auto",
+                        "image",
+                        "render",
+                        "gui.controls",
+                        "gui.drawing",
+                        "gui.model",
+                        "gui.studio",
+                        "gui.files"),
+                room("gui", "files", "scene", "world", "engine", "gui.."),
                 room(
                         "cli",
                         "files",
@@ -153,7 +209,9 @@ class RoomsTest {
                         "explain",
                         "image",
                         "bench",
-                        "gui"));
+                        "gui",
+                        "gui.files",
+                        "gui.studio"));
     }
 
     private static Arguments room(String room, String... neighbors) {
@@ -248,6 +306,7 @@ class RoomsTest {
     @Test
     void roomsHaveNoCycles() {
         slices().matching("dev.twister.(*)..").should().beFreeOfCycles().check(TWISTER);
+        slices().matching("dev.twister.gui.(*)").should().beFreeOfCycles().check(TWISTER);
     }
 
     @Test
