@@ -37,7 +37,7 @@ class RoomsTest {
                 room("files"),
                 room("scene", "files"),
                 room("scene.format", "files", "scene"),
-                room("sky"),
+                room("sky", "files"),
                 room("mesh", "files", "scene"),
                 room("image", "files"),
                 room("threads"),

@@ -1,11 +1,11 @@
 package dev.twister.image;
 
+import dev.twister.files.InputFile;
 import java.io.BufferedInputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
@@ -26,7 +26,7 @@ final class HdrNotes {
      * @throws IOException where it ends before its last row
      */
     static Optional<Provenance> of(Path file) throws IOException {
-        try (InputStream bytes = Files.newInputStream(file);
+        try (InputStream bytes = InputFile.open(file);
                 DataInputStream in = new DataInputStream(new BufferedInputStream(bytes))) {
             String software = "";
             Optional<String> text = Optional.empty();

@@ -99,6 +99,16 @@ class CommandsTest {
     }
 
     @Test
+    void writesASceneToStandardOutput() throws IOException {
+        Outcome made = Outcome.of("scene", "--spheres", "3", "-o", "-");
+
+        assertThat(made.err()).isEmpty();
+        assertThat(Path.of("-")).doesNotExist();
+        Path file = Files.writeString(folder.resolve("scene.json"), made.out());
+        assertThat(SceneReader.readWithoutPictures(file).spheres()).hasSize(3);
+    }
+
+    @Test
     void makesASceneUnderATurnedSky() {
         Path file = folder.resolve("scene.json");
 

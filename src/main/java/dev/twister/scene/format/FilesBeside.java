@@ -1,5 +1,6 @@
 package dev.twister.scene.format;
 
+import dev.twister.files.InputFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
@@ -62,12 +63,9 @@ final class FilesBeside implements NamedFiles {
     }
 
     private static void check(Place place, Path file) {
-        if (Files.isDirectory(file)) {
-            throw place.failure("names a folder, but must name a picture: " + Excerpt.ofPath(file.toString()));
-        }
-        if (!Files.isRegularFile(file)) {
-            throw place.failure("names a file that is not there: " + Excerpt.ofPath(file.toString()));
-        }
+        InputFile.problem(file).ifPresent(problem -> {
+            throw place.failure("names " + Excerpt.ofPath(file.toString()) + ": " + problem);
+        });
     }
 
     private Path relative(Path file) {

@@ -52,6 +52,18 @@ public final class SceneWriter {
     }
 
     /**
+     * The text of a scene file in the current folder.
+     *
+     * @throws SceneException if a value of the scene is out of range; the message is one line
+     */
+    public static String text(Scene scene) {
+        Path file = Path.of("scene.json").toAbsolutePath();
+        String text = SceneDocument.of(scene, new FilesBeside(file, file, false), Optional.empty());
+        check(text, "the scene");
+        return text;
+    }
+
+    /**
      * Checks that a scene could be written; its files need not be there.
      *
      * @throws SceneException if a value of the scene is out of range; the message is one line

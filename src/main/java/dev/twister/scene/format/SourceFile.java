@@ -1,5 +1,6 @@
 package dev.twister.scene.format;
 
+import dev.twister.files.InputFile;
 import dev.twister.files.SystemReason;
 import dev.twister.scene.SceneException;
 import java.io.IOException;
@@ -12,7 +13,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Arrays;
 import java.util.Optional;
 
@@ -34,16 +34,12 @@ final class SourceFile {
     static SourceText read(Path file) {
         String name = file.toString();
         try {
-            BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
-            if (attributes.isDirectory()) {
-                throw failure(name, "is a folder, but must be a scene file");
-            }
-            // A pipe or a device could block or never end.
-            if (!attributes.isRegularFile()) {
-                throw failure(name, "is not a regular file");
-            }
-            if (attributes.size() > MAX_BYTES) {
-                throw failure(name, "has " + attributes.size() + " bytes; " + TOO_LARGE);
+            InputFile.problem(file).ifPresent(problem -> {
+                throw failure(name, problem);
+            });
+            long size = Files.size(file);
+            if (size > MAX_BYTES) {
+                throw failure(name, "has " + size + " bytes; " + TOO_LARGE);
             }
             return decode(name, bytes(file, name));
         } catch (NoSuchFileException e) {

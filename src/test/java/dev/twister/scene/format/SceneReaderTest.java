@@ -149,8 +149,8 @@ class SceneReaderTest {
                 SampleScene.MATERIALS, "0.25, \"texture\": \"earth.png\"", "0.25, \"texture\": \"sub/moon.png\"");
 
         assertThat(message(SampleScene.put(folder, text)))
-                .endsWith(":7:86: $.materials.earth.texture names a file that is not there: "
-                        + folder.resolve("sub/moon.png"));
+                .endsWith(":7:86: $.materials.earth.texture names " + folder.resolve("sub/moon.png")
+                        + ": file not found");
     }
 
     @Test
@@ -163,7 +163,8 @@ class SceneReaderTest {
         assertThat(SceneReader.readUnder(other, file)).isEqualTo(scene.withSkybox(other));
         Files.delete(folder.resolve("earth.png"));
         assertThatThrownBy(() -> SceneReader.readUnder(other, file))
-                .hasMessageContaining("$.materials.earth.texture names a file that is not there");
+                .hasMessageContaining("$.materials.earth.texture names ")
+                .hasMessageEndingWith(": file not found");
     }
 
     @Test
@@ -323,10 +324,9 @@ class SceneReaderTest {
     @Test
     void refusesASkyboxThatIsNotThere() {
         assertThat(message(SampleScene.put(folder, SampleScene.with("sky.hdr", "../noon.hdr"))))
-                .endsWith("scene.json:9:13: $.skybox names a file that is not there: "
-                        + folder.resolveSibling("noon.hdr"));
+                .endsWith("scene.json:9:13: $.skybox names " + folder.resolveSibling("noon.hdr") + ": file not found");
         assertThat(message(SampleScene.put(folder, SampleScene.with("sky.hdr", "."))))
-                .endsWith("scene.json:9:13: $.skybox names a folder, but must name a picture: " + folder);
+                .endsWith("scene.json:9:13: $.skybox names " + folder + ": is a folder, but must be a file");
     }
 
     @Test
@@ -349,14 +349,14 @@ class SceneReaderTest {
 
         SampleScene.put(scenes, SampleScene.with("sky.hdr", "../skies/day.hdr"));
         Files.delete(sky);
-        assertThat(message(file)).endsWith("names a file that is not there: " + folder.resolve("skies/day.hdr"));
+        assertThat(message(file)).endsWith("names " + folder.resolve("skies/day.hdr") + ": file not found");
     }
 
     @Test
     void refusesWhatIsNoFile() {
         Path missing = folder.resolve("none.json");
         assertThat(message(missing)).isEqualTo(missing + ": file not found");
-        assertThat(message(folder)).isEqualTo(folder + ": is a folder, but must be a scene file");
+        assertThat(message(folder)).isEqualTo(folder + ": is a folder, but must be a file");
     }
 
     @Test
