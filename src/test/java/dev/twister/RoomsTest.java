@@ -121,6 +121,7 @@ class RoomsTest {
                         "gui.studio",
                         "mesh",
                         "scene",
+                        "scene.format",
                         "world",
                         "physics",
                         "engine",
@@ -168,6 +169,7 @@ class RoomsTest {
                 room(
                         "gui.panel",
                         "scene",
+                        "scene.format",
                         "world",
                         "engine",
                         "gui.controls",
