@@ -6,6 +6,7 @@ import dev.twister.gui.model.Autosave;
 import dev.twister.gui.model.AutosaveFolder;
 import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.model.FileMark;
+import dev.twister.gui.studio.OpenedScene;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.scene.format.SceneWriter;

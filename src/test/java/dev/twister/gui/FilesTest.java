@@ -3,10 +3,13 @@ package dev.twister.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.files.FileActions;
 import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.model.FileMark;
 import dev.twister.gui.model.SceneHistory;
+import dev.twister.gui.panel.Panel;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import dev.twister.mesh.MeshException;

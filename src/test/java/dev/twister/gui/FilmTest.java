@@ -3,6 +3,11 @@ package dev.twister.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.gui.camera.FilmBar;
+import dev.twister.gui.camera.KeyframeMarks;
+import dev.twister.gui.controls.Command;
+import dev.twister.gui.picture.PictureView;
+import dev.twister.gui.studio.OpenedScene;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Scene;

@@ -6,6 +6,8 @@ import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.AutosaveFolder;
 import dev.twister.gui.model.BodyMaterials;
 import dev.twister.gui.model.MaterialPreset;
+import dev.twister.gui.panel.PanelRow;
+import dev.twister.gui.studio.OpenedScene;
 import dev.twister.image.PngWriter;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Material;

@@ -3,12 +3,16 @@ package dev.twister.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.AutosaveFolder;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyMaterials;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.MaterialPreset;
+import dev.twister.gui.panel.PanelRow;
+import dev.twister.gui.picture.PictureView;
+import dev.twister.gui.studio.OpenedScene;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
