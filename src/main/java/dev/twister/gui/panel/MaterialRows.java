@@ -3,7 +3,7 @@ package dev.twister.gui.panel;
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.files.FileActions;
 import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyList;
+import dev.twister.gui.model.BodyChoices;
 import dev.twister.gui.model.BodyMaterials;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.MaterialNumbers;
@@ -109,7 +109,7 @@ final class MaterialRows {
 
     /** What the material is called, and who has it. */
     String hint() {
-        return (body == BodyNumber.PLANE ? "The plane" : BodyList.title(before, body))
+        return (body == BodyNumber.PLANE ? "The plane" : BodyChoices.title(before, body))
                 + shared.map(named -> " has the material \"" + named.name() + "\", "
                                 + (named.bodies().size() == 1
                                         ? "alone."

@@ -8,12 +8,14 @@ import dev.twister.gui.controls.PlainBox;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.RefinementGoal;
 import dev.twister.gui.model.RenderFormat;
-import dev.twister.gui.model.RenderOrder;
 import dev.twister.gui.model.ShownPictures;
+import dev.twister.gui.model.WindowOrder;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Studio;
 import dev.twister.image.PictureSize;
 import dev.twister.render.PictureMemory;
+import dev.twister.render.RenderOrder;
+import dev.twister.render.Renderer;
 import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
@@ -118,20 +120,17 @@ final class RenderForm extends GridPane {
     /** The order that the form stands for, of the scene as it is now; empty where there is a complaint. */
     Optional<RenderOrder> order(Path file) {
         Scene scene = studio.scene();
-        Optional<RenderOrder.Film> moving = film.isSelected() ? films.film() : Optional.empty();
-        Optional<FrameInput> seen = film.isSelected() ? Optional.empty() : movedBodies(scene);
         return size.size()
                 .filter(_ -> samples.complaint().or(shadows::complaint).isEmpty())
-                .filter(_ -> moving.isPresent() || !film.isSelected())
-                .flatMap(wanted -> engine.choice()
-                        .flatMap(chosen -> shown.choice()
-                                .map(picture -> new RenderOrder(
-                                        scene.withRendering(settings(scene.rendering(), wanted)),
-                                        picture,
-                                        chosen,
-                                        moving,
-                                        seen,
-                                        file))));
+                .map(wanted -> scene.withRendering(settings(scene.rendering(), wanted)))
+                .flatMap(sized -> engine.choice()
+                        .flatMap(chosen -> shown.choice().flatMap(picture -> order(sized, picture, chosen, file))));
+    }
+
+    private Optional<RenderOrder> order(Scene scene, Picture picture, EngineOffer chosen, Path file) {
+        return film.isSelected()
+                ? films.film().map(plan -> WindowOrder.film(scene, picture, chosen, plan, file))
+                : Optional.of(WindowOrder.picture(scene, picture, chosen, movedBodies(scene), file));
     }
 
     private Rendering settings(Rendering usual, PictureSize wanted) {
@@ -187,7 +186,8 @@ final class RenderForm extends GridPane {
     }
 
     private static Optional<String> shortage(RenderOrder order) {
-        return PictureMemory.of(order.size(), order.bytesPerPixel()).map(shortage -> "Size " + shortage.text());
+        return PictureMemory.of(order.size(), Renderer.bytesPerPixel(order))
+                .map(shortage -> "Size " + shortage.text());
     }
 
     private void showForFilms(List<Node> row) {

@@ -18,13 +18,13 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
-class BodyListTest {
+class BodyChoicesTest {
     private final Scene scene = Scenes.scene();
 
     @Test
     void bodiesAreListedInTheirOrder() {
-        assertThat(BodyList.of(scene, SelectedBodies.NONE)).containsExactly(BodyNumber.LIGHT, BodyNumber.PLANE, 2, 3);
-        assertThat(BodyList.name(scene, 3)).isEqualTo("Sphere 2");
+        assertThat(BodyChoices.of(scene, SelectedBodies.NONE)).containsExactly(BodyNumber.LIGHT, BodyNumber.PLANE, 2, 3);
+        assertThat(BodyChoices.name(scene, 3)).isEqualTo("Sphere 2");
     }
 
     @Test
@@ -32,7 +32,7 @@ class BodyListTest {
         Sphere sphere = scene.spheres().getFirst();
         Scene crowd = scene.withSpheres(Collections.nCopies(2000, sphere));
 
-        assertThat(BodyList.of(crowd, SelectedBodies.of(List.of(700, 30))))
+        assertThat(BodyChoices.of(crowd, SelectedBodies.of(List.of(700, 30))))
                 .containsExactly(BodyNumber.LIGHT, BodyNumber.PLANE, 30, 700);
     }
 
@@ -44,9 +44,9 @@ class BodyListTest {
                 .withMeshes(List.of(knot, knot.withMaterial(Optional.of(glass))));
         int first = BodyNumber.ofMesh(0);
 
-        assertThat(BodyList.of(meshes, SelectedBodies.NONE)).endsWith(3, first, first + 1);
-        assertThat(BodyList.name(meshes, first)).isEqualTo("Mesh 1 (knot.obj)");
-        assertThat(BodyList.name(meshes, first + 1)).isEqualTo("Mesh 2 (knot.obj), glass");
+        assertThat(BodyChoices.of(meshes, SelectedBodies.NONE)).endsWith(3, first, first + 1);
+        assertThat(BodyChoices.name(meshes, first)).isEqualTo("Mesh 1 (knot.obj)");
+        assertThat(BodyChoices.name(meshes, first + 1)).isEqualTo("Mesh 2 (knot.obj), glass");
     }
 
     @Test
