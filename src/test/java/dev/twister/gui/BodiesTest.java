@@ -1,7 +1,5 @@
 package dev.twister.gui;
 
-import java.util.List;
-
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -22,6 +20,7 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import java.nio.file.Path;
+import java.util.List;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.event.Event;
 import javafx.event.EventType;
@@ -343,7 +342,8 @@ class BodiesTest {
         driver.run(() -> {
             driver.studio.edit("delete sphere", scene -> BodyEdits.deleted(scene, Layout.FIRST_SPHERE));
             Sphere elsewhere = Sphere.of(new Vector3(0, 20, 0), 1, new Rgb(1, 1, 1), 0);
-            driver.studio.edit("insert sphere", scene -> scene.withBodies(scene.bodies().with(List.of(elsewhere))));
+            driver.studio.edit(
+                    "insert sphere", scene -> scene.withBodies(scene.bodies().with(List.of(elsewhere))));
             fire(MouseEvent.MOUSE_CLICKED, middle, view());
             assertThat(selected()).isEqualTo(MIDDLE - 1);
             fire(MouseEvent.MOUSE_CLICKED, first, view());

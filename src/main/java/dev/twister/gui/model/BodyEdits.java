@@ -1,7 +1,6 @@
 package dev.twister.gui.model;
 
 import dev.twister.scene.Body;
-
 import dev.twister.scene.Lights;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Pour;

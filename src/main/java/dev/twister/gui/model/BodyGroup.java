@@ -1,10 +1,8 @@
 package dev.twister.gui.model;
 
-import dev.twister.scene.Vector3;
-
 import dev.twister.scene.Body;
-
 import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Vector3;
 import java.util.List;
 
 /**

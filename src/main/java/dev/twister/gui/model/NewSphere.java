@@ -31,8 +31,8 @@ public final class NewSphere {
         double y = free.y();
         double ground = scene.ground().height();
         boolean above = scene.camera().position().y() >= ground;
-        Vector3 center = SceneLimits.POSITION.clamp(new Vector3(
-                free.x(), above ? Math.max(y, ground + RADIUS) : Math.min(y, ground - RADIUS), free.z()));
+        Vector3 center = SceneLimits.POSITION.clamp(
+                new Vector3(free.x(), above ? Math.max(y, ground + RADIUS) : Math.min(y, ground - RADIUS), free.z()));
         return Sphere.of(
                 besideOthers(center, scene, above ? 2 * RADIUS : -2 * RADIUS),
                 RADIUS,

@@ -1,7 +1,7 @@
 package dev.twister.gui.panel;
 
-import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyChoices;
+import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyMaterials;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.BodyNumbers;

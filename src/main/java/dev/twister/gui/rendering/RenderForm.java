@@ -186,8 +186,7 @@ final class RenderForm extends GridPane {
     }
 
     private static Optional<String> shortage(RenderOrder order) {
-        return PictureMemory.of(order.size(), Renderer.bytesPerPixel(order))
-                .map(shortage -> "Size " + shortage.text());
+        return PictureMemory.of(order.size(), Renderer.bytesPerPixel(order)).map(shortage -> "Size " + shortage.text());
     }
 
     private void showForFilms(List<Node> row) {

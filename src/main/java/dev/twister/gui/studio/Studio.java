@@ -1,7 +1,5 @@
 package dev.twister.gui.studio;
 
-import dev.twister.scene.Body;
-
 import dev.twister.engine.EngineOffer;
 import dev.twister.gui.drawing.DrawingLoop;
 import dev.twister.gui.drawing.DrawingRequest;
@@ -18,6 +16,7 @@ import dev.twister.gui.model.RefinementGoal;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.gui.model.SceneHistory;
 import dev.twister.image.PictureSize;
+import dev.twister.scene.Body;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
@@ -267,8 +266,7 @@ public final class Studio implements AutoCloseable {
         SceneMeshes shown = picture.get().map(DrawnPicture::meshes).orElse(SceneMeshes.NONE);
         Vector3 standing = BodyEdits.position(scene.get(), body);
         Vector3 now = positionNow(body);
-        return BodyExtent.of(scene.get(), shown, body)
-                .movedBy(now.minus(standing));
+        return BodyExtent.of(scene.get(), shown, body).movedBy(now.minus(standing));
     }
 
     /** What a mesh's file says that it is made of; the default where it has not been read. */

@@ -1,9 +1,8 @@
 package dev.twister.gui.model;
 
-import dev.twister.scene.Body;
-
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.scene.Body;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
@@ -23,7 +22,8 @@ class BodyChoicesTest {
 
     @Test
     void bodiesAreListedInTheirOrder() {
-        assertThat(BodyChoices.of(scene, SelectedBodies.NONE)).containsExactly(BodyNumber.LIGHT, BodyNumber.PLANE, 2, 3);
+        assertThat(BodyChoices.of(scene, SelectedBodies.NONE))
+                .containsExactly(BodyNumber.LIGHT, BodyNumber.PLANE, 2, 3);
         assertThat(BodyChoices.name(scene, 3)).isEqualTo("Sphere 2");
     }
 
