@@ -66,6 +66,8 @@ public final class SceneChanges {
             case Record record -> ofRecord(record);
             case Optional<?> some ->
                 of(some.orElseThrow()).map(change -> new Change<>(change.place(), Optional.of(change.value())));
+            // Views have no keyframes.
+            case List<?> items when items.isEmpty() -> Stream.empty();
             case List<?> items ->
                 of(items.getFirst())
                         .map(change -> new Change<>("[0]" + change.place(), replaced(items, change.value())));
