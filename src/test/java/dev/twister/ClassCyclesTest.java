@@ -37,7 +37,7 @@ class ClassCyclesTest {
                 uses.keySet().stream().collect(Collectors.toMap(name -> name, name -> reachable(name, uses)));
         return reached.keySet().stream()
                 .map(name -> reached.get(name).stream()
-                        .filter(other -> reached.get(other).contains(name))
+                        .filter(other -> reachable(other, uses).contains(name))
                         .collect(Collectors.toCollection(TreeSet::new)))
                 .filter(Predicate.not(Collection::isEmpty))
                 .collect(Collectors.toSet());
@@ -57,7 +57,7 @@ class ClassCyclesTest {
 
     private static Set<String> reachable(String start, Map<String, Set<String>> uses) {
         Set<String> seen = new TreeSet<>();
-        Deque<String> next = new ArrayDeque<>(uses.get(start));
+        Deque<String> next = new ArrayDeque<>(uses.getOrDefault(start, Set.of()));
         while (!next.isEmpty()) {
             String name = next.pop();
             if (seen.add(name)) {

@@ -2,6 +2,7 @@ package dev.twister.cli;
 
 import dev.twister.files.SystemReason;
 import dev.twister.files.WholeFile;
+import dev.twister.render.RenderOutput;
 import dev.twister.render.SceneInputs;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -11,13 +12,10 @@ import java.util.Locale;
 
 /** Looks at where a result is to go before the work is done, not after it. */
 final class OutputFile {
-    /** Means the standard output, where a command writes to it. */
-    private static final Path STANDARD_OUTPUT = Path.of("-");
-
     private OutputFile() {}
 
     static boolean isStandardOutput(Path output) {
-        return output.equals(STANDARD_OUTPUT);
+        return output.equals(RenderOutput.STANDARD_OUTPUT);
     }
 
     static void check(String option, Path file) {

@@ -1,6 +1,5 @@
 package dev.twister.gui;
 
-import dev.twister.gui.model.WindowSettings;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
 import dev.twister.gui.files.ShippedFolders;
@@ -8,6 +7,7 @@ import dev.twister.gui.files.SystemFileChoice;
 import dev.twister.gui.model.AutosaveFolder;
 import dev.twister.gui.model.DroppedFile;
 import dev.twister.gui.model.SettingsStore;
+import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.gui.studio.Studio;
 import java.nio.file.Files;

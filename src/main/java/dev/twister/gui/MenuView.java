@@ -1,6 +1,5 @@
 package dev.twister.gui;
 
-import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.bodies.BodyActions;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.Command.Group;
@@ -14,6 +13,7 @@ import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.EditState;
 import dev.twister.gui.model.Mnemonics;
 import dev.twister.gui.model.ShownPictures;
+import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.studio.Studio;
 import dev.twister.world.Picture;
 import java.nio.file.Path;

@@ -174,7 +174,8 @@ final class Workbench implements AutoCloseable {
                 panel::offerSkies,
                 problem -> studio.notice(Problems.explain(problem)));
         if (!settings.settings().get(WindowSettings.HINT_SEEN)) {
-            HintLine hint = new HintLine(picture, () -> settings.change(kept -> kept.with(WindowSettings.HINT_SEEN, true)));
+            HintLine hint =
+                    new HintLine(picture, () -> settings.change(kept -> kept.with(WindowSettings.HINT_SEEN, true)));
             StackPane.setAlignment(hint, Pos.BOTTOM_CENTER);
             middle.getChildren().add(hint);
         }
@@ -185,8 +186,8 @@ final class Workbench implements AutoCloseable {
         panel.minWidthProperty().subscribe(_ -> limitWidth());
         options.asked().ifPresent(settings::remember);
         studio.engineProperty()
-                .subscribe((_, choice) ->
-                        settings.change(kept -> kept.with(WindowSettings.ENGINE, choice.offer().id())));
+                .subscribe((_, choice) -> settings.change(
+                        kept -> kept.with(WindowSettings.ENGINE, choice.offer().id())));
         studio.document().editsProperty().subscribe(_ -> showTitle());
         studio.document().fileProperty().subscribe(_ -> showTitle());
         stage.setOnCloseRequest(this::closeOnceSaved);
@@ -211,7 +212,8 @@ final class Workbench implements AutoCloseable {
         boolean filling = stage.isMaximized() || stage.isFullScreen();
         int width = (int) stage.getWidth();
         int height = (int) stage.getHeight();
-        settings.change(kept -> (filling ? kept : kept.withSize(width, height)).with(WindowSettings.MAXIMIZED, filling));
+        settings.change(
+                kept -> (filling ? kept : kept.withSize(width, height)).with(WindowSettings.MAXIMIZED, filling));
         settings.write();
         help.close();
         comparison.close();
@@ -295,8 +297,13 @@ final class Workbench implements AutoCloseable {
                 .on(Command.MOVE, () -> studio.motion().setOn(!studio.motion().isOn()))
                 .on(Command.FRAME, bodies::frameSelected)
                 .on(Command.FRAME_ALSO, bodies::frameSelected)
-                .on(Command.Q_UP, () -> settings.change(kept -> kept.with(WindowSettings.Q_UP, !kept.get(WindowSettings.Q_UP))))
-                .on(Command.AXIS_HANDLES, () -> settings.change(kept -> kept.with(WindowSettings.AXIS_HANDLES, !kept.get(WindowSettings.AXIS_HANDLES))))
+                .on(
+                        Command.Q_UP,
+                        () -> settings.change(kept -> kept.with(WindowSettings.Q_UP, !kept.get(WindowSettings.Q_UP))))
+                .on(
+                        Command.AXIS_HANDLES,
+                        () -> settings.change(
+                                kept -> kept.with(WindowSettings.AXIS_HANDLES, !kept.get(WindowSettings.AXIS_HANDLES))))
                 .on(Command.PAUSE, studio.motion()::togglePause)
                 .on(Command.STEP, studio.motion()::stepOnce)
                 .on(Command.RANDOMIZE, bodies::randomize)

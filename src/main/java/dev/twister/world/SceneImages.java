@@ -30,17 +30,17 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
      */
     public static SceneImages read(Scene scene, Consumer<String> warnings) {
         return new SceneImages(
-                SkyboxReader.read(scene.skybox(), warnings),
+                SkyboxReader.read(scene.sky().file(), warnings),
                 textures(scene, file -> TextureReader.read(file, warnings)));
     }
 
     /**
-     * As above, for a scene with meshes.
+     * As above, for a scene with meshes; warns of textures that are not shown, too.
      *
      * @throws SkyException as for {@link SkyboxReader#read} and {@link #textures}
      */
     public static SceneImages read(Scene scene, SceneMeshes meshes, Consumer<String> warnings) {
-        return read(scene, SkyboxReader.read(scene.skybox(), warnings), meshes, warnings);
+        return read(scene, SkyboxReader.read(scene.sky().file(), warnings), meshes, warnings);
     }
 
     /**
@@ -49,6 +49,7 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
      * @throws SkyException as for {@link #textures}
      */
     public static SceneImages read(Scene scene, Skybox sky, SceneMeshes meshes, Consumer<String> warnings) {
+        HiddenTextures.of(scene, meshes).forEach(warnings);
         return new SceneImages(
                 sky,
                 textures(

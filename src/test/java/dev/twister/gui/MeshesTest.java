@@ -1,6 +1,5 @@
 package dev.twister.gui;
 
-import dev.twister.gui.model.WindowSettings;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -11,6 +10,7 @@ import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyMaterials;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.MaterialPreset;
+import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.panel.PanelRow;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.OpenedScene;

@@ -3,10 +3,9 @@ package dev.twister.gui.files;
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Problems;
 import dev.twister.gui.model.NewMesh;
-import dev.twister.gui.model.Solid;
 import dev.twister.gui.studio.Document;
 import dev.twister.gui.studio.Studio;
-import dev.twister.mesh.Bounds;
+import dev.twister.mesh.Box;
 import dev.twister.mesh.MeshFile;
 import dev.twister.mesh.MeshStage;
 import dev.twister.scene.Mesh;
@@ -49,12 +48,11 @@ public final class AssetActions {
 
     private void insert(Mesh mesh, MeshFile held) {
         studio.pictureProperty().get().ifPresent(shown -> {
-            Bounds bounds = held.bounds();
+            Box bounds = held.bounds();
             studio.assets().keepMesh(mesh, held);
             studio.insert(
                     "insert mesh",
-                    List.of(new Solid.OfMesh(
-                            NewMesh.inFrontOf(shown.input(), studio.scene(), mesh, bounds.center(), bounds.half()))));
+                    List.of(NewMesh.inFrontOf(shown.input(), studio.scene(), mesh, bounds.center(), bounds.half())));
         });
     }
 
@@ -72,7 +70,8 @@ public final class AssetActions {
 
     /** Asks for a panorama, and makes it the sky. */
     public void chooseSky() {
-        choice.panorama(Optional.ofNullable(studio.scene().skybox().getParent()).orElse(document.folder()))
+        choice.panorama(Optional.ofNullable(studio.scene().sky().file().getParent())
+                        .orElse(document.folder()))
                 .ifPresent(file -> useSky(file, () -> {}));
     }
 

@@ -116,7 +116,7 @@ public final class FileActions {
 
     /** Where only the sky is at fault, the scene can be had with another. */
     private void offerAnotherSky(Path file, Throwable problem) {
-        Path present = studio.scene().skybox();
+        Path present = studio.scene().sky().file();
         reading.begin(
                 FileNames.name(file),
                 () -> {
@@ -159,7 +159,7 @@ public final class FileActions {
      * @param failed called when they cannot be
      */
     void restore(Autosave autosave, Runnable then, Runnable failed) {
-        Path present = studio.scene().skybox();
+        Path present = studio.scene().sky().file();
         reading.begin(
                 FileNames.name(autosave.edited().path()),
                 () -> {
@@ -183,7 +183,9 @@ public final class FileActions {
             return studio.assets().readScene(autosaved).scene();
         } catch (SceneException | SkyException _) {
             Scene edits = SceneReader.readWithoutPictures(autosaved);
-            return isReadable(edits.skybox()) ? edits : edits.withSkybox(present);
+            return isReadable(edits.sky().file())
+                    ? edits
+                    : edits.withSky(edits.sky().withFile(present));
         }
     }
 

@@ -1,12 +1,9 @@
 package dev.twister.gui.model;
 
-import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
-import dev.twister.world.CameraPath;
 import java.util.Arrays;
 import java.util.List;
-import java.util.function.DoubleFunction;
 
 /** What moves in a film. */
 public enum FilmMotion {
@@ -14,7 +11,7 @@ public enum FilmMotion {
     PHYSICS("Physics", false, true),
     CAMERA_AND_PHYSICS("Camera keyframes and physics", true, true);
 
-    private static final Vector3 NONE = new Vector3(0, 0, 0);
+    private static final Vector3 NONE = Vector3.ZERO;
 
     /** One keyframe is no way. */
     private static final int FEWEST_KEYFRAMES = 2;
@@ -52,10 +49,5 @@ public enum FilmMotion {
     /** Whether bodies are simulated. */
     public boolean movesBodies() {
         return physics;
-    }
-
-    /** The camera at a time of the film, in seconds. */
-    DoubleFunction<Camera> camera(Camera from) {
-        return camera ? seconds -> CameraPath.at(from, seconds) : _ -> from;
     }
 }

@@ -29,9 +29,8 @@ public record SettingsStore(Optional<Path> folder) {
     /** Thousands of times what the settings take. */
     private static final int MAX_BYTES = 1 << 22;
 
-    private static final JsonMapper JSON = JsonMapper.builder()
-            .enable(SerializationFeature.INDENT_OUTPUT)
-            .build();
+    private static final JsonMapper JSON =
+            JsonMapper.builder().enable(SerializationFeature.INDENT_OUTPUT).build();
 
     /**
      * What was found.

@@ -36,8 +36,8 @@ public final class SphereOutline {
         double[] corners = new double[2 * count];
         for (int i = 0; i < count; i++) {
             double angle = 2 * Math.PI * i / count;
-            double[] corner = projection.point(middle.plus(across.times(circle * Math.cos(angle)))
-                    .plus(along.times(circle * Math.sin(angle))));
+            double[] corner = projection.point(
+                    middle.plus(across.times(circle * Math.cos(angle))).plus(along.times(circle * Math.sin(angle))));
             if (corner.length == 0) {
                 return NONE;
             }

@@ -44,8 +44,7 @@ public record WindowSettings(Map<String, Object> values) {
     public static final Key<Boolean> FRAME_TIMES_SHOWN = flag("frameTimesShown", true);
 
     /** The id of an engine. */
-    public static final Key<String> ENGINE =
-            new Key<>("engine", FastestEngine.AUTO, WindowSettings::text);
+    public static final Key<String> ENGINE = new Key<>("engine", FastestEngine.AUTO, WindowSettings::text);
 
     /** Scene files as absolute paths, the newest first. */
     public static final Key<List<String>> RECENT_SCENES = texts("recentScenes", MAX_RECENT, List.of());
@@ -57,8 +56,8 @@ public record WindowSettings(Map<String, Object> values) {
     public static final Key<Boolean> AXIS_HANDLES = flag("axisHandles", true);
 
     /** Headings of the panel's folded sections. */
-    public static final Key<List<String>> FOLDED = texts(
-            "folded", MAX_SECTIONS, List.of("Camera", "Views", "Light", "Sky", "Plane", "Physics", "Compare"));
+    public static final Key<List<String>> FOLDED =
+            texts("folded", MAX_SECTIONS, List.of("Camera", "Views", "Light", "Sky", "Plane", "Physics", "Compare"));
 
     /** Whether the hint of the first start has been seen. */
     public static final Key<Boolean> HINT_SEEN = flag("hintSeen", false);

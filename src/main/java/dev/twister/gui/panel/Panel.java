@@ -1,6 +1,5 @@
 package dev.twister.gui.panel;
 
-import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.Tooltips;
@@ -9,6 +8,7 @@ import dev.twister.gui.files.SettingsKeeper;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.CameraRig;
 import dev.twister.gui.model.ResolutionMode;
+import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.picture.Comparison;
 import dev.twister.gui.picture.HistogramView;
 import dev.twister.gui.studio.EngineList;

@@ -3,7 +3,7 @@ package dev.twister.gui.rendering;
 import dev.twister.gui.controls.NumberField;
 import dev.twister.gui.controls.PlainBox;
 import dev.twister.gui.model.FilmMotion;
-import dev.twister.gui.model.RenderOrder;
+import dev.twister.gui.model.FilmPlan;
 import dev.twister.render.FrameRange;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Range;
@@ -97,10 +97,10 @@ final class FilmFields {
     }
 
     /** The film; empty where {@link #complaint} says why there is none. */
-    Optional<RenderOrder.Film> film() {
+    Optional<FilmPlan> film() {
         return complaint().isPresent()
                 ? Optional.empty()
-                : motion.choice().map(moving -> new RenderOrder.Film(moving, rate.number(), range()));
+                : motion.choice().map(moving -> new FilmPlan(moving, rate.number(), range()));
     }
 
     private FrameRange range() {
@@ -133,7 +133,7 @@ final class FilmFields {
         }
     }
 
-    private static String describe(RenderOrder.Film film) {
+    private static String describe(FilmPlan film) {
         int count = film.frames().count();
         return String.format(Locale.ROOT, "%d %s, %.2f s", count, count == 1 ? "frame" : "frames", count / film.rate());
     }

@@ -1,7 +1,6 @@
 package dev.twister.gui.rendering;
 
 import dev.twister.engine.EngineException;
-import dev.twister.film.FilmFile;
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Dialogs.Answer;
 import dev.twister.gui.controls.Problems;
@@ -9,10 +8,10 @@ import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.files.FileChoice;
 import dev.twister.gui.files.FileNames;
 import dev.twister.gui.model.RenderJob;
-import dev.twister.gui.model.RenderOrder;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Studio;
-import dev.twister.render.NumberedFiles;
+import dev.twister.render.RenderOrder;
+import dev.twister.render.RenderOutput;
 import dev.twister.render.SceneInputs;
 import dev.twister.world.SceneMeshes;
 import java.io.IOException;
@@ -69,10 +68,11 @@ public final class RenderActions implements AutoCloseable {
     /** Does that, which closes the window; where something is rendered, asks first whether to cancel it. */
     public void beforeClosing(Runnable then) {
         if (job.isPresent()) {
-            dialogs.askToCancelRender(FileNames.name(job.get().order().file()), new Answer("Cancel render", () -> {
-                cancel();
-                then.run();
-            }));
+            dialogs.askToCancelRender(
+                    FileNames.name(job.get().order().output().file()), new Answer("Cancel render", () -> {
+                        cancel();
+                        then.run();
+                    }));
         } else {
             then.run();
         }
@@ -120,12 +120,11 @@ public final class RenderActions implements AutoCloseable {
 
     /** Asks about frames that would be replaced: of others, the choice of the file did. */
     private void startWhereFree(RenderOrder order) {
-        lastFolder =
-                Optional.ofNullable(order.file().toAbsolutePath().getParent()).orElse(lastFolder);
+        Path file = order.output().file();
+        lastFolder = Optional.ofNullable(file.toAbsolutePath().getParent()).orElse(lastFolder);
         try {
-            if (SceneInputs.areReplacedBy(
-                    order.file(), SceneInputs.of(studio.document().file(), order.scene()))) {
-                dialogs.complain(FAILED, order.file() + " is a file of the scene; choose another one");
+            if (SceneInputs.areReplacedBy(file, SceneInputs.of(studio.document().file(), order.scene()))) {
+                dialogs.complain(FAILED, file + " is a file of the scene; choose another one");
             } else {
                 Optional<Path> there = firstFrameThere(order);
                 if (there.isPresent()) {
@@ -140,19 +139,18 @@ public final class RenderActions implements AutoCloseable {
         } catch (IOException problem) {
             dialogs.complain(FAILED, problem.getMessage());
         } catch (IllegalArgumentException problem) {
-            dialogs.complain(FAILED, order.file() + " " + problem.getMessage());
+            dialogs.complain(FAILED, file + " " + problem.getMessage());
         }
     }
 
     private Optional<Path> firstFrameThere(RenderOrder order) {
-        return order.film().filter(_ -> !FilmFile.isFilm(order.file())).flatMap(film -> {
-            NumberedFiles files = NumberedFiles.of(order.file(), film.frames());
-            return film.frames()
-                    .numbers()
-                    .mapToObj(files::file)
-                    .filter(Files::exists)
-                    .findFirst();
-        });
+        RenderOutput output = order.output();
+        return output.range()
+                .numbers()
+                .mapToObj(output::file)
+                .filter(_ -> output.isNumbered())
+                .filter(Files::exists)
+                .findFirst();
     }
 
     private void start(RenderOrder order) {
@@ -175,7 +173,7 @@ public final class RenderActions implements AutoCloseable {
     }
 
     private static String more(RenderOrder order) {
-        int frames = order.film().map(film -> film.frames().count()).orElse(1);
+        int frames = order.output().range().count();
         return frames == 1 ? "" : ", " + frames + " frames";
     }
 

@@ -8,13 +8,15 @@ import dev.twister.gui.controls.PlainBox;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.RefinementGoal;
 import dev.twister.gui.model.RenderFormat;
-import dev.twister.gui.model.RenderOrder;
 import dev.twister.gui.model.ShownPictures;
+import dev.twister.gui.model.WindowOrder;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Studio;
 import dev.twister.image.PictureSize;
 import dev.twister.render.PictureMemory;
-import dev.twister.scene.RenderSettings;
+import dev.twister.render.RenderOrder;
+import dev.twister.render.Renderer;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.world.FrameInput;
@@ -100,7 +102,8 @@ final class RenderForm extends GridPane {
                         new PictureSize(seen.request().width(), seen.request().height()));
         size.offer(window);
         if (document.isEmpty()) {
-            size.show(new PictureSize(scene.settings().width(), scene.settings().height()));
+            size.show(
+                    new PictureSize(scene.rendering().width(), scene.rendering().height()));
             samples.show(RefinementGoal.samples(scene, Picture.REFLECTIONS));
             shown.offer(ShownPictures.all(), Optional.of(studio.shownProperty().get()));
             films.showUsual();
@@ -108,7 +111,7 @@ final class RenderForm extends GridPane {
         }
         if (!document.equals(Optional.of(studio.document().number()))) {
             document = Optional.of(studio.document().number());
-            shadows.show(scene.settings().shadowSamples());
+            shadows.show(scene.rendering().shadowSamples());
             films.startAnew();
         }
         films.follow(scene);
@@ -117,23 +120,20 @@ final class RenderForm extends GridPane {
     /** The order that the form stands for, of the scene as it is now; empty where there is a complaint. */
     Optional<RenderOrder> order(Path file) {
         Scene scene = studio.scene();
-        Optional<RenderOrder.Film> moving = film.isSelected() ? films.film() : Optional.empty();
-        Optional<FrameInput> seen = film.isSelected() ? Optional.empty() : movedBodies(scene);
         return size.size()
                 .filter(_ -> samples.complaint().or(shadows::complaint).isEmpty())
-                .filter(_ -> moving.isPresent() || !film.isSelected())
-                .flatMap(wanted -> engine.choice()
-                        .flatMap(chosen -> shown.choice()
-                                .map(picture -> new RenderOrder(
-                                        scene.withSettings(settings(scene.settings(), wanted)),
-                                        picture,
-                                        chosen,
-                                        moving,
-                                        seen,
-                                        file))));
+                .map(wanted -> scene.withRendering(settings(scene.rendering(), wanted)))
+                .flatMap(sized -> engine.choice()
+                        .flatMap(chosen -> shown.choice().flatMap(picture -> order(sized, picture, chosen, file))));
     }
 
-    private RenderSettings settings(RenderSettings usual, PictureSize wanted) {
+    private Optional<RenderOrder> order(Scene scene, Picture picture, EngineOffer chosen, Path file) {
+        return film.isSelected()
+                ? films.film().map(plan -> WindowOrder.film(scene, picture, chosen, plan, file))
+                : Optional.of(WindowOrder.picture(scene, picture, chosen, movedBodies(scene), file));
+    }
+
+    private Rendering settings(Rendering usual, PictureSize wanted) {
         return usual.withSize(wanted.width(), wanted.height())
                 .withSamplesPerPixel(samples.wholeNumber())
                 .withShadows(shadows.wholeNumber());
@@ -186,7 +186,7 @@ final class RenderForm extends GridPane {
     }
 
     private static Optional<String> shortage(RenderOrder order) {
-        return PictureMemory.of(order.size(), order.bytesPerPixel()).map(shortage -> "Size " + shortage.text());
+        return PictureMemory.of(order.size(), Renderer.bytesPerPixel(order)).map(shortage -> "Size " + shortage.text());
     }
 
     private void showForFilms(List<Node> row) {

@@ -90,6 +90,6 @@ public final class CameraHand {
                 CameraMotion.turn(camera, turn, seconds),
                 walk,
                 seconds * speed.get() / CameraMotion.WALK_METERS_PER_SECOND,
-                document.scene().plane()));
+                document.scene().ground()));
     }
 }

@@ -190,6 +190,6 @@ public final class Document {
     }
 
     private static Scene withCameraAbovePlane(Scene scene) {
-        return scene.withCamera(CameraMotion.above(scene.camera(), scene.plane()));
+        return scene.withCamera(CameraMotion.above(scene.camera(), scene.ground()));
     }
 }

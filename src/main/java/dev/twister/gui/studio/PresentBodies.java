@@ -45,8 +45,7 @@ public final class PresentBodies {
     public BodyExtent extent(int body) {
         Vector3 standing = BodyEdits.position(document.scene(), body);
         Vector3 now = position(body);
-        return BodyExtent.of(document.scene(), meshes(), body)
-                .movedBy(now.x() - standing.x(), now.y() - standing.y(), now.z() - standing.z());
+        return BodyExtent.of(document.scene(), meshes(), body).movedBy(now.minus(standing));
     }
 
     /** The bounds of all movable ones of several bodies; empty if there are none. */

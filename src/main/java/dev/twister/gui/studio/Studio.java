@@ -6,11 +6,12 @@ import dev.twister.gui.drawing.DrawingRequest;
 import dev.twister.gui.drawing.DrawingStatus;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.EngineChoice;
+import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.RefinementGoal;
 import dev.twister.gui.model.ResolutionMode;
-import dev.twister.gui.model.Solid;
 import dev.twister.image.PictureSize;
+import dev.twister.scene.Body;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.world.Picture;
@@ -200,10 +201,10 @@ public final class Studio implements AutoCloseable {
     }
 
     /** Adds spheres and meshes to the scene as an edit of its own, and selects them. */
-    public void insert(String what, List<Solid> added) {
-        edit(what, standing -> Solid.inserted(standing, added));
+    public void insert(String what, List<Body> added) {
+        edit(what, standing -> standing.withBodies(standing.bodies().with(added)));
         endGesture();
-        selection.select(Solid.numbers(scene(), added));
+        selection.select(BodyEdits.numbersOfLast(scene(), added));
     }
 
     /** Starts a new undo step, for example when the mouse button is released. */
@@ -304,7 +305,7 @@ public final class Studio implements AutoCloseable {
 
     /** Makes a panorama the sky; if it is the sky already, the picture is drawn again with the file's new content. */
     public void useSky(Path panorama) {
-        edit("sky", now -> now.withSkybox(panorama));
+        edit("sky", now -> now.withSky(now.sky().withFile(panorama)));
         endGesture();
         request();
     }

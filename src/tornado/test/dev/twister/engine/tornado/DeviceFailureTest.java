@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.engine.EngineException;
 import dev.twister.image.Frame;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -17,7 +17,7 @@ class DeviceFailureTest {
     private static void drawWith(DrawTask kernel) {
         TornadoDevice device = Devices.all().getFirst();
         World world = SceneSamples.world(1, 2);
-        world.setSettings(RenderSettings.DEFAULT.withSize(16, 8));
+        world.setSettings(Rendering.DEFAULT.withSize(16, 8));
         try (TornadoEngine engine = new TornadoEngine("tornado:0:0", "the first device", device, kernel)) {
             engine.render(world.snapshot(), Frame.ofPixels(16, 8));
         }
@@ -47,5 +47,12 @@ class DeviceFailureTest {
         assertThatThrownBy(() -> drawWith(BrokenKernels::idle))
                 .isInstanceOf(EngineException.class)
                 .hasMessageContaining("undrawn");
+    }
+
+    @Test
+    void theAdviceOnMemoryIsMoreThanWhatIsSet() {
+        assertThat(DeviceFailure.moreGigabytes("")).isEqualTo(8);
+        assertThat(DeviceFailure.moreGigabytes("512MB")).isEqualTo(8);
+        assertThat(DeviceFailure.moreGigabytes("12GB")).isEqualTo(24);
     }
 }

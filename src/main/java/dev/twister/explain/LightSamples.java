@@ -1,0 +1,104 @@
+package dev.twister.explain;
+
+import dev.twister.engine.HitSearch;
+import dev.twister.kernel.Aspect;
+import dev.twister.kernel.Hit;
+import dev.twister.kernel.Layout;
+import dev.twister.scene.Vector3;
+import dev.twister.world.Bodies;
+import dev.twister.world.FrameInput;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The shadow rays of a surface point, one by one. */
+final class LightSamples {
+    private final FrameInput input;
+    private final int own;
+    private final float[] path;
+    private final float[] scratch = new float[Layout.SCRATCH_LENGTH];
+
+    private LightSamples(FrameInput input, float[] path, int own) {
+        this.input = input;
+        this.own = own;
+        this.path = path.clone();
+    }
+
+    /**
+     * All rays from the path's point.
+     *
+     * @param path after {@link dev.twister.kernel.Path#meet}; stays as it is
+     * @param own the body that the point lies on
+     */
+    static List<LightSample> of(FrameInput input, float[] path, int own) {
+        LightSamples rays = new LightSamples(input, path, own);
+        List<LightSample> all = new ArrayList<>();
+        for (int sample = 0; sample < input.shadowSamples(); sample++) {
+            all.add(rays.ray(sample));
+        }
+        return List.copyOf(all);
+    }
+
+    private LightSample ray(int sample) {
+        Bodies bodies = input.bodies();
+        float light = dev.twister.kernel.ShadowRay.light(
+                path,
+                own,
+                sample,
+                input.view().properties(),
+                bodies.places(),
+                bodies.looks(),
+                input.view().shadowDisc(),
+                bodies.hierarchy(),
+                Layout.root(input.bodyCount()),
+                bodies.meshes(),
+                scratch,
+                bodies.firstMesh(),
+                bodies.materials());
+        float[] way = way(sample);
+        Vector3 origin = bodies.origin();
+        Vector3 target = new Vector3(
+                path[Layout.POINT] + way[0] + origin.x(),
+                path[Layout.POINT + 1] + way[1] + origin.y(),
+                path[Layout.POINT + 2] + way[2] + origin.z());
+        return new LightSample(target, light, light < 1 ? blocker(way) : Layout.NOTHING);
+    }
+
+    /** From the point to a sample of the disc, which the kernel has just faced. */
+    private float[] way(int sample) {
+        float discRadius = 2 * input.bodies().size(Layout.LIGHT);
+        float u = input.view().shadowDisc()[2 * sample] * discRadius;
+        float w = input.view().shadowDisc()[2 * sample + 1] * discRadius;
+        float distance = path[Layout.LIGHT_DISTANCE];
+        return new float[] {
+            distance * path[Layout.TO_LIGHT] + w * path[Layout.DISC_W],
+            distance * path[Layout.TO_LIGHT + 1] + u * path[Layout.DISC_U_Y] + w * path[Layout.DISC_W + 1],
+            distance * path[Layout.TO_LIGHT + 2] + u * path[Layout.DISC_U_Z] + w * path[Layout.DISC_W + 2]
+        };
+    }
+
+    private int blocker(float[] way) {
+        float[] ray = new float[Layout.PATH_LENGTH];
+        float length = (float) Math.sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
+        for (int axis = 0; axis < 3; axis++) {
+            ray[Layout.ORIGIN + axis] = path[Layout.POINT + axis];
+            ray[Layout.DIRECTION + axis] = way[axis] / length;
+        }
+        ray[Layout.LEAVING] = own;
+        ray[Layout.LEAVING_TRIANGLE] = path[Layout.LEAVING_TRIANGLE];
+        Bodies bodies = input.bodies();
+        int body = Hit.find(
+                ray,
+                bodies.places(),
+                bodies.looks(),
+                bodies.hierarchy(),
+                bodies.meshes(),
+                input.bodyCount(),
+                scratch,
+                HitSearch.of(input),
+                bodies.firstMesh(),
+                bodies.materials(),
+                Aspect.FULL);
+        boolean between = body >= Layout.PLANE && ray[Layout.DISTANCE] < length;
+        return between ? body : Layout.NOTHING;
+    }
+}

@@ -1,0 +1,67 @@
+package dev.twister.gui.model;
+
+import dev.twister.scene.Scene;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+
+/** The bodies that a person can choose from by name. */
+public final class BodyChoices {
+    /** Of more spheres or meshes, only the selected ones are listed, and no more of those. */
+    private static final int MOST = 1000;
+
+    private BodyChoices() {}
+
+    /** The light, the plane, then the spheres and the meshes in the scene's order; last a poured sphere. */
+    public static List<Integer> of(Scene scene, SelectedBodies selected) {
+        int spheres = scene.spheres().size();
+        int meshes = scene.meshes().size();
+        return Stream.of(
+                        Stream.of(BodyNumber.LIGHT, BodyNumber.PLANE),
+                        some(spheres, BodyNumber::ofSphere, selected),
+                        some(meshes, BodyNumber::ofMesh, selected),
+                        selected.bodies().stream().filter(body -> BodyEdits.isPoured(scene, body)))
+                .flatMap(bodies -> bodies)
+                .toList();
+    }
+
+    private static Stream<Integer> some(int count, IntFunction<Integer> number, SelectedBodies selected) {
+        Stream<Integer> all = IntStream.range(0, count).mapToObj(number);
+        return count <= MOST ? all : all.filter(selected::contains).limit(MOST);
+    }
+
+    /**
+     * Such as {@code Sphere 3, glass} or {@code Mesh 1 (knot.obj), glass}: with the name of its material, where it has
+     * one.
+     */
+    public static String name(Scene scene, int body) {
+        if (BodyEdits.isPoured(scene, body)) {
+            return "Sphere " + (BodyNumber.sphere(body) + 1) + ", poured";
+        }
+        return title(scene, body)
+                + Optional.of(body)
+                        .filter(solid -> BodyEdits.isSolid(scene, solid) && BodyMaterials.has(scene, solid))
+                        .map(solid -> BodyMaterials.of(scene, solid))
+                        .flatMap(material -> scene.materials().entrySet().stream()
+                                .filter(named -> named.getValue().equals(material))
+                                .findFirst())
+                        .map(named -> ", " + named.getKey())
+                        .orElse("");
+    }
+
+    /** The name without the material's: {@code Sphere 3} or {@code Mesh 1 (knot.obj)}. */
+    public static String title(Scene scene, int body) {
+        if (BodyEdits.isMesh(scene, body)) {
+            return "Mesh " + (BodyNumber.mesh(body) + 1) + " ("
+                    + BodyEdits.mesh(scene, body).file().getFileName() + ")";
+        }
+        return switch (body) {
+            case BodyNumber.NONE -> "Nothing";
+            case BodyNumber.LIGHT -> "Light";
+            case BodyNumber.PLANE -> "Plane";
+            default -> "Sphere " + (BodyNumber.sphere(body) + 1);
+        };
+    }
+}

@@ -1,0 +1,47 @@
+package dev.twister.render;
+
+import dev.twister.engine.NumberColors;
+import dev.twister.image.ExrChannel;
+import dev.twister.image.Frame;
+import dev.twister.world.Picture;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A picture, a stage or a view that an engine has drawn.
+ *
+ * @param drawn its frame is linear where the output is, or where the picture is no color
+ */
+public record DrawnAspect(Picture picture, BandedDrawing.Drawn drawn) {
+    private static final String COLOR_CHANNELS = "RGB";
+    private static final int CHANNELS = 3;
+
+    /** The pixels, or the radiance. */
+    public Frame frame() {
+        return drawn.frame();
+    }
+
+    /** 0xAARRGGBB of each pixel, row by row from the top. */
+    public int[] pixels() {
+        return picture.isColor() ? frame().argb() : NumberColors.pixels(picture, frame().radiance());
+    }
+
+    /**
+     * The channels in a file: red, green and blue, or one for numbers, in a layer that is called as the picture.
+     *
+     * @param alone whether the file has no other picture, so that this one needs no layer; nor does the beauty
+     */
+    List<ExrChannel> channels(boolean alone) {
+        String layer = alone || picture == Picture.BEAUTY ? "" : picture.id() + ".";
+        if (picture.isNumber()) {
+            // Compositors know Z as a layer's depth; plain readers know Y alone as gray.
+            String channel = picture == Picture.DEPTH && !alone ? "Z" : "Y";
+            return List.of(new ExrChannel(layer + channel, frame().radiance(), 0, CHANNELS));
+        }
+        List<ExrChannel> channels = new ArrayList<>();
+        for (int channel = 0; channel < CHANNELS; channel++) {
+            channels.add(new ExrChannel(layer + COLOR_CHANNELS.charAt(channel), frame().radiance(), channel, CHANNELS));
+        }
+        return channels;
+    }
+}
