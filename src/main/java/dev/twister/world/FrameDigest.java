@@ -39,11 +39,6 @@ public final class FrameDigest {
             case float[] floats
             when floats.length >= LARGE -> digest.update(large.computeIfAbsent(floats, FrameDigest::hash));
             case float[] floats -> add(digest, floats);
-            case int[] ints -> {
-                for (int number : ints) {
-                    addText(digest, number);
-                }
-            }
             case Record record -> {
                 for (RecordComponent component : record.getClass().getRecordComponents()) {
                     addText(digest, component.getName());
