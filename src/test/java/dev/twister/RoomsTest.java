@@ -36,14 +36,26 @@ class RoomsTest {
         return Stream.of(
                 room("files"),
                 room("scene", "files"),
-                room("sky"),
+                room("scene.format", "files", "scene"),
+                room("sky", "files"),
                 room("mesh", "files", "scene"),
                 room("image", "files"),
                 room("threads"),
-                room("film", "files"),
+                room("film", "files", "threads"),
                 room("motion", "files", "scene", "kernel", "world"),
                 room("engine", "kernel", "world", "image"),
-                room("render", "files", "scene", "world", "physics", "motion", "film", "engine", "image"),
+                room(
+                        "render",
+                        "files",
+                        "scene",
+                        "scene.format",
+                        "world",
+                        "physics",
+                        "motion",
+                        "film",
+                        "engine",
+                        "image",
+                        "threads"),
                 room("engine.tornado", "kernel", "world", "image", "engine"),
                 room("engine.vector.lanes", "kernel", "engine"),
                 room("engine.vector.frame", "kernel", "world", "image", "engine.vector.lanes"),
@@ -79,11 +91,12 @@ class RoomsTest {
                         "gui.model",
                         "files",
                         "scene",
+                        "scene.format",
                         "sky",
                         "kernel",
                         "world",
                         "physics",
-                        "film",
+                        "threads",
                         "render",
                         "engine",
                         "engine.auto",
@@ -94,6 +107,7 @@ class RoomsTest {
                         "gui.drawing",
                         "mesh",
                         "scene",
+                        "scene.format",
                         "sky",
                         "world",
                         "physics",
@@ -102,29 +116,89 @@ class RoomsTest {
                         "explain",
                         "image",
                         "gui.model"),
+                room("gui.controls", "scene"),
                 room(
-                        "gui",
+                        "gui.studio",
+                        "mesh",
+                        "scene",
+                        "scene.format",
+                        "world",
+                        "physics",
+                        "engine",
+                        "engine.auto",
+                        "image",
+                        "gui.controls",
+                        "gui.drawing",
+                        "gui.model"),
+                room(
+                        "gui.files",
                         "files",
                         "mesh",
                         "scene",
+                        "scene.format",
                         "sky",
                         "world",
-                        "physics",
-                        "film",
-                        "render",
+                        "gui.controls",
+                        "gui.drawing",
+                        "gui.model",
+                        "gui.studio"),
+                room(
+                        "gui.picture",
+                        "scene",
+                        "world",
                         "engine",
-                        "engine.auto",
                         "explain",
                         "image",
                         "bench",
-                        "explain",
+                        "gui.controls",
                         "gui.drawing",
-                        "gui.model"),
+                        "gui.model",
+                        "gui.studio",
+                        "gui.files"),
+                room("gui.bodies", "scene", "world", "image", "gui.drawing", "gui.model", "gui.studio", "gui.picture"),
+                room(
+                        "gui.camera",
+                        "scene",
+                        "world",
+                        "image",
+                        "gui.controls",
+                        "gui.drawing",
+                        "gui.model",
+                        "gui.studio",
+                        "gui.picture"),
+                room(
+                        "gui.panel",
+                        "scene",
+                        "scene.format",
+                        "world",
+                        "engine",
+                        "gui.controls",
+                        "gui.drawing",
+                        "gui.model",
+                        "gui.studio",
+                        "gui.files",
+                        "gui.picture"),
+                room(
+                        "gui.rendering",
+                        "scene",
+                        "world",
+                        "film",
+                        "engine",
+                        "engine.auto",
+                        "image",
+                        "render",
+                        "gui.controls",
+                        "gui.drawing",
+                        "gui.model",
+                        "gui.studio",
+                        "gui.files"),
+                room("gui", "files", "scene", "world", "engine", "gui.."),
                 room(
                         "cli",
                         "files",
                         "mesh",
                         "scene",
+                        "scene.format",
                         "mesh",
                         "sky",
                         "world",
@@ -137,7 +211,9 @@ class RoomsTest {
                         "explain",
                         "image",
                         "bench",
-                        "gui"));
+                        "gui",
+                        "gui.files",
+                        "gui.studio"));
     }
 
     private static Arguments room(String room, String... neighbors) {
@@ -172,7 +248,8 @@ class RoomsTest {
     @Test
     void worldKnowsTheKernelsNumbersOnly() {
         DescribedPredicate<JavaClass> allowed = resideOutsideOfPackage("dev.twister..")
-                .or(resideInAnyPackage("dev.twister.world", "dev.twister.scene", "dev.twister.sky", "dev.twister.mesh"))
+                .or(resideInAnyPackage(
+                        "dev.twister.world", "dev.twister.scene..", "dev.twister.sky", "dev.twister.mesh"))
                 .or(belongToAnyOf(Aspect.class, Layout.class, Tone.class));
         classes()
                 .that()
@@ -205,7 +282,7 @@ class RoomsTest {
         DescribedPredicate<JavaClass> allowed = resideOutsideOfPackage("dev.twister..")
                 .or(resideInAnyPackage(
                         "dev.twister",
-                        "dev.twister.scene",
+                        "dev.twister.scene..",
                         "dev.twister.sky",
                         "dev.twister.mesh",
                         "dev.twister.world",
@@ -231,6 +308,7 @@ class RoomsTest {
     @Test
     void roomsHaveNoCycles() {
         slices().matching("dev.twister.(*)..").should().beFreeOfCycles().check(TWISTER);
+        slices().matching("dev.twister.gui.(*)").should().beFreeOfCycles().check(TWISTER);
     }
 
     @Test

@@ -3,7 +3,7 @@ package dev.twister.benchmarks;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneGenerator;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.world.SceneImages;
 import dev.twister.world.World;
 import java.nio.file.Path;

@@ -15,7 +15,7 @@ import dev.twister.image.PictureSize;
 import dev.twister.physics.Simulation;
 import dev.twister.render.SceneInputs;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.io.PrintWriter;

@@ -8,7 +8,7 @@ import dev.twister.bench.DeviceCheckPlan;
 import dev.twister.bench.DeviceCheckTable;
 import dev.twister.engine.EngineOffer;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;

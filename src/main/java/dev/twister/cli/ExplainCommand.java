@@ -7,7 +7,7 @@ import dev.twister.explain.PixelPath;
 import dev.twister.image.PictureSize;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.world.World;
 import java.io.PrintWriter;
 import java.util.Optional;
@@ -29,7 +29,7 @@ import picocli.CommandLine.Spec;
             "",
             "Examples:",
             "  twister explain teaching --pixel 640,360",
-            "  twister explain glass --pixel 640,400 --sample 3 --json",
+            "  twister explain glass --pixel 640,400 --samples 8 --sample 3 --json",
             "  twister explain teaching --pixel 160,90 --size 320x180 --shadow-samples 1 --bounces 0"
         })
 final class ExplainCommand implements Callable<Integer> {

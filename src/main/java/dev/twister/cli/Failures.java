@@ -10,6 +10,9 @@ import dev.twister.sky.SkyException;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
@@ -23,10 +26,31 @@ final class Failures {
     static int explainParameter(ParameterException failure, String[] arguments) {
         CommandLine command = failure.getCommandLine();
         PrintWriter err = command.getErr();
-        err.println("twister: " + PrintableText.line(failure.getMessage().replaceFirst("^Error: ", "")));
+        err.println("twister: " + PrintableText.line(message(failure)));
         UnmatchedArgumentException.printSuggestions(failure, err);
         err.println("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
         return Main.BAD_INPUT;
+    }
+
+    private static String message(ParameterException failure) {
+        return switch (failure) {
+            case UnmatchedArgumentException unmatched -> unknown(unmatched);
+            // What a converter found out of range.
+            case ParameterException _ when failure.getCause() instanceof BadInputException bad -> bad.getMessage();
+            default -> inSmallLetter(failure.getMessage().replaceFirst("^Error: ", ""));
+        };
+    }
+
+    private static String unknown(UnmatchedArgumentException failure) {
+        List<String> unmatched = failure.getUnmatched();
+        boolean isCommand = failure.getCommandLine().getParent() == null;
+        String kind = isCommand ? "command" : failure.isUnknownOption() ? "option" : "argument";
+        return "unknown " + kind + (unmatched.size() == 1 ? " " : "s ")
+                + unmatched.stream().map(text -> "'" + text + "'").collect(Collectors.joining(", "));
+    }
+
+    private static String inSmallLetter(String sentence) {
+        return sentence.substring(0, 1).toLowerCase(Locale.ROOT) + sentence.substring(1);
     }
 
     /** What a command threw; whatever is not foreseen is a bug of Twister's and shows where it happened. */

@@ -2,7 +2,7 @@ package dev.twister.cli;
 
 import dev.twister.bench.RenderedFigure;
 import dev.twister.engine.EngineException;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;

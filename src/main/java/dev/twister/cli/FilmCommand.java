@@ -5,12 +5,12 @@ import dev.twister.film.EncodedPixels;
 import dev.twister.film.FilmFile;
 import dev.twister.film.FilmFormat;
 import dev.twister.film.FilmWriting;
+import dev.twister.image.PictureSize;
 import dev.twister.image.PngNotes;
 import dev.twister.render.FrameRange;
 import dev.twister.render.NumberedFiles;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -79,9 +79,9 @@ final class FilmCommand implements Callable<Integer> {
             throw new BadInputException("FILES is " + pattern + ", but must end in .png");
         }
         List<Path> pictures = pictures();
+        PictureSize size = PngNotes.of(pictures.getFirst()).size();
         FilmFile film = FilmOutput.of(output, spec.commandLine().getErr());
-        BufferedImage first = read(pictures.getFirst());
-        FilmFormat format = new FilmFormat(first.getWidth(), first.getHeight(), framesPerSecond, pictures.size());
+        FilmFormat format = new FilmFormat(size.width(), size.height(), framesPerSecond, pictures.size());
         try (FilmWriting writing = new FilmWriting(film, format);
                 ProgressLine line = progress.start(spec.commandLine(), "encoding", pictures.size())) {
             for (Path picture : pictures) {
@@ -126,23 +126,24 @@ final class FilmCommand implements Callable<Integer> {
     }
 
     private static int[] pixels(Path file, FilmFormat format) throws IOException {
-        BufferedImage image = read(file);
-        if (image.getWidth() != format.width() || image.getHeight() != format.height()) {
-            throw new BadInputException(file + " is " + image.getWidth() + " x " + image.getHeight()
+        PngNotes notes = PngNotes.of(file);
+        PictureSize size = notes.size();
+        if (size.width() != format.width() || size.height() != format.height()) {
+            throw new BadInputException(file + " is " + size.width() + " x " + size.height()
                     + ", but the film's first frame is " + format.width() + " x " + format.height());
         }
+        BufferedImage image = read(file);
         int[] pixels = image.getRGB(
                 0, 0, format.width(), format.height(), new int[format.width() * format.height()], 0, format.width());
-        return EncodedPixels.of(pixels, !PngNotes.of(file).linear());
+        return EncodedPixels.of(pixels, !notes.linear());
     }
 
     private static BufferedImage read(Path file) throws IOException {
         try {
-            return Optional.ofNullable(ImageIO.read(file.toFile()))
-                    .orElseThrow(() -> new BadInputException(file + " is no PNG"));
-        } catch (IOException problem) {
-            throw new IOException(
-                    Files.isReadable(file) ? file + " is damaged or incomplete" : file + " cannot be read", problem);
+            return ImageIO.read(file.toFile());
+        } catch (IOException | RuntimeException problem) {
+            // ImageIO reports some damage by runtime exceptions.
+            throw new IOException(file + " is damaged or incomplete", problem);
         }
     }
 }

@@ -1,7 +1,10 @@
 package dev.twister.cli;
 
 import dev.twister.motion.MotionFile;
+import dev.twister.render.BodyMotion;
+import dev.twister.render.ExistingFrames;
 import dev.twister.render.FrameRange;
+import dev.twister.render.Movement;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.world.CameraPath;
@@ -122,12 +125,24 @@ final class FilmOptions {
         return FrameRange.of(recorded.firstFrame(), recorded.lastFrame());
     }
 
-    /** The camera at a time of the film, in seconds. */
-    DoubleFunction<Camera> camera(Scene scene, Camera camera) {
-        return turntable
+    /**
+     * What moves.
+     *
+     * @param film whether frames are rendered; in a single picture the camera does not follow its keyframes
+     */
+    Movement movement(Scene scene, Camera camera, MotionOptions physics, Optional<MotionFile> recorded, boolean film) {
+        double secondsPerFrame = physics.secondsPerFrame();
+        BodyMotion bodies = physics.isOn()
+                ? new BodyMotion.Simulated(physics.startSeconds(), secondsPerFrame)
+                : recorded.<BodyMotion>map(BodyMotion.Recorded::new).orElse(new BodyMotion.Still());
+        DoubleFunction<Camera> path = turntable
                 .<DoubleFunction<Camera>>map(
                         turn -> seconds -> CameraPath.onCircle(camera, scene.spheres(), seconds / turn))
                 .orElse(seconds -> CameraPath.at(camera, seconds));
+        return new Movement(
+                bodies,
+                film ? path : _ -> camera,
+                recorded.map(MotionFile::rate).orElse(1 / secondsPerFrame));
     }
 
     /** Checks what a single picture has no use for. */

@@ -15,7 +15,7 @@ final class FilmOutput {
      * @param err told where an animated PNG takes an .mp4's place
      */
     static FilmFile of(Path output, PrintWriter err) {
-        FilmFile film = FilmFile.of(output, System.getenv().getOrDefault("PATH", ""));
+        FilmFile film = FilmFile.of(output);
         if (!film.file().equals(output)) {
             err.println("twister: ffmpeg is not on the PATH: writing "
                     + PrintableText.line(film.file().toString()) + ", an animated PNG, instead of "

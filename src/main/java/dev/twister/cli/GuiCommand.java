@@ -2,8 +2,8 @@ package dev.twister.cli;
 
 import dev.twister.engine.Engines;
 import dev.twister.gui.Gui;
-import dev.twister.gui.OpenedScene;
-import dev.twister.gui.ShippedFolders;
+import dev.twister.gui.files.ShippedFolders;
+import dev.twister.gui.studio.OpenedScene;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;

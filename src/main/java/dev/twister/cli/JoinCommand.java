@@ -1,7 +1,9 @@
 package dev.twister.cli;
 
+import dev.twister.files.InputFile;
 import dev.twister.files.PrintableText;
 import dev.twister.image.ExrChannel;
+import dev.twister.image.ExrExtent;
 import dev.twister.image.ExrPicture;
 import dev.twister.image.ExrReader;
 import dev.twister.image.ExrWriter;
@@ -14,8 +16,8 @@ import dev.twister.scene.RenderSettings;
 import dev.twister.world.AutoExposure;
 import dev.twister.world.TonedPixels;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -65,9 +67,9 @@ final class JoinCommand implements Callable<Integer> {
         RenderSettings settings = tone.over(RenderSettings.DEFAULT);
         OutputFile.check("--output", output);
         for (Path part : parts) {
-            if (!Files.isRegularFile(part)) {
-                throw new BadInputException(part + ": file not found");
-            }
+            InputFile.problem(part).ifPresent(problem -> {
+                throw new BadInputException(part + ": " + problem);
+            });
         }
         OutputFile.checkKeeps("--output", output, parts);
         ExrPicture picture = joined();
@@ -76,22 +78,28 @@ final class JoinCommand implements Callable<Integer> {
                 .getOut()
                 .printf(
                         Locale.ROOT,
-                        "%s: %d x %d from %d parts, samples: %s%n",
+                        "%s: %d x %d from %d %s, samples: %s%n",
                         PrintableText.line(output.toString()),
                         picture.width(),
                         picture.height(),
                         parts.size(),
+                        parts.size() == 1 ? "part" : "parts",
                         picture.provenance().orElseThrow().samples());
         return Main.OK;
     }
 
     private ExrPicture joined() throws IOException {
         try {
+            List<ExrExtent> extents = new ArrayList<>();
+            for (Path part : parts) {
+                extents.add(ExrReader.extent(part));
+            }
             ExrPicture first = ExrReader.read(parts.getFirst());
             SizeCheck.check(
+                    "the picture",
                     new PictureSize(first.width(), first.height()),
                     (Double.BYTES + 2L * Float.BYTES) * first.channels().size());
-            JoinedPicture joined = new JoinedPicture(parts.getFirst(), first);
+            JoinedPicture joined = new JoinedPicture(parts.getFirst(), first, extents);
             joined.add(parts.getFirst(), first);
             for (Path part : parts.subList(1, parts.size())) {
                 joined.add(part, ExrReader.read(part));

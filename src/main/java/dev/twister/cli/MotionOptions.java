@@ -1,7 +1,5 @@
 package dev.twister.cli;
 
-import dev.twister.physics.Simulation;
-import java.io.PrintWriter;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
@@ -56,16 +54,5 @@ final class MotionOptions {
 
     double startSeconds() {
         return Ranges.check("--start", start.orElse(0.0), 0, MAX_START_SECONDS);
-    }
-
-    /** Lets the time before the first frame pass; for many bodies that takes minutes. */
-    void begin(Simulation simulation, PrintWriter err) {
-        int steps = Simulation.stepsIn(startSeconds());
-        if (steps == 0) {
-            return;
-        }
-        try (ProgressLine progress = ProgressLine.start(err, "moving to --start", steps)) {
-            simulation.advance(startSeconds(), progress::step);
-        }
     }
 }

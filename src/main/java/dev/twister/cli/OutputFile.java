@@ -2,6 +2,7 @@ package dev.twister.cli;
 
 import dev.twister.files.SystemReason;
 import dev.twister.files.WholeFile;
+import dev.twister.render.RenderOutput;
 import dev.twister.render.SceneInputs;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -13,7 +14,15 @@ import java.util.Locale;
 final class OutputFile {
     private OutputFile() {}
 
+    static boolean isStandardOutput(Path output) {
+        return output.equals(RenderOutput.STANDARD_OUTPUT);
+    }
+
     static void check(String option, Path file) {
+        if (isStandardOutput(file)) {
+            throw new BadInputException(option
+                    + " is -, but this is not written to standard output; give a file, ./- for one of that name");
+        }
         Path folder = folderOf(option, file);
         if (folder == null || Files.isDirectory(file)) {
             throw new BadInputException(option + " is " + file + ", but must be a file, not a folder");

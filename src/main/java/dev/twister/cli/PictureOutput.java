@@ -1,73 +1,47 @@
 package dev.twister.cli;
 
 import dev.twister.files.PrintableText;
-import dev.twister.image.PictureNotes;
-import dev.twister.image.Provenance;
-import dev.twister.render.DrawnPicture;
+import dev.twister.render.ExistingFrames;
 import dev.twister.render.FrameRange;
-import dev.twister.render.FrameRendering;
-import dev.twister.render.NumberedFiles;
 import dev.twister.render.PictureFormat;
-import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
-import java.io.BufferedOutputStream;
+import dev.twister.render.RenderOutput;
 import java.io.Console;
-import java.io.FileDescriptor;
-import java.io.FileOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
-/**
- * Where pictures go: one to a file, numbered ones to files, or all of them to the standard output, one after the other.
- */
-final class PictureOutput implements FrameRendering.Target {
+/** Checks the output of {@code twister render} before anything is rendered. */
+final class PictureOutput {
     private static final String OPTION = "--output";
-    private static final Path STANDARD_OUTPUT = Path.of("-");
 
-    private final Path output;
-    private final Optional<NumberedFiles> numbered;
-    private final FrameRange frames;
-    private final ExistingFrames existing;
-
-    private PictureOutput(Path output, Optional<NumberedFiles> numbered, FrameRange frames, ExistingFrames existing) {
-        this.output = output;
-        this.numbered = numbered;
-        this.frames = frames;
-        this.existing = existing;
-    }
+    private PictureOutput() {}
 
     /**
-     * Looks where pictures are to go before they are drawn.
+     * The output that the options give.
      *
-     * @param frames where they are numbered
-     * @param existing what is done about frames of an earlier run
-     * @param views how many pictures go into each file
-     * @throws BadInputException where they cannot go there
+     * @param frames empty for a single picture
+     * @param views number of pictures in each file
+     * @throws BadInputException if it cannot be written, or cannot hold the pictures
      */
-    static PictureOutput of(Path output, Optional<FrameRange> frames, ExistingFrames existing, int views) {
-        if (views > 1 && format(output) != PictureFormat.EXR) {
-            throw new BadInputException(OPTION + " is " + output + ", but --view has " + views
+    static RenderOutput of(Path file, Optional<FrameRange> frames, ExistingFrames existing, int views) {
+        RenderOutput output = new RenderOutput(file, frames, existing);
+        if (views > 1 && output.format() != PictureFormat.EXR) {
+            throw new BadInputException(OPTION + " is " + file + ", but --view has " + views
                     + " names, which only an .exr file can hold; give one name, or another file");
         }
-        if (output.equals(STANDARD_OUTPUT)) {
+        if (output.isStandardOutput()) {
             checkNoTerminal();
-            return new PictureOutput(output, Optional.empty(), frames.orElse(FrameRange.ofCount(1)), existing);
+            return output;
         }
-        if (PictureFormat.of(output).isEmpty()) {
-            throw new BadInputException(OPTION + " is " + output
+        if (PictureFormat.of(file).isEmpty()) {
+            throw new BadInputException(OPTION + " is " + file
                     + ", but must end in .png, .hdr or .exr (.mp4 or .apng for a film), or be - for a PNG");
         }
-        PictureOutput pictures = new PictureOutput(
-                output,
-                frames.map(range -> FrameNames.of(output, range)),
-                frames.orElse(FrameRange.ofCount(1)),
-                existing);
-        OutputFile.check(OPTION, pictures.file(pictures.frames.first()));
-        return pictures;
+        frames.ifPresent(range -> FrameNames.of(file, range));
+        OutputFile.check(OPTION, output.firstFile());
+        return output;
     }
 
     /** Looks at the folder of an output before anything else is read. */
@@ -85,80 +59,35 @@ final class PictureOutput implements FrameRendering.Target {
     }
 
     /**
-     * Keeps what the pictures are made from, and frames of an earlier run.
+     * Checks that no input, and no frame of an earlier run, is replaced.
      *
-     * @param inputs files that are there
-     * @throws BadInputException where a picture would replace one of them
+     * @param inputs files that exist
+     * @throws BadInputException if a picture would replace one of them
      */
-    void checkKeeps(List<Path> inputs) throws IOException {
-        if (isStandardOutput()) {
+    static void checkKeeps(RenderOutput output, List<Path> inputs) throws IOException {
+        if (output.isStandardOutput()) {
             return;
         }
-        for (int number : frames.numbers().toArray()) {
-            Path file = file(number);
+        for (int number :
+                output.isFilm() ? new int[1] : output.range().numbers().toArray()) {
+            Path file = output.file(number);
             OutputFile.checkKeeps(OPTION, file, inputs);
-            if (numbered.isPresent() && existing == ExistingFrames.REFUSED && Files.exists(file)) {
-                throw new BadInputException(file
-                        + " already exists; use --overwrite to replace the frames of an earlier run, --skip-existing to keep"
-                        + " them, or another name");
+            if (output.isNumbered() && output.existing() == ExistingFrames.REFUSED && Files.exists(file)) {
+                throw new BadInputException(
+                        file + " already exists; use --overwrite to replace the frames of an earlier run,"
+                                + " --skip-existing to keep them, or another name");
             }
         }
     }
 
-    boolean isStandardOutput() {
-        return output.equals(STANDARD_OUTPUT);
-    }
-
-    /** Whether linear radiance is wanted, not pixels. */
-    boolean isLinear() {
-        return format(output).isLinear();
-    }
-
-    private static PictureFormat format(Path output) {
-        return PictureFormat.of(output).orElse(PictureFormat.PNG);
-    }
-
-    /** Bytes per pixel that rendering and writing this number of pictures takes. */
-    long bytesPerPixel(List<Picture> pictures) {
-        return format(output).bytesPerPixel(pictures);
-    }
-
-    /** Where the pictures are, for people. */
-    String name() {
-        if (isStandardOutput()) {
+    /** The files for display. */
+    static String name(RenderOutput output) {
+        if (output.isStandardOutput()) {
             return "standard output";
         }
-        String first = PrintableText.line(file(frames.first()).toString());
-        return numbered.isEmpty()
-                ? first
-                : first + " to " + PrintableText.line(file(frames.last()).toString());
-    }
-
-    /** Whether frames that are there, whole, and made from the same, are kept. */
-    @Override
-    public boolean keeps(int number, Provenance made, FrameInput part) {
-        return existing == ExistingFrames.KEPT
-                && !isStandardOutput()
-                && PictureNotes.of(file(number), part.firstRow(), part.rows()).equals(Optional.of(made));
-    }
-
-    @Override
-    public boolean isOrdered() {
-        return isStandardOutput();
-    }
-
-    @Override
-    public void write(int number, List<DrawnPicture> drawn, FrameInput part, Provenance made) throws IOException {
-        if (isStandardOutput()) {
-            // Not System.out, which keeps errors to itself; it is not closed, as others may be written to it.
-            OutputStream out = new BufferedOutputStream(new FileOutputStream(FileDescriptor.out));
-            PictureFormat.writePng(out, drawn.getFirst(), part, made);
-        } else {
-            format(output).write(file(number), drawn, part, made);
-        }
-    }
-
-    private Path file(int number) {
-        return numbered.map(files -> files.file(number)).orElse(output);
+        String first = PrintableText.line(output.firstFile().toString());
+        return output.isNumbered()
+                ? first + " to " + PrintableText.line(output.lastFile().toString())
+                : first;
     }
 }

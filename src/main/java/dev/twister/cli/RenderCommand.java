@@ -1,38 +1,32 @@
 package dev.twister.cli;
 
 import dev.twister.engine.Engines;
-import dev.twister.engine.ExposureMeter;
 import dev.twister.engine.auto.FastestEngine;
-import dev.twister.files.PrintableText;
 import dev.twister.film.FilmFile;
 import dev.twister.image.PictureSize;
 import dev.twister.motion.MotionFile;
-import dev.twister.physics.Simulation;
 import dev.twister.render.BandedDrawing;
-import dev.twister.render.DrawnPicture;
-import dev.twister.render.FilmBodies;
-import dev.twister.render.FilmRendering;
-import dev.twister.render.FilmScene;
+import dev.twister.render.BlackPictureException;
+import dev.twister.render.ExistingFrames;
 import dev.twister.render.FrameRange;
-import dev.twister.render.FrameRendering;
-import dev.twister.render.PictureDrawing;
+import dev.twister.render.RenderOrder;
+import dev.twister.render.RenderOutput;
+import dev.twister.render.RenderResult;
+import dev.twister.render.Rendering;
 import dev.twister.render.Sampling;
 import dev.twister.render.SceneInputs;
 import dev.twister.scene.Camera;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Picture;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.function.DoubleFunction;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -137,7 +131,10 @@ final class RenderCommand implements Callable<Integer> {
         Scene scene = sky.over(SceneReader.read(file));
         Optional<MotionFile> recorded = film.open(scene);
         try {
-            render(file, scene, recorded);
+            RenderOrder order = order(scene, recorded);
+            PictureOutput.checkKeeps(order.output(), SceneInputs.of(file, scene));
+            SizeCheck.check(order.size(), Rendering.bytesPerPixel(order));
+            render(order);
         } finally {
             if (recorded.isPresent()) {
                 recorded.get().close();
@@ -146,7 +143,7 @@ final class RenderCommand implements Callable<Integer> {
         return Main.OK;
     }
 
-    private void render(Path file, Scene scene, Optional<MotionFile> recorded) throws IOException {
+    private RenderOrder order(Scene scene, Optional<MotionFile> recorded) throws IOException {
         Camera from = camera.over(scene);
         Optional<FrameRange> frames = film.frames(from, motion, recorded, FilmFile.isFilm(output));
         if (frames.isEmpty()) {
@@ -154,83 +151,26 @@ final class RenderCommand implements Callable<Integer> {
         }
         RenderSettings settings = settings(scene.settings());
         part.check(settings.height());
+        Sampling usual = samples.over(settings.samplesPerPixel());
+        return new RenderOrder(
+                scene.withCamera(from).withSettings(settings),
+                Engines.offer(engineId),
+                picture.pictures(),
+                new Sampling(part.samplesOr(usual.samples()), usual.noise()),
+                part.part(),
+                film.movement(scene, from, motion, recorded, frames.isPresent()),
+                tone.isMetered(),
+                output(frames));
+    }
+
+    private RenderOutput output(Optional<FrameRange> frames) {
         if (FilmFile.isFilm(output)) {
             checkFilm();
-            FilmFile written = FilmOutput.of(output, spec.commandLine().getErr());
-            OutputFile.checkKeeps("--output", written.file(), SceneInputs.of(file, scene));
-            SizeCheck.check(new PictureSize(settings.width(), settings.height()), FilmRendering.bytesPerPixel());
-            draw(scene, settings, from, recorded, true, false, (drawing, shown) -> {
-                drawFilm(drawing, shown, frames.orElseThrow(), written);
-            });
-            return;
+            Path written = FilmOutput.of(output, spec.commandLine().getErr()).file();
+            return new RenderOutput(written, frames, ExistingFrames.REPLACED);
         }
-        PictureOutput pictures = PictureOutput.of(
+        return PictureOutput.of(
                 output, frames, film.existing(), picture.pictures().size());
-        pictures.checkKeeps(SceneInputs.of(file, scene));
-        long kept = frames.isPresent() ? FrameRendering.picturesKept(pictures.isOrdered()) : 1;
-        SizeCheck.check(
-                new PictureSize(settings.width(), settings.height()),
-                kept * pictures.bytesPerPixel(picture.pictures()));
-        draw(scene, settings, from, recorded, frames.isPresent(), pictures.isLinear(), (drawing, shown) -> {
-            if (frames.isPresent()) {
-                drawFrames(drawing, shown, frames.get(), pictures);
-            } else {
-                drawPicture(drawing, shown.frame(0), pictures);
-            }
-        });
-    }
-
-    /** What is done with a scene in motion. */
-    @FunctionalInterface
-    private interface Work {
-        void draw(PictureDrawing drawing, FilmScene shown) throws IOException;
-    }
-
-    private void draw(
-            Scene scene,
-            RenderSettings settings,
-            Camera from,
-            Optional<MotionFile> recorded,
-            boolean isFilm,
-            boolean linear,
-            Work work)
-            throws IOException {
-        World world = SkyFiles.world(scene, spec.commandLine().getErr());
-        world.setSettings(settings);
-        Sampling usual = samples.over(settings.samplesPerPixel());
-        Sampling sampling = new Sampling(part.samplesOr(usual.samples()), usual.noise());
-        DoubleFunction<Camera> cameras = isFilm ? film.camera(scene, from) : _ -> from;
-        Work metered = (drawing, shown) -> {
-            meter(shown, recorded, linear);
-            work.draw(drawing, shown);
-        };
-        double rate = recorded.map(MotionFile::rate).orElse(1 / motion.secondsPerFrame());
-        try (PictureDrawing drawing =
-                new PictureDrawing(() -> Engines.open(engineId), picture.pictures(), sampling, part.part(), linear)) {
-            if (motion.isOn()) {
-                // A typing error in the name should not come out after minutes of motion.
-                Engines.offer(engineId).check();
-                try (Simulation simulation = Simulation.of(scene, world.meshes())) {
-                    motion.begin(simulation, spec.commandLine().getErr());
-                    FilmBodies bodies = FilmBodies.simulated(simulation, motion.secondsPerFrame(), () -> {});
-                    metered.draw(drawing, new FilmScene(scene, world, bodies, cameras, rate));
-                }
-            } else {
-                FilmBodies bodies = recorded.map(FilmBodies::recorded).orElse(FilmBodies.still());
-                metered.draw(drawing, new FilmScene(scene, world, bodies, cameras, rate));
-            }
-        }
-    }
-
-    /** By a film's first frame, whichever frames are drawn: all parts of it are as bright. */
-    private void meter(FilmScene shown, Optional<MotionFile> recorded, boolean linear) throws IOException {
-        Picture metered = picture.pictures().getFirst();
-        if (tone.isMetered() && metered.isColor() && !linear) {
-            int first = recorded.isPresent() ? recorded.get().firstFrame() : 0;
-            FrameInput input = shown.frame(first).showing(metered);
-            World world = shown.world();
-            world.setSettings(tone.metered(world.settings(), () -> ExposureMeter.stops(input)));
-        }
     }
 
     private void checkFilm() {
@@ -240,81 +180,68 @@ final class RenderCommand implements Callable<Integer> {
         }
     }
 
-    private void drawFilm(PictureDrawing drawing, FilmScene shown, FrameRange frames, FilmFile file)
-            throws IOException {
-        RenderSettings settings = shown.world().settings();
-        try (ProgressLine line = progress.start(spec.commandLine(), "rendering", frames.count())) {
-            FilmRendering.render(drawing, shown, frames, file, new FrameLine(line));
+    private void render(RenderOrder order) throws IOException {
+        CommandLine command = spec.commandLine();
+        World world = SkyFiles.world(order.scene(), command.getErr());
+        RenderResult result;
+        long nanos;
+        try (RenderLine line = new RenderLine(command, progress, order.output().frames())) {
+            result = Rendering.render(order, world, line);
+            nanos = line.nanos();
+        } catch (BlackPictureException black) {
+            throw new BadInputException("--exposure is auto, but " + black.getMessage() + "; give a number of stops");
         }
-        spec.commandLine()
-                .getOut()
-                .printf(
-                        "%s: %d frames of %d x %d, %s%n",
-                        PrintableText.line(file.file().toString()),
-                        frames.count(),
-                        settings.width(),
-                        settings.height(),
-                        file.kind());
+        // The summary must not end up in a picture.
+        PrintWriter summary = order.output().isStandardOutput() ? command.getErr() : command.getOut();
+        summary.println(PictureOutput.name(order.output()) + ": " + summary(order, result, nanos));
     }
 
-    private void drawFrames(PictureDrawing drawing, FilmScene shown, FrameRange frames, PictureOutput pictures)
-            throws IOException {
-        long start = System.nanoTime();
-        int skipped;
-        try (ProgressLine line = progress.start(spec.commandLine(), "rendering", frames.count())) {
-            skipped = FrameRendering.render(drawing, shown, frames, pictures, new FrameLine(line));
+    private String summary(RenderOrder order, RenderResult result, long nanos) {
+        if (result.picture().isPresent()) {
+            return summary(order, result.picture().get());
         }
-        RenderSettings settings = shown.world().settings();
-        summaryWriter(pictures)
-                .printf(
-                        Locale.ROOT,
-                        "%s: %d frames of %d x %d, %.1f ms each%s%n",
-                        pictures.name(),
-                        frames.count(),
-                        settings.width(),
-                        settings.height(),
-                        (System.nanoTime() - start) / NANOS_PER_MILLI / frames.count(),
-                        skipped == 0 ? "" : ", %d of them were there".formatted(skipped));
+        int frames = order.output().range().count();
+        String size = frames + " frames of " + sides(order);
+        if (order.output().isFilm()) {
+            return size + ", " + FilmFile.of(order.output().file()).kind();
+        }
+        return String.format(
+                Locale.ROOT,
+                "%s, %.1f ms each%s",
+                size,
+                nanos / NANOS_PER_MILLI / frames,
+                result.kept() == 0 ? "" : ", %d of them were there".formatted(result.kept()));
     }
 
-    private void drawPicture(PictureDrawing drawing, FrameInput input, PictureOutput pictures) throws IOException {
-        List<DrawnPicture> drawn;
-        try (BandLine line = new BandLine(spec.commandLine().getErr())) {
-            drawn = drawing.draw(input, line);
-        }
-        FrameInput drawnPart = part.part().of(input);
-        pictures.write(0, drawn, drawnPart, drawing.provenance(input));
-        summaryWriter(pictures)
-                .printf(
-                        Locale.ROOT,
-                        "%s: %d x %d%s, %s (%s), %.1f ms%s%n",
-                        pictures.name(),
-                        input.width(),
-                        input.height(),
-                        drawnPart.rows() == input.height()
-                                ? ""
-                                : ", rows %d to %d"
-                                        .formatted(drawnPart.firstRow(), drawnPart.firstRow() + drawnPart.rows() - 1),
-                        (engineId.equals(FastestEngine.AUTO) ? "auto took " : "")
-                                + drawing.engine().id(),
-                        drawing.engine().device(),
-                        drawn.stream()
-                                        .mapToLong(view -> view.frame().times().totalNanos())
-                                        .sum()
-                                / NANOS_PER_MILLI,
-                        samples.isNoiseGiven() ? samplesOf(drawn.getFirst().drawn()) : "");
+    private String summary(RenderOrder order, RenderResult.Single picture) {
+        FrameInput drawn = picture.part();
+        String rows = drawn.rows() == drawn.height()
+                ? ""
+                : ", rows %d to %d".formatted(drawn.firstRow(), drawn.firstRow() + drawn.rows() - 1);
+        double millis = picture.drawn().stream()
+                        .mapToLong(view -> view.frame().times().totalNanos())
+                        .sum()
+                / NANOS_PER_MILLI;
+        return String.format(
+                Locale.ROOT,
+                "%s%s, %s%s (%s), %.1f ms%s",
+                sides(order),
+                rows,
+                engineId.equals(FastestEngine.AUTO) ? "auto took " : "",
+                picture.engine(),
+                picture.device(),
+                millis,
+                samples.isNoiseGiven() ? samplesOf(picture.drawn().getFirst().drawn()) : "");
+    }
+
+    private static String sides(RenderOrder order) {
+        return order.size().width() + " x " + order.size().height();
     }
 
     private static String samplesOf(BandedDrawing.Drawn drawn) {
         return drawn.fewestSamples() == drawn.mostSamples()
                 ? ", %d samples per pixel".formatted(drawn.mostSamples())
                 : ", %d to %d samples per pixel".formatted(drawn.fewestSamples(), drawn.mostSamples());
-    }
-
-    // What is said must not end up in a picture.
-    private PrintWriter summaryWriter(PictureOutput pictures) {
-        CommandLine command = spec.commandLine();
-        return pictures.isStandardOutput() ? command.getErr() : command.getOut();
     }
 
     private RenderSettings settings(RenderSettings usual) {

@@ -5,8 +5,8 @@ import dev.twister.mesh.MeshFile;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneGenerator;
-import dev.twister.scene.SceneReader;
-import dev.twister.scene.SceneWriter;
+import dev.twister.scene.format.SceneReader;
+import dev.twister.scene.format.TexturePlaces;
 import dev.twister.sky.ShippedSky;
 import dev.twister.world.SceneMeshes;
 import java.io.IOException;
@@ -69,15 +69,22 @@ final class SceneCommand implements Callable<Integer> {
                 names = {"-o", "--output"},
                 required = true,
                 paramLabel = "FILE",
-                description = "The scene file.")
+                description = "The scene file; - for standard output.")
         private Path output;
     }
 
     @Override
     public Integer call() throws IOException {
-        String done = task.checked.isPresent() ? check(task.checked.get()) : generate(task.generation);
-        spec.commandLine().getOut().println(PrintableText.line(done));
+        if (task.checked.isPresent()) {
+            say(check(task.checked.get()));
+        } else {
+            generate(task.generation);
+        }
         return Main.OK;
+    }
+
+    private void say(String done) {
+        spec.commandLine().getOut().println(PrintableText.line(done));
     }
 
     private String check(String name) {
@@ -86,7 +93,7 @@ final class SceneCommand implements Callable<Integer> {
         SceneMeshes meshes = SkyFiles.world(scene, spec.commandLine().getErr()).meshes();
         return file + ": valid, " + spheres(scene)
                 + also(scene.materials().size(), "material")
-                + also(scene.textures().size(), "texture")
+                + also(TexturePlaces.of(scene).size(), "texture")
                 + meshes(scene, meshes);
     }
 
@@ -101,16 +108,20 @@ final class SceneCommand implements Callable<Integer> {
         return text.toString();
     }
 
-    private String generate(Generation wanted) throws IOException {
+    private void generate(Generation wanted) throws IOException {
         Ranges.check("--spheres", wanted.count, 1, SceneGenerator.MAX_SPHERES);
-        OutputFile.check("--output", wanted.output);
+        boolean toFile = SceneOutput.check(wanted.output);
         Path day = Home.skyboxes().resolve(ShippedSky.DAY.fileName());
         Scene scene = wanted.sky.over(SceneGenerator.spheres(wanted.count, wanted.seed, day));
-        OutputFile.checkKeeps("--output", wanted.output, List.of(scene.skybox()));
+        if (toFile) {
+            OutputFile.checkKeeps("--output", wanted.output, List.of(scene.skybox()));
+        }
         // As --check does: a scene that no command can draw is not to be written.
         SkyFiles.read(scene.skybox(), spec.commandLine().getErr());
-        SceneWriter.write(scene, wanted.output);
-        return wanted.output + ": " + spheres(scene);
+        SceneOutput.write(scene, wanted.output, spec.commandLine().getOut());
+        if (toFile) {
+            say(wanted.output + ": " + spheres(scene));
+        }
     }
 
     private static String also(int count, String what) {

@@ -2,11 +2,10 @@ package dev.twister.cli;
 
 import dev.twister.engine.Engines;
 import dev.twister.gui.Gui;
-import dev.twister.gui.OpenedScene;
-import dev.twister.gui.ShippedFolders;
+import dev.twister.gui.files.ShippedFolders;
+import dev.twister.gui.studio.OpenedScene;
 import dev.twister.mesh.MeshStage;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneWriter;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -41,16 +40,17 @@ final class ViewCommand implements Callable<Integer> {
     @Option(
             names = {"-o", "--output"},
             paramLabel = "SCENE",
-            description = "Write the scene to this file instead of opening the window.")
+            description = "Write the scene to this file, or to standard output with -, instead of opening the window.")
     private Optional<Path> output = Optional.empty();
 
     @Override
     public Integer call() throws IOException {
         Scene scene = MeshFiles.stage(file, spec.commandLine().getErr());
         if (output.isPresent()) {
-            OutputFile.check("--output", output.get());
-            OutputFile.checkKeeps("--output", output.get(), List.of(file));
-            SceneWriter.write(scene, output.get());
+            if (SceneOutput.check(output.get())) {
+                OutputFile.checkKeeps("--output", output.get(), List.of(file));
+            }
+            SceneOutput.write(scene, output.get(), spec.commandLine().getOut());
         } else {
             engineId.filter(id -> !Engines.isDevice(id))
                     .ifPresent(id -> Engines.offer(id).check());

@@ -3,6 +3,7 @@ package dev.twister.files;
 import java.io.File;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.AtomicMoveNotSupportedException;
@@ -45,6 +46,8 @@ final class TemporaryFile implements AutoCloseable {
     /** Guarded by this object's lock, as is whatever makes the file: it must not be made after it was deleted. */
     private boolean ended;
 
+    private Optional<FileLock> lock = Optional.empty();
+
     private TemporaryFile(Path place) {
         this.place = place;
         // Not Files.createTempFile: its files are readable by their owner only, and the finished file would stay so.
@@ -72,7 +75,7 @@ final class TemporaryFile implements AutoCloseable {
         Optional<Set<PosixFilePermission>> permissions = permissions();
         FileChannel channel = FileChannel.open(
                 path,
-                Set.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),
+                Set.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.READ, StandardOpenOption.WRITE),
                 permissions
                         .map(PosixFilePermissions::asFileAttribute)
                         .map(attribute -> new FileAttribute<?>[] {attribute})
@@ -82,11 +85,22 @@ final class TemporaryFile implements AutoCloseable {
             Files.setPosixFilePermissions(path, permissions.get());
         }
         try {
-            channel.tryLock();
+            lock = Optional.ofNullable(channel.tryLock());
         } catch (IOException _) {
             // Some file systems have no locks: then nobody takes what is left there for a killed process's.
         }
         return channel;
+    }
+
+    /** Lets another program write the file. On Windows a lock would keep it out, and an open file cannot be deleted. */
+    synchronized void share() throws IOException {
+        if (OPEN_FILES_STAY && lock.isPresent()) {
+            lock.get().release();
+        }
+    }
+
+    Path path() {
+        return path;
     }
 
     /** Gives the finished file its name, where it replaces what was there; on Windows within two seconds. */

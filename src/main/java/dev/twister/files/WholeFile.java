@@ -3,8 +3,6 @@ package dev.twister.files;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.channels.Channels;
-import java.nio.channels.FileChannel;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
@@ -43,23 +41,29 @@ public final class WholeFile {
                 try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(target), BUFFER_BYTES)) {
                     content.writeTo(out);
                 }
-                return;
+            } else {
+                replace(target, content);
             }
-            Path folder = behindLinks(target).getParent();
-            if (folder == null || !Files.isDirectory(folder)) {
-                throw new IOException("there is no folder " + folder);
-            }
-            replace(target, content);
-        } catch (AccessDeniedException denied) {
-            Path folder = behindLinks(target).getParent();
-            throw new IOException("cannot write " + target + ": no permission in the folder " + folder, denied);
-        } catch (NoSuchFileException refused) {
-            // The folder was there: systems say so of folders such as /proc.
-            throw new IOException("cannot write " + target + ": no file can be made there", refused);
         } catch (IOException failure) {
-            // Not its message, which has the temporary file's name.
-            throw new IOException("cannot write " + target + ": " + SystemReason.of(failure), failure);
+            throw explained(target, failure);
         }
+    }
+
+    /** The failure of writing a file as an exception whose message names the file and the cause, on one line. */
+    public static IOException explained(Path target, IOException failure) throws IOException {
+        String cause = switch (failure) {
+            case NoSuchFileException _ -> {
+                Path folder = behindLinks(target).getParent();
+                // Systems say so of folders such as /proc too.
+                boolean isThere = folder != null && Files.isDirectory(folder);
+                yield isThere ? "no file can be made there" : "there is no folder " + folder;
+            }
+            case AccessDeniedException _ ->
+                "no permission in the folder " + behindLinks(target).getParent();
+            // Not its message, which has the temporary file's name.
+            default -> SystemReason.of(failure);
+        };
+        return new IOException("cannot write " + target + ": " + cause, failure);
     }
 
     /**
@@ -73,16 +77,9 @@ public final class WholeFile {
      * @throws IOException whatever the disk or the content reported
      */
     public static void replace(Path target, Content content) throws IOException {
-        Path place = behindLinks(target);
-        try (TemporaryFile temporary = TemporaryFile.of(place)) {
-            try (FileChannel channel = temporary.create()) {
-                OutputStream out = new BufferedOutputStream(Channels.newOutputStream(channel), BUFFER_BYTES);
-                content.writeTo(out);
-                out.flush();
-                // Else a power cut soon after could leave the new name with nothing under it.
-                channel.force(true);
-            }
-            temporary.moveIntoPlace();
+        try (FileReplacement replacement = FileReplacement.of(target)) {
+            content.writeTo(replacement.out());
+            replacement.finish();
         }
     }
 

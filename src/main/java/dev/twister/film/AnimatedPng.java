@@ -1,10 +1,10 @@
 package dev.twister.film;
 
+import dev.twister.files.FileReplacement;
 import dev.twister.files.WholeFile;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -13,7 +13,7 @@ import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
 
 /** Writes animated PNGs, which browsers play: every frame whole, in 24 bits, without loss. */
-public final class AnimatedPng {
+final class AnimatedPng implements FilmEncoder {
     private static final long SIGNATURE = 0x89504e470d0a1a0aL;
     private static final int CHANNELS = 3;
     private static final byte BITS = 8;
@@ -28,38 +28,76 @@ public final class AnimatedPng {
     /** The longest denominator of a frame's time. */
     private static final double MOST_PARTS = 65_535;
 
-    private AnimatedPng() {}
+    private final Path file;
+    private final FilmFormat format;
+    private final FileReplacement replacement;
+    private int frames;
+    private int sequence;
+
+    private AnimatedPng(Path file, FilmFormat format, FileReplacement replacement) {
+        this.file = file;
+        this.format = format;
+        this.replacement = replacement;
+    }
 
     /**
-     * Writes a film, whole or not at all, that is played again and again.
+     * Begins a film that repeats without end.
      *
-     * @throws IOException as {@link WholeFile#write}, or what the source has thrown
+     * @throws IOException if the file cannot be written
      */
-    public static void write(Path file, FilmFormat format, FrameSource source) throws IOException {
-        WholeFile.write(file, out -> {
-            out.write(ByteBuffer.allocate(Long.BYTES).putLong(SIGNATURE).array());
-            ByteBuffer header = ByteBuffer.allocate(13).putInt(format.width()).putInt(format.height());
-            chunk(out, "IHDR", header.put(BITS).put(TRUE_COLOR).array());
-            chunk(out, "sRGB", new byte[] {PERCEPTUAL});
-            chunk(out, "acTL", ByteBuffer.allocate(8).putInt(format.frames()).array());
-            int sequence = 0;
-            for (int frame = 0; frame < format.frames(); frame++) {
-                chunk(out, "fcTL", control(sequence++, format));
-                byte[] data = compressed(format, source.next());
-                if (frame == 0) {
-                    chunk(out, "IDAT", data);
-                } else {
-                    chunk(
-                            out,
-                            "fdAT",
-                            ByteBuffer.allocate(Integer.BYTES + data.length)
-                                    .putInt(sequence++)
-                                    .put(data)
-                                    .array());
-                }
+    static FilmEncoder begin(Path file, FilmFormat format) throws IOException {
+        try {
+            AnimatedPng film = new AnimatedPng(file, format, FileReplacement.of(file));
+            film.writeHeader();
+            return film;
+        } catch (IOException failure) {
+            throw WholeFile.explained(file, failure);
+        }
+    }
+
+    private void writeHeader() throws IOException {
+        replacement
+                .out()
+                .write(ByteBuffer.allocate(Long.BYTES).putLong(SIGNATURE).array());
+        ByteBuffer header = ByteBuffer.allocate(13).putInt(format.width()).putInt(format.height());
+        chunk("IHDR", header.put(BITS).put(TRUE_COLOR).array());
+        chunk("sRGB", new byte[] {PERCEPTUAL});
+        chunk("acTL", ByteBuffer.allocate(8).putInt(format.frames()).array());
+    }
+
+    @Override
+    public void add(int[] argb) throws IOException {
+        byte[] data = compressed(format, argb);
+        try {
+            chunk("fcTL", control(sequence++, format));
+            if (frames == 0) {
+                chunk("IDAT", data);
+            } else {
+                ByteBuffer numbered = ByteBuffer.allocate(Integer.BYTES + data.length);
+                chunk("fdAT", numbered.putInt(sequence++).put(data).array());
             }
-            chunk(out, "IEND", new byte[0]);
-        });
+            frames++;
+        } catch (IOException failure) {
+            throw WholeFile.explained(file, failure);
+        }
+    }
+
+    @Override
+    public void finish() throws IOException {
+        if (frames != format.frames()) {
+            throw new IOException("cannot write " + file + ": it has " + frames + " of " + format.frames() + " frames");
+        }
+        try {
+            chunk("IEND", new byte[0]);
+            replacement.finish();
+        } catch (IOException failure) {
+            throw WholeFile.explained(file, failure);
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        replacement.close();
     }
 
     private static byte[] control(int sequence, FilmFormat format) {
@@ -108,16 +146,15 @@ public final class AnimatedPng {
         return data.toByteArray();
     }
 
-    private static void chunk(OutputStream out, String type, byte[] data) throws IOException {
+    private void chunk(String type, byte[] data) throws IOException {
         byte[] name = type.getBytes(StandardCharsets.US_ASCII);
         CRC32 checksum = new CRC32();
         checksum.update(name);
         checksum.update(data);
-        DataOutputStream chunk = new DataOutputStream(out);
+        DataOutputStream chunk = new DataOutputStream(replacement.out());
         chunk.writeInt(data.length);
         chunk.write(name);
         chunk.write(data);
         chunk.writeInt((int) checksum.getValue());
-        chunk.flush();
     }
 }

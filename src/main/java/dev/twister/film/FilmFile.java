@@ -1,6 +1,7 @@
 package dev.twister.film;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
@@ -20,12 +21,17 @@ public record FilmFile(Path file, Optional<Ffmpeg> ffmpeg) {
         return endsIn(output, MP4) || endsIn(output, APNG);
     }
 
+    /** As {@link #of(Path, String)}, with this process's search path. */
+    public static FilmFile of(Path output) {
+        return of(output, System.getenv().getOrDefault("PATH", ""));
+    }
+
     /**
      * The film that a name means; where there is no ffmpeg, an animated PNG beside it takes an .mp4's place.
      *
      * @param path where programs are looked for
      */
-    public static FilmFile of(Path output, String path) {
+    static FilmFile of(Path output, String path) {
         Optional<Ffmpeg> ffmpeg = endsIn(output, MP4) ? Ffmpeg.find(path) : Optional.empty();
         if (ffmpeg.isPresent() || !endsIn(output, MP4)) {
             return new FilmFile(output, ffmpeg);
@@ -40,19 +46,18 @@ public record FilmFile(Path file, Optional<Ffmpeg> ffmpeg) {
     }
 
     /**
-     * Writes the film, whole or not at all.
+     * Begins the film, which is written to a temporary file until it is finished.
      *
-     * @throws IOException as {@link Ffmpeg#write} or {@link AnimatedPng#write}
+     * @throws IOException if the file cannot be written
      */
-    public void write(FilmFormat format, FrameSource source) throws IOException {
-        if (ffmpeg.isPresent()) {
-            ffmpeg.get().write(file, format, source);
-        } else {
-            AnimatedPng.write(file, format, source);
+    FilmEncoder begin(FilmFormat format) throws IOException {
+        if (Files.exists(file) && !Files.isRegularFile(file)) {
+            throw new IOException("cannot write " + file + ": it is not a regular file");
         }
+        return ffmpeg.isPresent() ? ffmpeg.get().begin(file, format) : AnimatedPng.begin(file, format);
     }
 
-    /** What it is, for people. */
+    /** The format's name, for display. */
     public String kind() {
         return ffmpeg.isPresent() ? "H.264" : "animated PNG";
     }

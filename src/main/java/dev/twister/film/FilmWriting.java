@@ -1,106 +1,49 @@
 package dev.twister.film;
 
+import dev.twister.threads.BackgroundWriter;
 import java.io.IOException;
-import java.util.concurrent.ArrayBlockingQueue;
-import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.FutureTask;
-import java.util.concurrent.TimeUnit;
 
-/** Encodes a film on another thread while its next frames are drawn; a bounded number of them waits. */
+/** Encodes a film in the background while the next frames are rendered. */
 public final class FilmWriting implements AutoCloseable {
-    /** How many pictures are kept beside the one that is drawn: those that wait and the one that is encoded. */
+    /** Number of frames in memory that are not encoded yet. */
     public static final int WAITING = 3;
 
-    private static final int[] GIVEN_UP = {};
-    private static final long POLL_MILLIS = 100;
+    private final FilmEncoder encoder;
+    private final BackgroundWriter writer = new BackgroundWriter("encoding", 1, WAITING);
 
-    private final BlockingQueue<int[]> frames = new ArrayBlockingQueue<>(WAITING - 1);
-    private final FutureTask<Void> encoding;
-    private boolean finished;
-
-    /** Begins a film; {@link #close} is to be called. */
-    public FilmWriting(FilmFile film, FilmFormat format) {
-        encoding = new FutureTask<>(() -> {
-            film.write(format, this::next);
-            return null;
-        });
-        Thread.ofPlatform().name("encoding").daemon().start(encoding);
-    }
-
-    private int[] next() throws IOException {
-        try {
-            int[] frame = frames.take();
-            if (frame.length == 0) {
-                throw new IOException("the film was given up");
-            }
-            return frame;
-        } catch (InterruptedException interrupted) {
-            Thread.currentThread().interrupt();
-            throw new IOException("interrupted", interrupted);
-        }
+    /**
+     * Begins a film.
+     *
+     * @throws IOException if the file cannot be written
+     */
+    public FilmWriting(FilmFile film, FilmFormat format) throws IOException {
+        encoder = film.begin(format);
     }
 
     /**
-     * Takes the next frame; waits while too many are waiting.
+     * Hands over the next frame; waits while too many are waiting.
      *
-     * @throws IOException what the encoder has thrown
+     * @param argb 0xAARRGGBB, sRGB-encoded, row by row from the top; not to be changed afterwards
+     * @throws IOException the failure of the encoder
      */
-    public void add(int[] srgb) throws IOException {
-        boolean taken = false;
-        while (!taken) {
-            if (encoding.isDone()) {
-                result();
-                throw new IOException("the encoder ended before the film's last frame");
-            }
-            taken = offer(srgb);
-        }
-    }
-
-    private boolean offer(int[] frame) throws IOException {
-        try {
-            return frames.offer(frame, POLL_MILLIS, TimeUnit.MILLISECONDS);
-        } catch (InterruptedException interrupted) {
-            Thread.currentThread().interrupt();
-            throw new IOException("interrupted", interrupted);
-        }
+    public void add(int[] argb) throws IOException {
+        writer.submit(1, () -> encoder.add(argb));
     }
 
     /**
      * Waits until the film is written.
      *
-     * @throws IOException what the encoder has thrown
+     * @throws IOException the failure of the encoder
      */
     public void finish() throws IOException {
-        finished = true;
-        result();
+        writer.finish();
+        encoder.finish();
     }
 
-    private void result() throws IOException {
-        try {
-            encoding.get();
-        } catch (ExecutionException failure) {
-            switch (failure.getCause()) {
-                case IOException written -> throw written;
-                case Error error -> throw error;
-                default -> throw new IllegalStateException(failure.getCause());
-            }
-        } catch (InterruptedException interrupted) {
-            Thread.currentThread().interrupt();
-            throw new IOException("interrupted", interrupted);
-        }
-    }
-
-    /** Gives the film up, where it is not finished: no file is left. */
+    /** Without {@link #finish} before, no new film is left. */
     @Override
     public void close() throws IOException {
-        while (!finished && !encoding.isDone()) {
-            finished = offer(GIVEN_UP);
-        }
-        try {
-            encoding.get();
-        } catch (ExecutionException | InterruptedException _) {
-            // Told already, or given up for another reason.
-        }
+        writer.close();
+        encoder.close();
     }
 }

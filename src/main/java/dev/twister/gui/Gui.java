@@ -2,9 +2,13 @@ package dev.twister.gui;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.Engines;
+import dev.twister.gui.files.ShippedFolders;
+import dev.twister.gui.files.SystemFileChoice;
 import dev.twister.gui.model.AutosaveFolder;
 import dev.twister.gui.model.DroppedFile;
 import dev.twister.gui.model.SettingsStore;
+import dev.twister.gui.studio.OpenedScene;
+import dev.twister.gui.studio.Studio;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;

@@ -1,6 +1,9 @@
 package dev.twister.gui;
 
 import dev.twister.files.TwisterVersion;
+import dev.twister.gui.controls.Command;
+import dev.twister.gui.panel.PanelRow;
+import dev.twister.gui.panel.PanelSection;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

@@ -1,5 +1,11 @@
 package dev.twister.gui;
 
+import dev.twister.gui.camera.CameraKeys;
+import dev.twister.gui.camera.CameraMouse;
+import dev.twister.gui.files.Reading;
+import dev.twister.gui.picture.FrameTimesView;
+import dev.twister.gui.picture.PictureView;
+import dev.twister.gui.studio.Studio;
 import java.util.concurrent.TimeUnit;
 import javafx.animation.AnimationTimer;
 import javafx.geometry.Pos;
@@ -10,7 +16,7 @@ import javafx.scene.paint.Color;
 import javafx.stage.Stage;
 
 /** The window: the picture in the middle, and around it what is said of it. */
-final class MainWindow implements AutoCloseable {
+public final class MainWindow implements AutoCloseable {
     private static final double WIDTH = 1280;
     private static final double HEIGHT = 760;
     /**
@@ -77,7 +83,7 @@ final class MainWindow implements AutoCloseable {
     }
 
     /** What reads the files that are opened. */
-    Reading reading() {
+    public Reading reading() {
         return reading;
     }
 

@@ -1,12 +1,19 @@
 package dev.twister.gui;
 
-import dev.twister.gui.Command.Group;
+import dev.twister.gui.bodies.BodyActions;
+import dev.twister.gui.controls.Command;
+import dev.twister.gui.controls.Command.Group;
+import dev.twister.gui.controls.CommandActions;
+import dev.twister.gui.controls.Ids;
 import dev.twister.gui.drawing.Motion;
+import dev.twister.gui.files.FileActions;
+import dev.twister.gui.files.SettingsKeeper;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.EditState;
 import dev.twister.gui.model.Mnemonics;
 import dev.twister.gui.model.ShownPictures;
+import dev.twister.gui.studio.Studio;
 import dev.twister.world.Picture;
 import java.nio.file.Path;
 import java.util.EnumMap;
@@ -158,7 +165,7 @@ final class MenuView extends MenuBar {
                 }
                 MenuItem item =
                         SWITCHES.contains(command) ? new CheckMenuItem(command.label()) : new MenuItem(command.label());
-                item.setId("menu-" + PanelRow.id(command.name().replace('_', ' ')));
+                item.setId("menu-" + Ids.of(command.name().replace('_', ' ')));
                 item.setAccelerator(command.keys());
                 item.setOnAction(_ -> actions.run(command));
                 // A second key for the same thing needs no second line.

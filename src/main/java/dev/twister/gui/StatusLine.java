@@ -1,5 +1,10 @@
 package dev.twister.gui;
 
+import dev.twister.gui.controls.Tooltips;
+import dev.twister.gui.files.Reading;
+import dev.twister.gui.files.ReadingView;
+import dev.twister.gui.studio.StatusText;
+import dev.twister.gui.studio.Studio;
 import javafx.animation.PauseTransition;
 import javafx.geometry.Pos;
 import javafx.scene.control.Label;
@@ -59,7 +64,7 @@ final class StatusLine extends HBox implements AutoCloseable {
         label.setId(id);
         label.setMinWidth(0);
         label.setTooltip(new Tooltip());
-        label.textProperty().subscribe(text -> label.getTooltip().setText(PanelRow.inLines(text)));
+        label.textProperty().subscribe(text -> label.getTooltip().setText(Tooltips.wrap(text)));
         return label;
     }
 

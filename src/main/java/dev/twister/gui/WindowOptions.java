@@ -1,5 +1,7 @@
 package dev.twister.gui;
 
+import dev.twister.gui.files.FileChoice;
+import dev.twister.gui.files.ShippedFolders;
 import dev.twister.gui.model.AutosaveFolder;
 import dev.twister.gui.model.SettingsStore;
 import java.nio.file.Path;

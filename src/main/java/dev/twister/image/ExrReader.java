@@ -1,5 +1,7 @@
 package dev.twister.image;
 
+import dev.twister.files.Deflate;
+import dev.twister.files.InputFile;
 import java.io.BufferedInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
@@ -34,9 +36,29 @@ public final class ExrReader {
      *     names the file
      */
     public static ExrPicture read(Path file) throws IOException {
-        try (InputStream bytes = Files.newInputStream(file);
+        return read(file, ExrReader::picture);
+    }
+
+    /**
+     * Reads which rows of a picture a file has.
+     *
+     * @throws IOException as {@link #read(Path)}
+     */
+    public static ExrExtent extent(Path file) throws IOException {
+        return read(file, (_, header) -> header.extent());
+    }
+
+    private interface Content<T> {
+        T read(DataInputStream in, Header header) throws IOException, DataFormatException;
+    }
+
+    /** What precedes the pixels, checked against the file's length. */
+    private record Header(ExrExtent extent, List<String> channels, Optional<Provenance> provenance) {}
+
+    private static <T> T read(Path file, Content<T> content) throws IOException {
+        try (InputStream bytes = InputFile.open(file);
                 DataInputStream in = new DataInputStream(new BufferedInputStream(bytes, 1 << 16))) {
-            return read(in);
+            return content.read(in, header(in, Files.size(file)));
         } catch (EOFException problem) {
             throw new IOException(file + " is not whole: it ends before its last row", problem);
         } catch (DataFormatException | RuntimeException problem) {
@@ -44,7 +66,7 @@ public final class ExrReader {
         }
     }
 
-    private static ExrPicture read(DataInputStream in) throws IOException, DataFormatException {
+    private static Header header(DataInputStream in, long fileBytes) throws IOException, DataFormatException {
         ByteBuffer magic = numbers(in.readNBytes(2 * Integer.BYTES));
         check(magic.getInt() == ExrHeader.MAGIC && magic.getInt() == ExrHeader.VERSION);
         Map<String, ByteBuffer> attributes = attributes(in);
@@ -55,21 +77,33 @@ public final class ExrReader {
         int height = display.getInt(3 * Integer.BYTES) + 1;
         int firstRow = data.getInt(Integer.BYTES);
         int rows = data.getInt(3 * Integer.BYTES) - firstRow + 1;
-        check(width > 0 && rows > 0 && firstRow >= 0 && firstRow + rows <= height);
+        check(width > 0 && rows > 0 && firstRow >= 0 && rows <= height - firstRow);
         check((long) width * rows <= MOST_PIXELS && data.getInt(2 * Integer.BYTES) == width - 1);
-        List<ExrChannel> channels = channels(attributes.get("channels"), width * rows);
+        List<String> channels = channels(attributes.get("channels"));
+        check(Deflate.canHold(fileBytes, (long) width * rows * Float.BYTES * channels.size()));
+        return new Header(new ExrExtent(width, height, firstRow, rows), channels, provenance(attributes));
+    }
+
+    private static ExrPicture picture(DataInputStream in, Header header) throws IOException, DataFormatException {
+        int width = header.extent().width();
+        int rows = header.extent().rows();
+        List<ExrChannel> channels = header.channels().stream()
+                .map(name -> new ExrChannel(name, new float[width * rows], 0, 1))
+                .toList();
         int chunks = Math.ceilDiv(rows, ExrChunk.ROWS);
         in.skipNBytes((long) Long.BYTES * chunks);
         for (int chunk = 0; chunk < chunks; chunk++) {
-            byte[] header = new byte[ExrWriter.CHUNK_HEADER];
-            in.readFully(header);
-            int length = numbers(header).getInt(Integer.BYTES);
-            check(length >= 0 && length <= (long) ExrChunk.ROWS * width * Float.BYTES * channels.size());
+            byte[] start = new byte[ExrWriter.CHUNK_HEADER];
+            in.readFully(start);
+            int length = numbers(start).getInt(Integer.BYTES);
+            int most = Math.min(ExrChunk.ROWS, rows - chunk * ExrChunk.ROWS);
+            check(length >= 0 && length <= (long) most * width * Float.BYTES * channels.size());
             byte[] packed = new byte[length];
             in.readFully(packed);
             ExrChunk.read(packed, width, rows, chunk * ExrChunk.ROWS, channels);
         }
-        return new ExrPicture(width, height, firstRow, rows, channels, provenance(attributes));
+        return new ExrPicture(
+                width, header.extent().height(), header.extent().firstRow(), rows, channels, header.provenance());
     }
 
     private static Optional<Provenance> provenance(Map<String, ByteBuffer> attributes) {
@@ -98,8 +132,8 @@ public final class ExrReader {
         return attributes;
     }
 
-    private static List<ExrChannel> channels(ByteBuffer list, int pixels) throws DataFormatException {
-        List<ExrChannel> channels = new ArrayList<>();
+    private static List<String> channels(ByteBuffer list) throws DataFormatException {
+        List<String> channels = new ArrayList<>();
         int first = list.get();
         while (first != 0) {
             StringBuilder name = new StringBuilder();
@@ -108,7 +142,7 @@ public final class ExrReader {
             }
             check(list.getInt() == ExrHeader.FLOAT);
             list.position(list.position() + CHANNEL_NUMBERS - Integer.BYTES);
-            channels.add(new ExrChannel(name.toString(), new float[pixels], 0, 1));
+            channels.add(name.toString());
             first = list.get();
         }
         return channels;

@@ -33,10 +33,14 @@ public final class JoinedPicture {
     /**
      * Begins with a part, without its pixels.
      *
-     * @throws IllegalArgumentException where the part does not say how it was made
+     * @param extents of all parts; without them, a file of a few bytes could ask for a picture of any size
+     * @throws IllegalArgumentException where the part does not say how it was made, or rows are missing
      */
-    public JoinedPicture(Path file, ExrPicture part) {
+    public JoinedPicture(Path file, ExrPicture part, List<ExrExtent> extents) {
         Provenance made = provenance(file, part);
+        if (extents.stream().mapToLong(ExrExtent::rows).sum() < part.height()) {
+            throw lacksRow(ExrExtent.missingRow(extents), part.height());
+        }
         width = part.width();
         height = part.height();
         software = made.software();
@@ -120,9 +124,13 @@ public final class JoinedPicture {
         return new ExrPicture(width, height, 0, height, channels, Optional.of(made));
     }
 
+    private static IllegalArgumentException lacksRow(int row, int height) {
+        return new IllegalArgumentException("the parts lack row " + row + " of " + height);
+    }
+
     private void checkIsWhole(int row, List<String> wanted) {
         if (rows.get(row).isEmpty()) {
-            throw new IllegalArgumentException("the parts lack row " + row + " of " + height);
+            throw lacksRow(row, height);
         }
         if (!texts(row).equals(wanted)) {
             throw new IllegalArgumentException("row " + row + " has samples " + String.join(", ", texts(row))

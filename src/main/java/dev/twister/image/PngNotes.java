@@ -1,12 +1,13 @@
 package dev.twister.image;
 
+import dev.twister.files.Deflate;
+import dev.twister.files.InputFile;
 import java.io.BufferedInputStream;
 import java.io.DataInputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
@@ -15,9 +16,10 @@ import java.util.Optional;
 /**
  * What a PNG file says beside its pixels.
  *
+ * @param size in pixels, which its compressed data can hold
  * @param linear whether its channels are linear light
  */
-public record PngNotes(Optional<Provenance> provenance, boolean linear) {
+public record PngNotes(PictureSize size, Optional<Provenance> provenance, boolean linear) {
     private static final long SIGNATURE = 0x89504e470d0a1a0aL;
     private static final int CHECKSUM_BYTES = 4;
     private static final int LONGEST_TEXT = 1 << 16;
@@ -26,20 +28,23 @@ public record PngNotes(Optional<Provenance> provenance, boolean linear) {
     /**
      * Reads a file that is whole.
      *
-     * @throws IOException where it is no PNG, or ends before its last chunk
+     * @throws IOException where it is no PNG, ends before its last chunk, or claims more pixels than its data can hold
      */
     public static PngNotes of(Path file) throws IOException {
-        try (InputStream bytes = Files.newInputStream(file);
+        try (InputStream bytes = InputFile.open(file);
                 DataInputStream in = new DataInputStream(new BufferedInputStream(bytes))) {
             if (in.readLong() != SIGNATURE) {
                 throw new IOException(file + " is no PNG");
             }
+            PngHeader header = PngHeader.read(file, in);
             Map<String, String> texts = new HashMap<>();
             boolean linear = false;
+            long dataBytes = 0;
             String type;
             do {
                 int length = in.readInt();
                 type = new String(in.readNBytes(Integer.BYTES), StandardCharsets.US_ASCII);
+                dataBytes += type.equals("IDAT") ? Integer.toUnsignedLong(length) : 0;
                 if (type.equals("gAMA")) {
                     linear = in.readInt() == LINEAR_GAMMA;
                     in.skipNBytes(CHECKSUM_BYTES);
@@ -50,7 +55,11 @@ public record PngNotes(Optional<Provenance> provenance, boolean linear) {
                     in.skipNBytes(Integer.toUnsignedLong(length) + CHECKSUM_BYTES);
                 }
             } while (!type.equals("IEND"));
-            return new PngNotes(provenance(texts), linear);
+            if (!Deflate.canHold(dataBytes, header.uncompressedBytes())) {
+                throw new IOException(file + ": a PNG of " + header.uncompressedBytes() + " bytes cannot come from "
+                        + dataBytes + " compressed ones");
+            }
+            return new PngNotes(header.size(), provenance(texts), linear);
         } catch (EOFException problem) {
             throw new IOException(file + " is not whole: it ends before its last chunk", problem);
         }

@@ -40,17 +40,9 @@ final class GltfAccessor {
         this.stride = stride;
     }
 
-    /**
-     * Opens an accessor and checks that all of its elements exist.
-     *
-     * @param components required number of components per element
-     */
-    static GltfAccessor open(GltfPlace root, GltfPlace place, int components, GltfBuffers buffers) throws IOException {
-        if (components(place) != components) {
-            throw place.at("type")
-                    .failure("is " + Shown.text(place.at("type").text()) + "; expected one with " + components
-                            + " components");
-        }
+    /** Opens an accessor and checks that all of its elements exist. */
+    static GltfAccessor open(GltfPlace root, GltfPlace place, GltfBuffers buffers) throws IOException {
+        int components = components(place);
         long count = place.at("count").count();
         int elementBytes = components * bytesOf(place.at("componentType"));
         GltfPlace viewIndex = place.at("bufferView");
@@ -125,8 +117,22 @@ final class GltfAccessor {
         }
     }
 
+    /** Checks the number of components per element. */
+    void checkComponents(int required) {
+        if (components != required) {
+            throw place.at("type")
+                    .failure("is " + Shown.text(place.at("type").text()) + "; expected one with " + required
+                            + " components");
+        }
+    }
+
     int count() {
         return count;
+    }
+
+    /** Number of elements that its sparse part replaces. */
+    int sparseElements() {
+        return sparseIndices.length;
     }
 
     GltfPlace place() {

@@ -1,11 +1,11 @@
 package dev.twister.mesh;
 
+import dev.twister.files.InputFile;
 import java.io.Closeable;
 import java.io.IOException;
 import java.net.URLDecoder;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
@@ -13,6 +13,7 @@ import java.util.Base64;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** The buffers of a glTF file: in the GLB, embedded in the JSON, or in separate files. */
 final class GltfBuffers implements Closeable {
@@ -77,8 +78,9 @@ final class GltfBuffers implements Closeable {
             return new Range(Bytes.of(bytes.name() + ": " + uri, data), 0, data.length);
         }
         Path path = path(file, uri);
-        if (!Files.isRegularFile(path)) {
-            throw uri.failure("names " + Shown.text(uri.text()) + ": file not found beside this one");
+        Optional<String> problem = InputFile.problem(path);
+        if (problem.isPresent()) {
+            throw uri.failure("names a file beside this one, " + Shown.text(uri.text()) + ": " + problem.get());
         }
         FileChannel channel = FileChannel.open(path, StandardOpenOption.READ);
         channels.add(channel);

@@ -3,7 +3,6 @@ package dev.twister.mesh;
 import dev.twister.scene.Material;
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -19,19 +18,30 @@ final class GltfMeshes {
     /** A primitive with triangles. */
     record Primitive(int mesh, Material material) {}
 
+    private final Bytes file;
     private final GltfPlace root;
     private final GltfBuffers buffers;
+    private final GltfAccessors accessors;
     private final GltfMaterials materials;
     private final double smoothDegrees;
     private final Warnings warnings;
     private final List<TriangleMesh> meshes = new ArrayList<>();
+    private final UsedVertices used = new UsedVertices();
     private final Map<Integer, List<Primitive>> read = new HashMap<>();
     private long triangles;
     private int degenerateTriangles;
 
-    GltfMeshes(GltfPlace root, GltfBuffers buffers, GltfMaterials materials, double smoothDegrees, Warnings warnings) {
+    GltfMeshes(
+            Bytes file,
+            GltfPlace root,
+            GltfBuffers buffers,
+            GltfMaterials materials,
+            double smoothDegrees,
+            Warnings warnings) {
+        this.file = file;
         this.root = root;
         this.buffers = buffers;
+        this.accessors = new GltfAccessors(root, buffers);
         this.materials = materials;
         this.smoothDegrees = smoothDegrees;
         this.warnings = warnings;
@@ -69,7 +79,7 @@ final class GltfMeshes {
         if (primitive.at("targets").size() > 0) {
             warnings.add("morph targets are not applied");
         }
-        GltfAccessor positions = accessor(attributes.at("POSITION"), 3);
+        GltfAccessor positions = accessors.at(attributes.at("POSITION"), 3);
         if (positions.isEmpty()) {
             throw positions
                     .place()
@@ -91,16 +101,12 @@ final class GltfMeshes {
         return Optional.of(new Primitive(meshes.size() - 1, material.material()));
     }
 
-    private GltfAccessor accessor(GltfPlace number, int components) throws IOException {
-        return GltfAccessor.open(root, number.in(root.at("accessors")), components, buffers);
-    }
-
     private Optional<GltfAccessor> attribute(GltfPlace number, int components, GltfAccessor positions)
             throws IOException {
         if (!number.exists()) {
             return Optional.empty();
         }
-        GltfAccessor accessor = accessor(number, components);
+        GltfAccessor accessor = accessors.at(number, components);
         if (accessor.count() != positions.count()) {
             throw accessor.place()
                     .failure("has " + accessor.count() + " elements, but the positions beside it are "
@@ -115,38 +121,33 @@ final class GltfMeshes {
         Optional<GltfAccessor> normals = attribute(attributes.at("NORMAL"), 3, positions);
         Optional<GltfAccessor> coordinates =
                 attribute(attributes.at("TEXCOORD_" + material.coordinateSet()), 2, positions);
-        BitSet used = new BitSet(positions.count());
-        for (int corner : corners) {
-            used.set(corner);
-        }
-        TriangleSoup soup = new TriangleSoup(used.cardinality(), corners.length / 3);
-        int[] numbers = new int[used.length()];
+        used.set(corners, positions.count());
+        TriangleSoup soup = new TriangleSoup(used.vertices().length, corners.length / 3);
         // One attribute after the other, because each usually has its own region in the file.
-        for (int vertex = used.nextSetBit(0); vertex >= 0; vertex = used.nextSetBit(vertex + 1)) {
-            numbers[vertex] = soup.vertices();
+        for (int vertex : used.vertices()) {
             addPosition(soup, positions, vertex);
         }
         if (normals.isPresent()) {
-            addNormals(soup, normals.get(), used);
+            addNormals(soup, normals.get(), used.vertices());
         }
         if (coordinates.isPresent()) {
-            addCoordinates(soup, coordinates.get(), material.layout(), used);
+            addCoordinates(soup, coordinates.get(), material.layout(), used.vertices());
         }
         for (int i = 0; i < corners.length; i += 3) {
-            soup.triangle(numbers[corners[i]], numbers[corners[i + 1]], numbers[corners[i + 2]]);
+            soup.triangle(used.number(corners[i]), used.number(corners[i + 1]), used.number(corners[i + 2]));
         }
         return soup;
     }
 
-    private static void addNormals(TriangleSoup soup, GltfAccessor normals, BitSet used) throws IOException {
-        for (int vertex = used.nextSetBit(0); vertex >= 0; vertex = used.nextSetBit(vertex + 1)) {
+    private static void addNormals(TriangleSoup soup, GltfAccessor normals, int[] used) throws IOException {
+        for (int vertex : used) {
             soup.normal(normals.get(vertex, 0), normals.get(vertex, 1), normals.get(vertex, 2));
         }
     }
 
-    private static void addCoordinates(TriangleSoup soup, GltfAccessor coordinates, TextureLayout layout, BitSet used)
+    private static void addCoordinates(TriangleSoup soup, GltfAccessor coordinates, TextureLayout layout, int[] used)
             throws IOException {
-        for (int vertex = used.nextSetBit(0); vertex >= 0; vertex = used.nextSetBit(vertex + 1)) {
+        for (int vertex : used) {
             double u = coordinates.get(vertex, 0);
             double v = coordinates.get(vertex, 1);
             soup.textureCoordinates(layout.u(u, v), layout.v(u, v));
@@ -168,12 +169,16 @@ final class GltfMeshes {
     /** Three vertex numbers per triangle, for triangle lists, strips and fans. */
     private int[] corners(GltfPlace primitive, int mode, int vertices) throws IOException {
         GltfPlace number = primitive.at("indices");
-        Optional<GltfAccessor> indices = number.exists() ? Optional.of(accessor(number, 1)) : Optional.empty();
+        Optional<GltfAccessor> indices = number.exists() ? Optional.of(accessors.at(number, 1)) : Optional.empty();
         int count = indices.map(GltfAccessor::count).orElse(vertices);
         int triangleCount = mode == TRIANGLES ? count / 3 : Math.max(0, count - 2);
         triangles += triangleCount;
         if (triangles > MeshLimits.TRIANGLES) {
             throw primitive.failure("brings the file to " + MeshLimits.tooManyTriangles(triangles));
+        }
+        if (triangles > MeshLimits.trianglesOf(file.length() + buffers.openedBytes())) {
+            throw primitive.failure("brings the file to " + triangles + " triangles, too many for its "
+                    + (file.length() + buffers.openedBytes()) + " bytes; its primitives share their data");
         }
         int[] listed = new int[mode == TRIANGLES ? 3 * triangleCount : count];
         for (int i = 0; i < listed.length; i++) {

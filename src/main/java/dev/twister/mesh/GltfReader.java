@@ -37,8 +37,8 @@ final class GltfReader {
         warnOfUnused(root);
         try (GltfBuffers buffers = new GltfBuffers(file, bytes, document)) {
             GltfImages images = new GltfImages(file, bytes, root, buffers, warnings);
-            GltfMeshes meshes =
-                    new GltfMeshes(root, buffers, new GltfMaterials(root, images, warnings), smoothDegrees, warnings);
+            GltfMeshes meshes = new GltfMeshes(
+                    bytes, root, buffers, new GltfMaterials(root, images, warnings), smoothDegrees, warnings);
             placeAll(root, meshes);
             if (parts.isEmpty()) {
                 throw MeshReader.noTriangles(bytes, meshes.degenerateTriangles());

@@ -23,6 +23,11 @@ final class MeshLimits {
                 + "; expected numbers from -1e9 to 1e9";
     }
 
+    /** More than that come from few bytes only if primitives share them again and again. */
+    static long trianglesOf(long bytes) {
+        return 100_000 + 16 * bytes;
+    }
+
     static String tooManyTriangles(long count) {
         return count + " triangles; at most " + TRIANGLES + " are read: simplify the mesh or split the file";
     }

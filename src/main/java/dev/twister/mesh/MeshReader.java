@@ -1,11 +1,11 @@
 package dev.twister.mesh;
 
+import dev.twister.files.InputFile;
 import dev.twister.files.SystemReason;
 import dev.twister.scene.Material;
 import java.io.IOException;
 import java.nio.channels.ClosedByInterruptException;
 import java.nio.channels.FileChannel;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
@@ -31,12 +31,7 @@ public final class MeshReader {
     public static MeshFile read(Path file, double smoothDegrees, Consumer<String> warnings) {
         String name = Shown.path(file);
         try {
-            if (!Files.exists(file)) {
-                throw new MeshException(name + ": file not found");
-            }
-            if (!Files.isRegularFile(file)) {
-                throw new MeshException(name + ": not a file but a folder or a device");
-            }
+            InputFile.check(file);
             try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
                 return read(file, Bytes.of(file, channel), smoothDegrees, new Warnings(name, warnings));
             }

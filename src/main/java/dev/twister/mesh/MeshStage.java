@@ -7,6 +7,7 @@ import dev.twister.scene.Plane;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Vector3;
 import java.nio.file.Path;
 import java.util.List;
@@ -48,11 +49,18 @@ public final class MeshStage {
      * @param file the mesh file
      * @param held its content
      * @param skybox the panorama's file
+     * @throws MeshException if the mesh cannot be scaled so far
      */
     public static Scene of(Path file, MeshFile held, Path skybox) {
         Bounds bounds = held.bounds();
         Vector3 half = bounds.half();
-        double scale = LARGEST_SIDE / 2 / Math.max(half.x(), Math.max(half.y(), half.z()));
+        double largest = 2 * Math.max(half.x(), Math.max(half.y(), half.z()));
+        double scale = LARGEST_SIDE / largest;
+        if (!(scale >= SceneLimits.SCALE.min() && scale <= SceneLimits.SCALE.max())) {
+            throw new MeshException(Shown.path(file) + ": the mesh is " + (float) largest + " m wide; expected "
+                    + LARGEST_SIDE / SceneLimits.SCALE.max() + " to " + LARGEST_SIDE / SceneLimits.SCALE.min()
+                    + " m; scale it in a scene file or in the program that made it");
+        }
         Vector3 center = bounds.center();
         Vector3 place = new Vector3(-scale * center.x(), -scale * bounds.least().y(), -scale * center.z());
         double radius = scale * Math.sqrt(half.x() * half.x() + half.y() * half.y() + half.z() * half.z());

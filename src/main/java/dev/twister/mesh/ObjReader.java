@@ -1,5 +1,6 @@
 package dev.twister.mesh;
 
+import dev.twister.files.InputFile;
 import dev.twister.scene.Material;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
@@ -11,6 +12,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.SequencedMap;
 
 /** Reads OBJ files and the MTL files that they refer to. */
@@ -209,10 +211,11 @@ final class ObjReader {
         }
         for (String name : names.split("\\s+", -1)) {
             Path library = PathsBeside.of(file, name, text::failure);
-            if (Files.isRegularFile(library)) {
-                readLibrary(library);
+            Optional<String> problem = InputFile.problem(library);
+            if (problem.isPresent()) {
+                warnings.add("material library " + Shown.text(name) + ": " + problem.get());
             } else {
-                warnings.add("material library " + Shown.text(name) + ": file not found");
+                readLibrary(library);
             }
         }
     }

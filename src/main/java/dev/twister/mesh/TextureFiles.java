@@ -1,5 +1,6 @@
 package dev.twister.mesh;
 
+import dev.twister.files.InputFile;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -17,8 +18,9 @@ final class TextureFiles {
     /** The file itself; empty, with a warning, if it does not exist or is neither PNG nor JPEG. */
     static Optional<Path> usable(Path texture, Warnings warnings) throws IOException {
         String name = "texture " + Shown.path(texture);
-        if (!Files.isRegularFile(texture)) {
-            warnings.add(name + ": file not found; rendered without it");
+        Optional<String> problem = InputFile.problem(texture);
+        if (problem.isPresent()) {
+            warnings.add(name + ": " + problem.get() + "; rendered without it");
             return Optional.empty();
         }
         byte[] start;

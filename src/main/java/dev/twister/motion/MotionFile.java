@@ -1,5 +1,6 @@
 package dev.twister.motion;
 
+import dev.twister.files.InputFile;
 import dev.twister.files.SystemReason;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
@@ -7,7 +8,6 @@ import dev.twister.world.World;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Optional;
@@ -35,11 +35,9 @@ public final class MotionFile implements AutoCloseable {
      * @throws IOException if the file cannot be read, is not a motion file, or belongs to a scene with different motion
      */
     public static MotionFile open(Path path, Scene scene) throws IOException {
-        if (!Files.isRegularFile(path)) {
-            throw new IOException(path + (Files.exists(path) ? " is not a regular file" : ": file not found"));
-        }
         FileChannel channel;
         try {
+            InputFile.check(path);
             channel = FileChannel.open(path, StandardOpenOption.READ);
         } catch (IOException failure) {
             throw new IOException(path + ": " + SystemReason.of(failure), failure);

@@ -1,5 +1,6 @@
 package dev.twister.motion;
 
+import dev.twister.files.InputFile;
 import dev.twister.files.SystemReason;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
@@ -41,8 +42,9 @@ public final class MotionRecording implements AutoCloseable {
      *     written
      */
     public static MotionRecording open(Path path, Scene scene, int firstFrame, double rate) throws IOException {
-        if (Files.exists(path) && !Files.isRegularFile(path)) {
-            throw new IOException(path + " is not a regular file");
+        Optional<String> problem = Files.exists(path) ? InputFile.problem(path) : Optional.empty();
+        if (problem.isPresent()) {
+            throw new IOException("cannot write " + path + ": " + problem.get());
         }
         MotionHeader header = MotionHeader.of(scene, firstFrame, rate);
         FileChannel channel;

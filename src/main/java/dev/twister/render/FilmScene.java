@@ -2,33 +2,66 @@ package dev.twister.render;
 
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
 import dev.twister.world.World;
 import java.io.IOException;
-import java.util.function.DoubleFunction;
+import java.util.Optional;
 
-/**
- * A scene in the course of a film.
- *
- * @param world the scene's
- * @param camera at a time, in seconds
- * @param rate frames a second
- */
-public record FilmScene(Scene scene, World world, FilmBodies bodies, DoubleFunction<Camera> camera, double rate) {
+/** The scene of an order at the times of its frames. */
+final class FilmScene {
     /**
-     * A frame, whatever frames were before it.
-     *
-     * @throws IOException where the bodies' places cannot be read
+     * Side, in meters, of the cubes that share an origin if the camera is far from the scene's own. It depends on the
+     * camera alone, so that a frame is the same whichever frames were rendered before it.
      */
-    public FrameInput frame(int number) throws IOException {
-        Camera seen = camera.apply(number / rate);
-        World near = world;
-        if (!world.isNear(seen)) {
-            near = World.of(scene.withCamera(seen), world.images(), world.meshes());
-            near.setSettings(world.settings());
-        }
+    private static final double CUBE = 2048;
+
+    private final Scene scene;
+    private final World world;
+    private final FilmBodies bodies;
+    private final Movement movement;
+    private Optional<World> far = Optional.empty();
+
+    FilmScene(RenderOrder order, World world, FilmBodies bodies) {
+        scene = order.scene();
+        movement = order.movement();
+        this.world = world;
+        this.bodies = bodies;
+    }
+
+    /** The world of the frames near the scene's origin; its settings are those of all frames. */
+    World world() {
+        return world;
+    }
+
+    /**
+     * A frame.
+     *
+     * @param number at least that of the previous call
+     * @throws IOException if the bodies' positions cannot be read
+     */
+    FrameInput frame(int number) throws IOException {
+        Camera seen = movement.camera().apply(number / movement.rate());
+        World near = near(seen);
+        near.setSettings(world.settings());
         near.setCamera(seen);
         bodies.place(near, number);
         return near.snapshot();
+    }
+
+    private World near(Camera seen) {
+        if (world.isNear(seen)) {
+            return world;
+        }
+        Vector3 place = seen.position();
+        Vector3 middle = new Vector3(middle(place.x()), middle(place.y()), middle(place.z()));
+        if (far.isEmpty() || !far.get().origin().equals(middle)) {
+            far = Optional.of(World.of(scene.withCamera(seen.withPosition(middle)), world.images(), world.meshes()));
+        }
+        return far.get();
+    }
+
+    private static double middle(double coordinate) {
+        return (Math.floor(coordinate / CUBE) + 0.5) * CUBE;
     }
 }

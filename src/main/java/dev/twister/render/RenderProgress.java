@@ -1,19 +1,33 @@
 package dev.twister.render;
 
-/** Hears how far a rendering is, on the thread that renders. Whatever it throws ends the rendering. */
+/** Follows a rendering, on its thread. An exception of any method ends the rendering. */
 public interface RenderProgress {
-    /** Nobody wants to know. */
+    /** Ignores everything. */
     RenderProgress SILENT = new RenderProgress() {};
 
     /**
-     * Some of a picture's bands of rows are there. Not called for pictures of a single band.
+     * Steps of the simulation before frame 0 are done.
      *
-     * @param engine the id of what draws
-     * @param done how many of them; at first 0
-     * @param all how many the picture has
+     * @param done number of them
+     * @param all number of steps before frame 0
+     */
+    default void settling(int done, int all) {}
+
+    /** The first picture begins. */
+    default void begin() {}
+
+    /** Bodies were simulated to the next frame. */
+    default void moved() {}
+
+    /**
+     * Bands of rows of a picture are done. Not called for pictures of a single band.
+     *
+     * @param engine its id
+     * @param done number of bands; 0 at first
+     * @param all number of bands of the picture
      */
     default void bands(String engine, int done, int all) {}
 
-    /** A frame of a film is there. */
+    /** A frame is rendered, or kept; it may not be written yet. */
     default void frame() {}
 }

@@ -2,6 +2,7 @@ package dev.twister.render;
 
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
+import dev.twister.scene.format.TexturePlaces;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -16,7 +17,7 @@ public final class SceneInputs {
     public static List<Path> of(Path sceneFile, Scene scene) {
         return Stream.of(
                         Stream.of(sceneFile, scene.skybox()),
-                        scene.textures().keySet().stream(),
+                        TexturePlaces.of(scene).keySet().stream(),
                         scene.meshes().stream().map(Mesh::file))
                 .flatMap(files -> files)
                 .toList();

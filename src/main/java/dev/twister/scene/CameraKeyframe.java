@@ -19,7 +19,7 @@ public record CameraKeyframe(
         double pitchDegrees,
         Optional<Double> fieldOfViewDegrees,
         Optional<Double> focusDistance) {
-    static final CameraKeyframe DEFAULT =
+    public static final CameraKeyframe DEFAULT =
             new CameraKeyframe(0, new Vector3(0, 0, 0), 0, 0, Optional.empty(), Optional.empty());
 
     /** The camera as it is, at a time in seconds. */
@@ -33,27 +33,27 @@ public record CameraKeyframe(
                 Optional.of(camera.focusDistance()));
     }
 
-    CameraKeyframe withSeconds(double newSeconds) {
+    public CameraKeyframe withSeconds(double newSeconds) {
         return new CameraKeyframe(newSeconds, position, yawDegrees, pitchDegrees, fieldOfViewDegrees, focusDistance);
     }
 
-    CameraKeyframe withPosition(Vector3 newPosition) {
+    public CameraKeyframe withPosition(Vector3 newPosition) {
         return new CameraKeyframe(seconds, newPosition, yawDegrees, pitchDegrees, fieldOfViewDegrees, focusDistance);
     }
 
-    CameraKeyframe withYaw(double newYawDegrees) {
+    public CameraKeyframe withYaw(double newYawDegrees) {
         return new CameraKeyframe(seconds, position, newYawDegrees, pitchDegrees, fieldOfViewDegrees, focusDistance);
     }
 
-    CameraKeyframe withPitch(double newPitchDegrees) {
+    public CameraKeyframe withPitch(double newPitchDegrees) {
         return new CameraKeyframe(seconds, position, yawDegrees, newPitchDegrees, fieldOfViewDegrees, focusDistance);
     }
 
-    CameraKeyframe withFieldOfView(Optional<Double> newFieldOfViewDegrees) {
+    public CameraKeyframe withFieldOfView(Optional<Double> newFieldOfViewDegrees) {
         return new CameraKeyframe(seconds, position, yawDegrees, pitchDegrees, newFieldOfViewDegrees, focusDistance);
     }
 
-    CameraKeyframe withFocusDistance(Optional<Double> newFocusDistance) {
+    public CameraKeyframe withFocusDistance(Optional<Double> newFocusDistance) {
         return new CameraKeyframe(seconds, position, yawDegrees, pitchDegrees, fieldOfViewDegrees, newFocusDistance);
     }
 }

@@ -9,7 +9,7 @@ import java.util.List;
  * @param camera stands still: it has no keyframes
  */
 public record CameraView(String name, Camera camera) {
-    static final CameraView DEFAULT = new CameraView("", Camera.DEFAULT);
+    public static final CameraView DEFAULT = new CameraView("", Camera.DEFAULT);
 
     public CameraView {
         camera = camera.withKeyframes(List.of());

@@ -9,7 +9,7 @@ package dev.twister.scene;
  */
 public record Light(Vector3 position, double radius, Rgb color) {
     /** A white light of radius 1, 10 m above the origin. */
-    static final Light DEFAULT = new Light(new Vector3(0, 10, 0), 1, new Rgb(1, 1, 1));
+    public static final Light DEFAULT = new Light(new Vector3(0, 10, 0), 1, new Rgb(1, 1, 1));
 
     /** A light whose other properties are the defaults. */
     public static Light of(Vector3 position, double radius, Rgb color) {

@@ -23,7 +23,7 @@ public record Mesh(
         double smoothDegrees,
         Optional<Material> material) {
     /** As its file has it; has the values of the fields that a scene file leaves out. */
-    static final Mesh DEFAULT =
+    public static final Mesh DEFAULT =
             new Mesh(Path.of(""), new Vector3(0, 0, 0), new Vector3(0, 0, 0), 1, 0, Optional.empty());
 
     /** As the file has it, at the origin. */
@@ -32,7 +32,7 @@ public record Mesh(
     }
 
     /** The material that it has in place of the file's, or the default one to begin with. */
-    Material own() {
+    public Material own() {
         return material.orElse(Material.DEFAULT);
     }
 

@@ -10,7 +10,7 @@ package dev.twister.scene;
  */
 public record Plane(double size, double height, Rgb oddColor, Material material) {
     /** A matte square of 20 m at height 0, white and gray. */
-    static final Plane DEFAULT = new Plane(20, 0, new Rgb(0.5, 0.5, 0.5), Material.DEFAULT);
+    public static final Plane DEFAULT = new Plane(20, 0, new Rgb(0.5, 0.5, 0.5), Material.DEFAULT);
 
     /** A smooth, opaque plane; colors and reflectivity are {@link Material}'s. */
     public static Plane of(double size, double height, Rgb evenColor, Rgb oddColor, double reflectivity) {

@@ -81,14 +81,6 @@ public record Scene(
                 .orElse(spheres);
     }
 
-    /**
-     * The files of the textures, each once, with the place in a scene file that first names it, such as
-     * {@code $.materials.earth.texture}.
-     */
-    public SequencedMap<Path, String> textures() {
-        return TexturePlaces.of(this);
-    }
-
     public Scene withName(String newName) {
         return new Scene(
                 newName,

@@ -8,7 +8,7 @@ package dev.twister.scene;
  */
 public record Sphere(Vector3 position, double radius, Material material) {
     /** A matte white ball of radius 1 at the origin; has the values of the fields that {@link #of} leaves out. */
-    static final Sphere DEFAULT = new Sphere(new Vector3(0, 0, 0), 1, Material.DEFAULT);
+    public static final Sphere DEFAULT = new Sphere(new Vector3(0, 0, 0), 1, Material.DEFAULT);
 
     /** A smooth, opaque sphere; color and reflectivity are {@link Material}'s. */
     public static Sphere of(Vector3 position, double radius, Rgb color, double reflectivity) {

@@ -1,5 +1,2 @@
-/**
- * What a scene file says: immutable records, the JSON reader and writer, and validation whose messages name the place.
- * Leans on {@code files} alone.
- */
+/** What a scene file says, as immutable records, and generated scenes. */
 package dev.twister.scene;

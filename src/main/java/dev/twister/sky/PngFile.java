@@ -1,5 +1,6 @@
 package dev.twister.sky;
 
+import dev.twister.files.Deflate;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -31,9 +32,6 @@ final class PngFile implements EncodedImage {
     private static final int MOST_KEPT_BYTES = 1 << 24;
 
     private static final int CHECKED_BYTES = 1 << 13;
-
-    /** The most that deflate can compress: a match of 258 bytes in two bits. */
-    private static final int LARGEST_RATIO = 1032;
 
     private final FileBytes file;
     private final Consumer<String> warnings;
@@ -128,7 +126,7 @@ final class PngFile implements EncodedImage {
             readChunk(position, type, length);
             position += FRAME_BYTES + length;
         }
-        if (uncompressed > dataBytes * LARGEST_RATIO) {
+        if (!Deflate.canHold(dataBytes, uncompressed)) {
             throw new IOException(
                     "a PNG of " + uncompressed + " bytes cannot come from " + dataBytes + " compressed ones");
         }

@@ -1,9 +1,9 @@
 package dev.twister.sky;
 
+import dev.twister.files.InputFile;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.file.AccessDeniedException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Optional;
@@ -55,12 +55,7 @@ public final class SkyboxReader {
     }
 
     private static Skybox readFile(Path file, Consumer<String> warnings, Decoder decoder) throws IOException {
-        if (!Files.exists(file)) {
-            throw new IOException("file not found");
-        }
-        if (!Files.isRegularFile(file)) {
-            throw new IOException("not a file but a folder or a device");
-        }
+        InputFile.check(file);
         try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
             long length = channel.size();
             if (length > SkyboxLimits.FILE_BYTES) {

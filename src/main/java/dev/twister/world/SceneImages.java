@@ -1,6 +1,7 @@
 package dev.twister.world;
 
 import dev.twister.scene.Scene;
+import dev.twister.scene.format.TexturePlaces;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
@@ -34,7 +35,7 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
     }
 
     /**
-     * As above, for a scene with meshes.
+     * As above, for a scene with meshes; warns of textures that are not shown, too.
      *
      * @throws SkyException as for {@link SkyboxReader#read} and {@link #textures}
      */
@@ -48,6 +49,7 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
      * @throws SkyException as for {@link #textures}
      */
     public static SceneImages read(Scene scene, Skybox sky, SceneMeshes meshes, Consumer<String> warnings) {
+        HiddenTextures.of(scene, meshes).forEach(warnings);
         return new SceneImages(
                 sky,
                 textures(
@@ -79,7 +81,7 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
      */
     public static Map<Path, Skybox> textures(Scene scene, Function<Path, Skybox> reader) {
         Map<Path, Skybox> textures = new HashMap<>();
-        scene.textures().forEach((file, place) -> textures.put(file, texture(file, place, reader)));
+        TexturePlaces.of(scene).forEach((file, place) -> textures.put(file, texture(file, place, reader)));
         return textures;
     }
 

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.Links;
 import dev.twister.image.HdrWriter;
 import dev.twister.scene.SceneGenerator;
-import dev.twister.scene.SceneWriter;
+import dev.twister.scene.format.SceneWriter;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -29,6 +29,17 @@ class BadInputTest {
             quoteCharacter = '`',
             value = {
                 "rendr | Did you mean: twister render",
+                "rendr | unknown command 'rendr'",
+                "render benchmark mdoel -o FOLDER/a.png | unknown argument 'mdoel'",
+                "render benchmark a b -o FOLDER/a.png | unknown arguments 'a', 'b'",
+                "render benchmark -o FOLDER/a.png --fast | unknown option '--fast'",
+                "render benchmark -o FOLDER/a.png --physics --frames 5-3 | twister: --frames is 5-3, but the last frame comes before the first one",
+                "render benchmark -o FOLDER/a.exr --tile 3/2 | twister: --tile is 3, but must be from 1 to 2",
+                "join FOLDER -o FOLDER/a.exr | is a folder, but must be a file",
+                "film FOLDER/f-#.png -o - | must end in .mp4 or .apng",
+                "sky -o - | must end in .hdr",
+                "simulate pour-1000 --frames 2 -o - | --output is -, but this is not written to standard output",
+                "benchmark --json - | --json is -, but this is not written to standard output",
                 "render | SCENE",
                 "render benchmark | --output",
                 "render benchmark -o FOLDER/a.jpg | must end in .png, .hdr or .exr",

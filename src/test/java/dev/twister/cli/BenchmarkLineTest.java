@@ -12,7 +12,7 @@ import dev.twister.engine.EngineException;
 import dev.twister.engine.Engines;
 import dev.twister.image.PictureSize;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.sky.SkyboxReader;
 import dev.twister.world.World;
 import java.io.IOException;

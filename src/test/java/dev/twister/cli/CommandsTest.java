@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.image.PngWriter;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
 import java.io.IOException;
@@ -96,6 +96,16 @@ class CommandsTest {
         Outcome checked = Outcome.of("scene", "--check", file.toString());
         assertThat(checked.err()).isEmpty();
         assertThat(checked.out()).contains("valid, 12 spheres");
+    }
+
+    @Test
+    void writesASceneToStandardOutput() throws IOException {
+        Outcome made = Outcome.of("scene", "--spheres", "3", "-o", "-");
+
+        assertThat(made.err()).isEmpty();
+        assertThat(Path.of("-")).doesNotExist();
+        Path file = Files.writeString(folder.resolve("scene.json"), made.out());
+        assertThat(SceneReader.readWithoutPictures(file).spheres()).hasSize(3);
     }
 
     @Test

@@ -39,6 +39,14 @@ class ExplainCommandTest {
         assertThat(tree.get("steps").get(2).has("surface")).isFalse();
     }
 
+    @Test
+    void theExampleWithASampleWorks() {
+        Outcome outcome =
+                Outcome.of("explain", "glass", "--pixel", "640,400", "--samples", "8", "--sample", "3", "--json");
+
+        assertThat(outcome.exitCode()).isEqualTo(Main.OK);
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',

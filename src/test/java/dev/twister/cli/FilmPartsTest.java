@@ -14,7 +14,7 @@ import dev.twister.render.PicturePart;
 import dev.twister.render.RenderProgress;
 import dev.twister.render.Sampling;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
 import dev.twister.world.World;

@@ -6,7 +6,7 @@ import dev.twister.ChildJvm;
 import dev.twister.engine.ExposureMeter;
 import dev.twister.image.PngWriter;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.world.World;
 import java.awt.image.BufferedImage;
 import java.io.BufferedReader;

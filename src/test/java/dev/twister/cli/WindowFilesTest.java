@@ -4,16 +4,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.Engines;
 import dev.twister.gui.model.FilmMotion;
+import dev.twister.gui.model.FilmPlan;
 import dev.twister.gui.model.RenderJob;
-import dev.twister.gui.model.RenderOrder;
+import dev.twister.gui.model.WindowOrder;
 import dev.twister.physics.Simulation;
 import dev.twister.render.FrameRange;
+import dev.twister.render.RenderOrder;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
-import dev.twister.scene.SceneWriter;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.format.SceneReader;
+import dev.twister.scene.format.SceneWriter;
 import dev.twister.world.FrameInput;
 import dev.twister.world.Picture;
 import dev.twister.world.SceneImages;
@@ -39,14 +41,14 @@ class WindowFilesTest {
     @ParameterizedTest
     @ValueSource(strings = {"a.png", "a.hdr", "a.exr"})
     void pictures(String name) {
-        Path file = render(scene("teaching"), Picture.REFLECTIONS, Optional.empty(), Optional.empty(), name);
+        Path file = render(scene("teaching"), Picture.REFLECTIONS, Optional.empty(), name);
 
         assertThat(file).hasSameBinaryContentAs(command(name));
     }
 
     @Test
     void picturesOfMeshes() {
-        Path file = render(scene("knot"), Picture.REFLECTIONS, Optional.empty(), Optional.empty(), "a.png");
+        Path file = render(scene("knot"), Picture.REFLECTIONS, Optional.empty(), "a.png");
 
         assertThat(file).hasSameBinaryContentAs(command("a.png"));
     }
@@ -54,8 +56,8 @@ class WindowFilesTest {
     @Test
     void stagesAndViews() {
         Scene scene = scene("teaching");
-        Path stage = render(scene, Picture.DIFFUSE, Optional.empty(), Optional.empty(), "a.png");
-        Path view = render(scene, Picture.DEPTH, Optional.empty(), Optional.empty(), "b.png");
+        Path stage = render(scene, Picture.DIFFUSE, Optional.empty(), "a.png");
+        Path view = render(scene, Picture.DEPTH, Optional.empty(), "b.png");
 
         assertThat(stage).hasSameBinaryContentAs(command("a.png", "--stage", "diffuse"));
         assertThat(view).hasSameBinaryContentAs(command("b.png", "--view", "depth"));
@@ -99,7 +101,7 @@ class WindowFilesTest {
             seen = world.snapshot();
         }
 
-        Path file = render(scene, Picture.REFLECTIONS, Optional.empty(), Optional.of(seen), "a.png");
+        Path file = render(scene, Picture.REFLECTIONS, Optional.of(seen), "a.png");
 
         assertThat(file).hasSameBinaryContentAs(command("a.png", "--physics", "--start", "0.5"));
     }
@@ -124,20 +126,18 @@ class WindowFilesTest {
     }
 
     private Path film(Scene scene, FilmMotion motion, FrameRange frames, String name) {
-        return render(
-                scene,
-                Picture.REFLECTIONS,
-                Optional.of(new RenderOrder.Film(motion, RATE, frames)),
-                Optional.empty(),
-                name);
+        FilmPlan plan = new FilmPlan(motion, RATE, frames);
+        return render(WindowOrder.film(scene, Picture.REFLECTIONS, Engines.offer(ENGINE), plan, folder.resolve(name)));
+    }
+
+    private Path render(Scene scene, Picture picture, Optional<FrameInput> seen, String name) {
+        return render(WindowOrder.picture(scene, picture, Engines.offer(ENGINE), seen, folder.resolve(name)));
     }
 
     /** Renders as the window does, and saves the scene. */
-    private Path render(
-            Scene scene, Picture picture, Optional<RenderOrder.Film> film, Optional<FrameInput> seen, String name) {
-        SceneWriter.write(scene, folder.resolve("scene.json"));
-        RenderOrder order = new RenderOrder(scene, picture, Engines.offer(ENGINE), film, seen, folder.resolve(name));
-        return RenderJob.start(order, () -> world(scene), System::nanoTime)
+    private Path render(RenderOrder order) {
+        SceneWriter.write(order.scene(), folder.resolve("scene.json"));
+        return RenderJob.start(order, () -> world(order.scene()), System::nanoTime)
                 .result()
                 .join();
     }

@@ -33,8 +33,11 @@ class AnimatedPngTest {
     @Test
     void hasEveryFrameWithItsTime() throws IOException {
         Path file = folder.resolve("film.apng");
-        List<int[]> frames = new ArrayList<>(List.of(FRAMES));
-        AnimatedPng.write(file, new FilmFormat(2, 2, 60, 2), frames::removeFirst);
+        try (FilmEncoder film = AnimatedPng.begin(file, new FilmFormat(2, 2, 60, 2))) {
+            film.add(FRAMES[0]);
+            film.add(FRAMES[1]);
+            film.finish();
+        }
 
         BufferedImage first = ImageIO.read(file.toFile());
         assertThat(first.getRGB(0, 0, 2, 2, null, 0, 2)).isEqualTo(FRAMES[0]);
@@ -54,14 +57,17 @@ class AnimatedPngTest {
     }
 
     @Test
-    void leavesNothingWhereTheFramesEndEarly() {
-        Path file = folder.resolve("film.apng");
+    void isRefusedIfFramesAreMissing() throws IOException {
+        Path file = Files.writeString(folder.resolve("film.apng"), "earlier");
+        try (FilmEncoder film = AnimatedPng.begin(file, new FilmFormat(2, 2, 60, 2))) {
+            film.add(FRAMES[0]);
 
-        assertThatIOException()
-                .isThrownBy(() -> AnimatedPng.write(file, new FilmFormat(1, 1, 60, 2), () -> {
-                    throw new IOException("no more");
-                }));
-        assertThat(folder).isEmptyDirectory();
+            assertThatIOException()
+                    .isThrownBy(film::finish)
+                    .withMessage("cannot write " + file + ": it has 1 of 2 frames");
+        }
+        assertThat(file).hasContent("earlier");
+        assertThat(folder.toFile().list()).hasSize(1);
     }
 
     private static List<Chunk> chunks(Path file) throws IOException {

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 @DisabledOnOs(OS.WINDOWS)
 class FfmpegTest {
     private static final FilmFormat FORMAT = new FilmFormat(2, 1, 60, 2);
+    private static final int[] FRAME = {0xff010203, 0xff040506};
 
     @TempDir
     private Path folder;
@@ -30,13 +31,32 @@ class FfmpegTest {
 
     @Test
     void isGivenTheFramesBytesAndWritesTheFilm() throws IOException {
-        Ffmpeg ffmpeg = program("for last; do :; done; cat >\"$last\"");
+        Files.write(folder.resolve("good.mp4"), Mp4Boxes.film(FORMAT.frames(), 60));
+        Ffmpeg ffmpeg = program("cd \"$(dirname \"$0\")\"; for last; do :; done; cat >frames; cat good.mp4 >\"$last\"");
         Path film = folder.resolve("film.mp4");
 
-        ffmpeg.write(film, FORMAT, () -> new int[] {0xff010203, 0xff040506});
+        write(ffmpeg, film);
 
-        byte[] frame = {3, 2, 1, -1, 6, 5, 4, -1};
-        assertThat(Files.readAllBytes(film)).startsWith(frame).endsWith(frame).hasSize(16);
+        assertThat(film).hasSameBinaryContentAs(folder.resolve("good.mp4"));
+        assertThat(folder.resolve("frames"))
+                .hasBinaryContent(new byte[] {3, 2, 1, -1, 6, 5, 4, -1, 3, 2, 1, -1, 6, 5, 4, -1});
+    }
+
+    @Test
+    void aFilmThatIsNotWholeIsRefusedWhateverTheExitCodeAndTheEarlierOneStays() throws IOException {
+        Files.write(folder.resolve("short.mp4"), Mp4Boxes.film(FORMAT.frames() - 1, 60));
+        Ffmpeg ffmpeg =
+                program("cd \"$(dirname \"$0\")\"; for last; do :; done; cat >/dev/null; cat short.mp4 >\"$last\";"
+                        + " echo \"Error writing trailer of $last: No space left on device\"");
+        Path film = Files.writeString(folder.resolve("film.mp4"), "earlier");
+
+        assertThatIOException()
+                .isThrownBy(() -> write(ffmpeg, film))
+                .withMessage("cannot write " + film + ": " + ffmpeg.program()
+                        + " left an incomplete film: it has 1 of 2 frames: Error writing trailer of " + film
+                        + ": No space left on device");
+        assertThat(film).hasContent("earlier");
+        assertThat(folder.toFile().list()).containsExactlyInAnyOrder("film.mp4", "short.mp4", "ffmpeg");
     }
 
     @Test
@@ -44,9 +64,18 @@ class FfmpegTest {
         Ffmpeg ffmpeg = program("echo 'Unknown encoder' >&2; exit 1");
 
         assertThatIOException()
-                .isThrownBy(() -> ffmpeg.write(folder.resolve("film.mp4"), FORMAT, () -> new int[2]))
-                .withMessage(ffmpeg.program() + " failed: Unknown encoder");
-        assertThat(folder.resolve("film.mp4")).doesNotExist();
+                .isThrownBy(() -> write(ffmpeg, folder.resolve("film.mp4")))
+                .withMessage(failed(ffmpeg, "exit code 1: Unknown encoder"));
+        assertThat(folder.toFile().list()).containsExactly("ffmpeg");
+    }
+
+    @Test
+    void tellsWhatFfmpegSaidBeforeItWasKilled() throws IOException {
+        Ffmpeg ffmpeg = program("echo 'almost there' >&2; kill -9 $$");
+
+        assertThatIOException()
+                .isThrownBy(() -> write(ffmpeg, folder.resolve("film.mp4")))
+                .withMessage(failed(ffmpeg, "exit code 137: almost there"));
     }
 
     @Test
@@ -54,24 +83,36 @@ class FfmpegTest {
         Ffmpeg ffmpeg =
                 program("exec <&-; touch \"$(dirname \"$0\")/closed\"; sleep 0.3; echo 'Unknown encoder' >&2; exit 1");
 
-        assertThatIOException()
-                .isThrownBy(() -> ffmpeg.write(folder.resolve("film.mp4"), FORMAT, () -> {
-                    awaitClosedInput();
-                    return new int[2];
-                }))
-                .withMessage(ffmpeg.program() + " failed: Unknown encoder");
+        try (FilmEncoder film = ffmpeg.begin(folder.resolve("film.mp4"), FORMAT)) {
+            awaitClosedInput();
+
+            assertThatIOException()
+                    .isThrownBy(() -> film.add(FRAME))
+                    .withMessage(failed(ffmpeg, "exit code 1: Unknown encoder"));
+        }
     }
 
     @Test
-    void whatTheSourceThrowsIsThrownAndNoFilmIsLeft() throws IOException {
+    void aFilmThatIsGivenUpLeavesNoFile() throws IOException {
         Ffmpeg ffmpeg = program("cat >/dev/null");
+        Path film = folder.resolve("film.mp4");
 
-        assertThatIOException()
-                .isThrownBy(() -> ffmpeg.write(folder.resolve("film.mp4"), FORMAT, () -> {
-                    throw new IOException("no frame");
-                }))
-                .withMessage("no frame");
-        assertThat(folder.resolve("film.mp4")).doesNotExist();
+        try (FilmEncoder begun = ffmpeg.begin(film, FORMAT)) {
+            begun.add(FRAME);
+        }
+        assertThat(folder.toFile().list()).containsExactly("ffmpeg");
+    }
+
+    private String failed(Ffmpeg ffmpeg, String how) {
+        return "cannot write " + folder.resolve("film.mp4") + ": " + ffmpeg.program() + " ended with " + how;
+    }
+
+    private static void write(Ffmpeg ffmpeg, Path file) throws IOException {
+        try (FilmEncoder film = ffmpeg.begin(file, FORMAT)) {
+            film.add(FRAME);
+            film.add(FRAME);
+            film.finish();
+        }
     }
 
     private void awaitClosedInput() {

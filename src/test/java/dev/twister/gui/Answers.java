@@ -1,5 +1,6 @@
 package dev.twister.gui;
 
+import dev.twister.gui.files.FileChoice;
 import java.nio.file.Path;
 import java.util.Optional;
 

@@ -3,12 +3,18 @@ package dev.twister.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.gui.bodies.AxisHandles;
+import dev.twister.gui.bodies.BodyMouse;
+import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.model.SelectedBodies;
 import dev.twister.gui.model.Solid;
 import dev.twister.gui.model.SphereOutline;
+import dev.twister.gui.picture.PathPick;
+import dev.twister.gui.picture.PictureView;
+import dev.twister.gui.studio.OpenedScene;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;

@@ -3,7 +3,9 @@ package dev.twister.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.gui.camera.CameraKeys;
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.picture.PictureView;
 import dev.twister.scene.Camera;
 import dev.twister.world.CameraMotion;
 import javafx.beans.property.SimpleBooleanProperty;

@@ -3,8 +3,10 @@ package dev.twister.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.ExposureMeter;
+import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.picture.ClippingView;
 import dev.twister.image.Histogram;
 import dev.twister.scene.Scene;
 import dev.twister.world.Picture;

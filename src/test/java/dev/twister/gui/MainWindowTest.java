@@ -2,7 +2,9 @@ package dev.twister.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.panel.Panel;
 import dev.twister.scene.RenderSettings;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicInteger;

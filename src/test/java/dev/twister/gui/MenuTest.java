@@ -2,6 +2,7 @@ package dev.twister.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.gui.panel.PanelRow;
 import dev.twister.kernel.Layout;
 import java.nio.file.Path;
 import java.util.ArrayList;

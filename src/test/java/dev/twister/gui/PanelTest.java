@@ -3,6 +3,8 @@ package dev.twister.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.twister.gui.controls.Command;
+import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumbers;
@@ -10,6 +12,11 @@ import dev.twister.gui.model.MaterialNumbers;
 import dev.twister.gui.model.NumberSetting;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.panel.ChoiceRow;
+import dev.twister.gui.panel.NumberRow;
+import dev.twister.gui.panel.Panel;
+import dev.twister.gui.panel.PanelRow;
+import dev.twister.gui.studio.OpenedScene;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
@@ -418,7 +425,7 @@ class PanelTest {
             assertThat(choice.getValue()).isEqualTo("good");
         });
         assertThat(driver.notice()).isEqualTo("broken: no driver");
-        assertThat(PanelRow.inLines("no TornadoVM SDK was found. Install one (sdk install tornadovm) and start again"))
+        assertThat(Tooltips.wrap("no TornadoVM SDK was found. Install one (sdk install tornadovm) and start again"))
                 .isEqualTo("no TornadoVM SDK was found. Install one (sdk install\ntornadovm) and start again");
     }
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
+import dev.twister.gui.controls.Command;
 import dev.twister.gui.model.RenderFormat;
 import dev.twister.image.Frame;
 import dev.twister.scene.Camera;

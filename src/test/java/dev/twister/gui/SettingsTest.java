@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
+import dev.twister.gui.controls.Command;
 import dev.twister.gui.model.SettingsStore;
 import dev.twister.gui.model.WindowSettings;
 import dev.twister.kernel.Layout;

@@ -7,6 +7,7 @@ import dev.twister.engine.Engines;
 import dev.twister.engine.JvmEngines;
 import dev.twister.engine.vector.VectorEngines;
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
 import java.lang.management.ManagementFactory;
 import java.lang.ref.WeakReference;

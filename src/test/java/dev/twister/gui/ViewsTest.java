@@ -2,6 +2,7 @@ package dev.twister.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.gui.controls.Command;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.CameraView;
 import dev.twister.scene.Scene;

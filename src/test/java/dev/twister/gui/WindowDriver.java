@@ -3,9 +3,12 @@ package dev.twister.gui;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.files.ShippedFolders;
 import dev.twister.gui.model.AutosaveFolder;
 import dev.twister.gui.model.SettingsStore;
 import dev.twister.gui.model.WindowSettings;
+import dev.twister.gui.studio.OpenedScene;
+import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -37,7 +40,7 @@ import javafx.stage.Stage;
 import javafx.stage.Window;
 
 /** The window on JavaFX's headless screen, with a hand on its keyboard and mouse. */
-final class WindowDriver implements AutoCloseable {
+public final class WindowDriver implements AutoCloseable {
     static final int WIDTH = 320;
     static final int HEIGHT = 240;
 
@@ -63,7 +66,7 @@ final class WindowDriver implements AutoCloseable {
 
     final Stage stage;
     final Studio studio;
-    final MainWindow window;
+    public final MainWindow window;
     final Answers files = new Answers();
     private final Robot robot;
     private volatile String notice = "";
@@ -110,7 +113,7 @@ final class WindowDriver implements AutoCloseable {
     }
 
     /** A small window that shows its first picture. */
-    static WindowDriver open() {
+    public static WindowDriver open() {
         return open(WindowScenes.tiny(), JvmEngines.parallel());
     }
 
@@ -194,7 +197,7 @@ final class WindowDriver implements AutoCloseable {
         }
     }
 
-    void run(Runnable action) {
+    public void run(Runnable action) {
         call(() -> {
             action.run();
             return true;
@@ -202,7 +205,7 @@ final class WindowDriver implements AutoCloseable {
     }
 
     /** Lets pulses go by until that is so. */
-    void await(BooleanSupplier condition) {
+    public void await(BooleanSupplier condition) {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(LIMIT_SECONDS);
         while (!call(condition::getAsBoolean)) {
             if (System.nanoTime() > end) {
@@ -247,7 +250,7 @@ final class WindowDriver implements AutoCloseable {
     }
 
     /** The text of the label of that id. */
-    String text(String id) {
+    public String text(String id) {
         return call(() -> ((Labeled) stage.getScene().getRoot().lookup("#" + id)).getText());
     }
 
@@ -282,7 +285,7 @@ final class WindowDriver implements AutoCloseable {
     }
 
     /** The last notice in the status line, which shows each for some seconds; here it stays. */
-    String notice() {
+    public String notice() {
         return notice;
     }
 
@@ -295,7 +298,7 @@ final class WindowDriver implements AutoCloseable {
     }
 
     /** Waits for a pulse to have gone by. */
-    void pulse() {
+    public void pulse() {
         CompletableFuture<Void> pulsed = new CompletableFuture<>();
         Runnable listener = () -> pulsed.complete(null);
         run(() -> stage.getScene().addPostLayoutPulseListener(listener));
@@ -322,7 +325,7 @@ final class WindowDriver implements AutoCloseable {
         pulse();
     }
 
-    void type(KeyCode key) {
+    public void type(KeyCode key) {
         press(key);
         release(key);
     }
@@ -335,7 +338,7 @@ final class WindowDriver implements AutoCloseable {
     }
 
     /** The keys of a combination, such as those of a row of the panel. */
-    void type(KeyCombination combination) {
+    public void type(KeyCombination combination) {
         KeyCodeCombination keys = (KeyCodeCombination) combination;
         List<KeyCode> held = new ArrayList<>();
         if (keys.getAlt() == ModifierValue.DOWN) {
@@ -351,7 +354,7 @@ final class WindowDriver implements AutoCloseable {
     }
 
     /** What is in the window, of that kind; by a selector of style sheets. */
-    <T extends Node> T find(String selector, Class<T> kind) {
+    public <T extends Node> T find(String selector, Class<T> kind) {
         return call(() -> kind.cast(stage.getScene().getRoot().lookup(selector)));
     }
 

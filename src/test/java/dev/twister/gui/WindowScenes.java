@@ -1,7 +1,7 @@
 package dev.twister.gui;
 
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import java.nio.file.Path;
 
 /** Scenes for the window's tests. */

@@ -129,7 +129,7 @@ class RefusedMeshesTest {
         Path path = Files.createDirectory(folder.resolve("a.obj"));
         assertThatThrownBy(() -> MeshReader.read(path, 0, _ -> {}))
                 .isInstanceOf(MeshException.class)
-                .hasMessage(path + ": not a file but a folder or a device");
+                .hasMessage(path + ": is a folder, but must be a file");
     }
 
     @Test

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatIOException;
 
 import dev.twister.physics.Simulation;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.world.SceneMeshes;
 import java.io.IOException;
 import java.io.RandomAccessFile;

@@ -2,7 +2,7 @@ package dev.twister.oracle;
 
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import java.io.IOException;

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneGenerator;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.world.SceneMeshes;
 import java.nio.file.Path;
 import java.util.Arrays;

@@ -144,8 +144,7 @@ class SkyboxReaderTest {
         assertThatThrownBy(() -> SkyboxReader.read(missing))
                 .isInstanceOf(SkyException.class)
                 .hasMessage(missing + ": file not found");
-        assertThatThrownBy(() -> SkyboxReader.read(folder))
-                .hasMessage(folder + ": not a file but a folder or a device");
+        assertThatThrownBy(() -> SkyboxReader.read(folder)).hasMessage(folder + ": is a folder, but must be a file");
         Path empty = Files.write(folder.resolve("empty.hdr"), new byte[0]);
         assertThatThrownBy(() -> SkyboxReader.read(empty))
                 .hasMessage(empty + ": an empty file; Radiance, PNG and JPEG are read");

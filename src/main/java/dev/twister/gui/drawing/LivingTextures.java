@@ -2,6 +2,7 @@ package dev.twister.gui.drawing;
 
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
+import dev.twister.scene.format.TexturePlaces;
 import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.TextureReader;
@@ -78,8 +79,8 @@ final class LivingTextures {
     /** Whether the newest scene names it, or its meshes do where they are the same. */
     private boolean isWanted(Path file, Scene scene) {
         return newest.get()
-                .filter(now -> scene.textures().containsKey(file)
-                        ? now.textures().containsKey(file)
+                .filter(now -> TexturePlaces.of(scene).containsKey(file)
+                        ? TexturePlaces.of(now).containsKey(file)
                         : meshFiles(now).containsAll(meshFiles(scene)))
                 .isPresent();
     }

@@ -1,7 +1,7 @@
 package dev.twister.gui.model;
 
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneWriter;
+import dev.twister.scene.format.SceneWriter;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;

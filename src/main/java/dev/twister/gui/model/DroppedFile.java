@@ -1,11 +1,13 @@
 package dev.twister.gui.model;
 
+import dev.twister.files.InputFile;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Optional;
 
 /** Tells what a file is that someone opens or drops on the window, by its name and its first bytes. */
 public final class DroppedFile {
@@ -48,13 +50,14 @@ public final class DroppedFile {
 
     /** What to say of a file that is none of them. */
     public static String complaint(Path file) {
-        if (Files.isDirectory(file)) {
-            return file + ": is a folder, but must be " + EXPECTED;
+        Optional<String> problem = InputFile.problem(file);
+        if (problem.isPresent()) {
+            return file + ": " + problem.get();
         }
-        if (Files.exists(file) && file.toString().toLowerCase(Locale.ROOT).endsWith(SCHEMA)) {
+        if (file.toString().toLowerCase(Locale.ROOT).endsWith(SCHEMA)) {
             return file + ": describes scenes for editors, and is none itself";
         }
-        return file + (Files.exists(file) ? ": unknown kind of file; expected " + EXPECTED : ": file not found");
+        return file + ": unknown kind of file; expected " + EXPECTED;
     }
 
     private static Kind kindByContent(Path file) {

@@ -1,12 +1,9 @@
 package dev.twister.gui.model;
 
-import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
-import dev.twister.world.CameraPath;
 import java.util.Arrays;
 import java.util.List;
-import java.util.function.DoubleFunction;
 
 /** What moves in a film. */
 public enum FilmMotion {
@@ -52,10 +49,5 @@ public enum FilmMotion {
     /** Whether bodies are simulated. */
     public boolean movesBodies() {
         return physics;
-    }
-
-    /** The camera at a time of the film, in seconds. */
-    DoubleFunction<Camera> camera(Camera from) {
-        return camera ? seconds -> CameraPath.at(from, seconds) : _ -> from;
     }
 }

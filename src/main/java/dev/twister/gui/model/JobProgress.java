@@ -36,8 +36,18 @@ public final class JobProgress implements RenderProgress {
         this.check = check;
     }
 
-    /** Everything that is read is there. */
-    void begin() {
+    @Override
+    public void settling(int done, int all) {
+        check.run();
+    }
+
+    @Override
+    public void moved() {
+        check.run();
+    }
+
+    @Override
+    public void begin() {
         long now = clock.getAsLong();
         state = new State(true, 0, 0, now, now);
     }

@@ -12,7 +12,7 @@ import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.image.Frame;
 import dev.twister.oracle.Crowds;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;

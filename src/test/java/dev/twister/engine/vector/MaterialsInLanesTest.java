@@ -14,6 +14,7 @@ import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
+import dev.twister.scene.format.TexturePlaces;
 import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
@@ -118,7 +119,7 @@ final class MaterialsInLanesTest {
         for (int i = 0; i < texels.length; i++) {
             texels[i] = random.nextFloat();
         }
-        return scene.textures().isEmpty() ? Map.of() : Map.of(FILE, new Skybox(7, 5, texels));
+        return TexturePlaces.of(scene).isEmpty() ? Map.of() : Map.of(FILE, new Skybox(7, 5, texels));
     }
 
     private static int[] pixels(Engine engine, FrameInput input) {

@@ -9,7 +9,7 @@ import dev.twister.engine.vector.frame.Shortcuts;
 import dev.twister.image.Frame;
 import dev.twister.oracle.PictureDifference;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.sky.SkyboxReader;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SampleWorld;

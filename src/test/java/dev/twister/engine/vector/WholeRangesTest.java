@@ -11,7 +11,7 @@ import dev.twister.oracle.MeshShapes;
 import dev.twister.oracle.PictureDifference;
 import dev.twister.oracle.RandomScenes;
 import dev.twister.scene.Scene;
-import dev.twister.scene.WholeRangeScenes;
+import dev.twister.scene.format.WholeRangeScenes;
 import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.ChildJvm;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;

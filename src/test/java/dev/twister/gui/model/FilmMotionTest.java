@@ -2,6 +2,7 @@ package dev.twister.gui.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.render.FrameRange;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.Scene;
@@ -37,8 +38,8 @@ class FilmMotionTest {
     void theCameraFollowsItsKeyframesWhereItMoves() {
         Camera camera = withPath(EMPTY, 2).camera();
 
-        assertThat(FilmMotion.CAMERA.camera(camera).apply(1).position().x()).isEqualTo(5);
-        assertThat(FilmMotion.PHYSICS.camera(camera).apply(1)).isEqualTo(camera);
+        assertThat(camera(FilmMotion.CAMERA, camera, 1).position().x()).isEqualTo(5);
+        assertThat(camera(FilmMotion.PHYSICS, camera, 1)).isEqualTo(camera);
     }
 
     private static Scene withPath(Scene scene, int keyframes) {
@@ -46,5 +47,12 @@ class FilmMotionTest {
         List<CameraKeyframe> keys = List.of(
                 CameraKeyframe.of(0, camera), CameraKeyframe.of(1, camera.withPosition(new Vector3(5, 2, -10))));
         return scene.withCamera(camera.withKeyframes(keys.subList(0, keyframes)));
+    }
+
+    private static Camera camera(FilmMotion motion, Camera from, double seconds) {
+        return new FilmPlan(motion, 30, FrameRange.ofCount(1))
+                .movement(from)
+                .camera()
+                .apply(seconds);
     }
 }

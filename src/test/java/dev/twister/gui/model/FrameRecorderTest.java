@@ -39,7 +39,7 @@ class FrameRecorderTest {
         shared.put(0, frame(20), 0, WIDTH * HEIGHT);
         recorder.offer(WIDTH, HEIGHT, shared, true);
         recorder.close();
-        assertThat(recorder.progress()).isEqualTo(new FrameRecorder.Progress(2, 0, 0, Optional.empty()));
+        assertThat(recorder.progress()).isEqualTo(new FrameRecorder.Progress(2, 0, Optional.empty()));
         assertThat(gray("frame-000001.png")).isEqualTo(10);
         assertThat(gray("frame-000002.png")).isEqualTo(20);
     }
@@ -71,11 +71,11 @@ class FrameRecorderTest {
         Thread source = offering(recorder, side, 6);
         writing.await();
         awaitWaiting(source, recorder);
-        assertThat(recorder.progress()).isEqualTo(new FrameRecorder.Progress(0, 4, 0, Optional.empty()));
+        assertThat(recorder.progress()).isEqualTo(new FrameRecorder.Progress(0, 4, Optional.empty()));
         mayWrite.countDown();
         source.join();
         recorder.close();
-        assertThat(recorder.progress()).isEqualTo(new FrameRecorder.Progress(6, 0, 0, Optional.empty()));
+        assertThat(recorder.progress()).isEqualTo(new FrameRecorder.Progress(6, 0, Optional.empty()));
         for (int number = 1; number <= 6; number++) {
             assertThat(folder.resolve("frame-00000" + number + ".png")).exists();
         }
@@ -127,7 +127,6 @@ class FrameRecorderTest {
         recorder.offer(WIDTH, HEIGHT, frame(1), true);
         recorder.close();
         assertThat(recorder.progress().failure()).contains("Recording has stopped: no space left");
-        assertThat(recorder.progress().lost()).isEqualTo(1);
         assertThat(recorder.offer(WIDTH, HEIGHT, frame(1), true)).isFalse();
     }
 
@@ -140,29 +139,7 @@ class FrameRecorderTest {
         recorder.close();
         assertThat(recorder.progress())
                 .isEqualTo(new FrameRecorder.Progress(
-                        0, 0, 1, Optional.of("Recording has stopped: there is not enough memory for its frames")));
-    }
-
-    @Test
-    void aFrameThatWasStillBeingCopiedIsCountedAsLost() throws Exception {
-        CountDownLatch writing = new CountDownLatch(1);
-        CountDownLatch mayFail = new CountDownLatch(1);
-        FrameRecorder recorder = FrameRecorder.start(folder, (_, _, _, _, _) -> {
-            writing.countDown();
-            await(mayFail);
-            throw new IOException("no space left");
-        });
-        recorder.offer(WIDTH, HEIGHT, frame(1), true);
-        writing.await();
-        Thread source = offering(recorder, 4096, 1);
-        while (recorder.progress().waiting() < 2) {
-            Thread.sleep(1);
-        }
-        mayFail.countDown();
-        source.join();
-        recorder.close();
-        assertThat(recorder.progress())
-                .isEqualTo(new FrameRecorder.Progress(0, 0, 2, Optional.of("Recording has stopped: no space left")));
+                        0, 0, Optional.of("Recording has stopped: there is not enough memory for its frames")));
     }
 
     @Test
@@ -172,7 +149,6 @@ class FrameRecorderTest {
         assertThat(recorder.offer(WIDTH, 2 * HEIGHT, frame(2), true)).isFalse();
         recorder.close();
         assertThat(recorder.progress().written()).isEqualTo(1);
-        assertThat(recorder.progress().lost()).isEqualTo(1);
         assertThat(recorder.progress().failure()).isPresent();
         assertThat(folder.resolve("frame-000001.png")).exists();
     }

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.engine.EngineOffer;
-import dev.twister.image.PictureSize;
 import dev.twister.render.FrameRange;
+import dev.twister.render.RenderOrder;
 import dev.twister.scene.Scene;
 import dev.twister.world.Picture;
 import dev.twister.world.World;
@@ -121,15 +121,6 @@ class RenderJobTest {
                 .withMessageContaining("there is no folder");
     }
 
-    @Test
-    void aLargerPictureTakesMoreMemory() {
-        RenderOrder order = order("picture.exr", 1, _ -> {});
-
-        assertThat(order.size()).isEqualTo(new PictureSize(Scenes.WIDTH, Scenes.HEIGHT));
-        assertThat(order.bytesPerPixel()).isEqualTo(24);
-        assertThat(order("film.apng", 3, _ -> {}).bytesPerPixel()).isEqualTo(16);
-    }
-
     private IntConsumer cancelAt(int frame) {
         return number -> {
             if (number == frame) {
@@ -151,14 +142,10 @@ class RenderJobTest {
     private RenderOrder order(String name, int frames, IntConsumer watcher) {
         Scene scene = Scenes.scene();
         EngineOffer engine = WatchedEngine.offer(watcher);
-        Optional<RenderOrder.Film> film =
-                Optional.of(new RenderOrder.Film(FilmMotion.PHYSICS, 30, FrameRange.ofCount(frames)));
-        return new RenderOrder(
-                scene,
-                Picture.REFLECTIONS,
-                engine,
-                film.filter(_ -> frames > 1),
-                Optional.empty(),
-                folder.resolve(name));
+        Path file = folder.resolve(name);
+        FilmPlan film = new FilmPlan(FilmMotion.PHYSICS, 30, FrameRange.ofCount(frames));
+        return frames > 1
+                ? WindowOrder.film(scene, Picture.REFLECTIONS, engine, film, file)
+                : WindowOrder.picture(scene, Picture.REFLECTIONS, engine, Optional.empty(), file);
     }
 }

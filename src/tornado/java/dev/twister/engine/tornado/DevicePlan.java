@@ -18,7 +18,6 @@ import uk.ac.manchester.tornado.api.common.TornadoDevice;
 import uk.ac.manchester.tornado.api.enums.DataTransferMode;
 import uk.ac.manchester.tornado.api.enums.ProfilerMode;
 import uk.ac.manchester.tornado.api.enums.TornadoDeviceType;
-import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
 
 /**
  * The kernel compiled for one device and one picture size, with its device buffers. The images and the meshes are
@@ -26,7 +25,6 @@ import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
  * each frame. Only pixels are copied back.
  */
 final class DevicePlan implements AutoCloseable {
-    private static final System.Logger LOGGER = System.getLogger(DevicePlan.class.getName());
     private static final String GRAPH = "twister";
     private static final String TASK = "draw";
     private static final int NOT_DRAWN = 0;
@@ -179,11 +177,7 @@ final class DevicePlan implements AutoCloseable {
     /** Frees the device's buffers; a failure, as with a lost device, is only logged. */
     @Override
     public void close() {
-        try {
-            plan.freeDeviceMemory();
-            plan.close();
-        } catch (TornadoExecutionPlanException | RuntimeException e) {
-            LOGGER.log(System.Logger.Level.DEBUG, "the device's buffers could not be given back", e);
-        }
+        Release.quietly(plan::freeDeviceMemory);
+        Release.quietly(plan::close);
     }
 }

@@ -9,7 +9,7 @@ import dev.twister.oracle.RandomMaterials;
 import dev.twister.oracle.RandomMeshes;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;

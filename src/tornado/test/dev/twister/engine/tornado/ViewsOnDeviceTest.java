@@ -4,7 +4,7 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
 import dev.twister.scene.RenderSettings;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.world.Picture;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;

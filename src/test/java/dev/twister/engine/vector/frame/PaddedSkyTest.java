@@ -3,7 +3,7 @@ package dev.twister.engine.vector.frame;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
 import dev.twister.world.World;

@@ -11,7 +11,7 @@ import dev.twister.engine.vector.shadow.ShadowBench;
 import dev.twister.engine.vector.shadow.Shadows;
 import dev.twister.image.Frame;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.sky.SkyboxReader;
 import dev.twister.world.FrameInput;
 import dev.twister.world.World;

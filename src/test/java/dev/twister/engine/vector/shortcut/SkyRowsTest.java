@@ -9,7 +9,7 @@ import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Scene;
-import dev.twister.scene.SceneReader;
+import dev.twister.scene.format.SceneReader;
 import dev.twister.sky.Skybox;
 import dev.twister.world.World;
 import java.nio.file.Path;

@@ -1,8 +1,0 @@
-package dev.twister.cli;
-
-/** What is done about frames of an earlier run. */
-enum ExistingFrames {
-    REFUSED,
-    REPLACED,
-    KEPT
-}

@@ -1,0 +1,72 @@
+package dev.twister.cli;
+
+import dev.twister.render.FrameRange;
+import dev.twister.render.RenderProgress;
+import java.util.Optional;
+import picocli.CommandLine;
+
+/**
+ * Shows the progress of {@code twister render}: the simulation before frame 0, frames, or bands of a single picture.
+ */
+final class RenderLine implements RenderProgress, AutoCloseable {
+    private final CommandLine command;
+    private final ProgressOptions options;
+    private final Optional<FrameRange> frames;
+    private Optional<ProgressLine> line = Optional.empty();
+    private long start;
+
+    RenderLine(CommandLine command, ProgressOptions options, Optional<FrameRange> frames) {
+        this.command = command;
+        this.options = options;
+        this.frames = frames;
+    }
+
+    @Override
+    public void settling(int done, int all) {
+        if (line.isEmpty()) {
+            show(ProgressLine.start(command.getErr(), "moving to --start", all));
+        }
+        line.ifPresent(ProgressLine::step);
+    }
+
+    @Override
+    public void begin() {
+        start = System.nanoTime();
+        close();
+        frames.ifPresent(range -> show(options.start(command, "rendering", range.count())));
+    }
+
+    @Override
+    public void bands(String engine, int done, int all) {
+        if (frames.isEmpty()) {
+            if (done == 0) {
+                show(ProgressLine.start(command.getErr(), engine, all));
+            }
+            line.ifPresent(shown -> shown.stepTo(done));
+            if (done == all) {
+                close();
+            }
+        }
+    }
+
+    @Override
+    public void frame() {
+        line.ifPresent(ProgressLine::step);
+    }
+
+    /** Time since the first picture began. */
+    long nanos() {
+        return System.nanoTime() - start;
+    }
+
+    private void show(ProgressLine started) {
+        close();
+        line = Optional.of(started);
+    }
+
+    @Override
+    public void close() {
+        line.ifPresent(ProgressLine::close);
+        line = Optional.empty();
+    }
+}

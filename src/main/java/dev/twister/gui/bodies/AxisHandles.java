@@ -1,0 +1,178 @@
+package dev.twister.gui.bodies;
+
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.Axis;
+import dev.twister.gui.model.AxisHandle;
+import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyExtent;
+import dev.twister.gui.model.Projection;
+import dev.twister.gui.picture.PathPick;
+import dev.twister.gui.picture.PicturePlace;
+import dev.twister.gui.picture.PictureView;
+import dev.twister.gui.studio.Studio;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
+import java.util.Comparator;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.css.PseudoClass;
+import javafx.geometry.Point2D;
+import javafx.scene.Group;
+import javafx.scene.shape.Line;
+import javafx.scene.shape.Polygon;
+
+/**
+ * Draws arrows at the active body, by which the selected ones are moved along an axis. There are none while bodies move
+ * by themselves, and none over the lines of a pixel's path.
+ */
+public final class AxisHandles extends Group {
+    private static final PseudoClass POINTED = PseudoClass.getPseudoClass("pointed");
+
+    /** From the middle of the body to the tip, in the view's units. */
+    private static final double LENGTH = 70;
+
+    private static final double HEAD_LENGTH = 12;
+    private static final double HEAD_HALF_WIDTH = 5;
+
+    /** As near as the pointer must come to grab one. */
+    private static final double REACH = 7;
+
+    private final PictureView view;
+    private final Studio studio;
+    private final PathPick paths;
+    private final BooleanProperty on = new SimpleBooleanProperty(true);
+    private final Map<Axis, Arrow> arrows = new EnumMap<>(Axis.class);
+    private List<AxisHandle> handles = List.of();
+
+    /** One handle. */
+    private static final class Arrow extends Group {
+        private final Line shade = new Line();
+        private final Line line = new Line();
+        private final Polygon head = new Polygon();
+
+        Arrow(Axis axis) {
+            String style = "axis-" + axis.label();
+            setId("handle-" + axis.label());
+            shade.getStyleClass().add("handle-shade");
+            line.getStyleClass().addAll("handle", style);
+            head.getStyleClass().addAll("handle-head", style);
+            getChildren().addAll(shade, line, head);
+        }
+
+        void place(Point2D start, Point2D tip) {
+            Point2D along = tip.subtract(start).normalize();
+            Point2D across = new Point2D(-along.getY(), along.getX()).multiply(HEAD_HALF_WIDTH);
+            Point2D neck = tip.subtract(along.multiply(HEAD_LENGTH));
+            for (Line part : List.of(shade, line)) {
+                part.setStartX(start.getX());
+                part.setStartY(start.getY());
+                part.setEndX(neck.getX());
+                part.setEndY(neck.getY());
+            }
+            Point2D left = neck.add(across);
+            Point2D right = neck.subtract(across);
+            head.getPoints().setAll(left.getX(), left.getY(), tip.getX(), tip.getY(), right.getX(), right.getY());
+        }
+
+        void setPointed(boolean pointed) {
+            line.pseudoClassStateChanged(POINTED, pointed);
+            head.pseudoClassStateChanged(POINTED, pointed);
+        }
+    }
+
+    public AxisHandles(PictureView view, Studio studio, PathPick paths) {
+        this.view = view;
+        this.studio = studio;
+        this.paths = paths;
+        setManaged(false);
+        for (Axis axis : Axis.values()) {
+            Arrow arrow = new Arrow(axis);
+            arrow.setVisible(false);
+            arrows.put(axis, arrow);
+            getChildren().add(arrow);
+        }
+        studio.pictureProperty().subscribe(_ -> refresh());
+        studio.selection().bodiesProperty().subscribe(_ -> refresh());
+        studio.motion().motionProperty().subscribe(_ -> refresh());
+        paths.pathProperty().subscribe(_ -> refresh());
+        on.subscribe(_ -> refresh());
+        view.image().boundsInParentProperty().subscribe(_ -> refresh());
+    }
+
+    /** Whether there are any. */
+    public BooleanProperty onProperty() {
+        return on;
+    }
+
+    /** The axis whose handle is there, in the view's units. */
+    Optional<Axis> axisAt(double x, double y) {
+        return handles.stream()
+                .filter(handle -> handle.distance(x, y) <= REACH)
+                .min(Comparator.comparingDouble(handle -> handle.distance(x, y)))
+                .map(AxisHandle::axis);
+    }
+
+    /** Shows which one is grabbed, or would be. */
+    public void point(Optional<Axis> pointed) {
+        arrows.forEach((axis, arrow) -> arrow.setPointed(pointed.equals(Optional.of(axis))));
+    }
+
+    private void refresh() {
+        List<AxisHandle> seen =
+                isWanted() ? studio.pictureProperty().get().map(this::seen).orElse(List.of()) : List.of();
+        // Told the same places, JavaFX would paint anew.
+        if (!seen.equals(handles)) {
+            handles = seen;
+            arrows.values().forEach(arrow -> arrow.setVisible(false));
+            for (AxisHandle handle : handles) {
+                Arrow arrow = arrows.get(handle.axis());
+                arrow.place(point(handle.start()), point(handle.tip()));
+                arrow.setVisible(true);
+            }
+        }
+    }
+
+    private boolean isWanted() {
+        return on.get()
+                && !paths.isShown()
+                && !studio.motion().motionProperty().get().running();
+    }
+
+    private List<AxisHandle> seen(DrawnPicture picture) {
+        PicturePlace place = view.place();
+        double pixels =
+                place.toPicture(LENGTH, 0).getX() - place.toPicture(0, 0).getX();
+        return middle(picture)
+                .map(middle -> AxisHandle.of(Projection.of(picture.input()), middle, pixels).stream()
+                        .map(handle -> new AxisHandle(
+                                handle.axis(), inView(place, handle.middle()), inView(place, handle.tip())))
+                        .toList())
+                .orElse(List.of());
+    }
+
+    /** The middle of the active body in the picture; empty where the picture does not show it. */
+    private Optional<Vector3> middle(DrawnPicture picture) {
+        int active = studio.selection().active();
+        Scene scene = picture.request().scene();
+        return studio.picturedBodies()
+                .filter(_ -> BodyEdits.isMovable(studio.scene(), active))
+                .map(bodies -> bodies.inPicture(active))
+                .filter(body -> BodyEdits.isMovable(scene, body))
+                .map(body -> BodyEdits.isSphere(scene, body)
+                        ? picture.input().bodies().centerInScene(body)
+                        : BodyExtent.of(scene, picture.meshes(), body).middle());
+    }
+
+    private static AxisHandle.Point inView(PicturePlace place, AxisHandle.Point pixel) {
+        Point2D seen = place.toView(pixel.x(), pixel.y());
+        return new AxisHandle.Point(seen.getX(), seen.getY());
+    }
+
+    private static Point2D point(AxisHandle.Point place) {
+        return new Point2D(place.x(), place.y());
+    }
+}

@@ -1,0 +1,116 @@
+package dev.twister.gui.bodies;
+
+import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyGroup;
+import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.model.NewSphere;
+import dev.twister.gui.model.Orbit;
+import dev.twister.gui.model.SelectedBodies;
+import dev.twister.gui.model.Solid;
+import dev.twister.gui.studio.Selection;
+import dev.twister.gui.studio.Studio;
+import dev.twister.scene.Scene;
+import java.util.List;
+import java.util.Optional;
+
+/** What the menu does with bodies. */
+public final class BodyActions {
+    public static final String UNDELETED_LIGHT = "The light can't be deleted";
+    private static final String UNCOPIED_LIGHT = "The other bodies are copied; the light can't be";
+    private final Studio studio;
+    private Optional<BodyGroup> copied = Optional.empty();
+
+    public BodyActions(Studio studio) {
+        this.studio = studio;
+    }
+
+    public void insert() {
+        studio.pictureProperty().get().ifPresent(shown -> {
+            Solid sphere = new Solid.OfSphere(NewSphere.inFrontOf(shown.input(), studio.scene()));
+            studio.insert("insert sphere", List.of(sphere));
+        });
+    }
+
+    /** Others like the selected bodies, to the right of them. */
+    public void duplicate() {
+        selected().ifPresent(originals -> {
+            boolean light = studio.selection().bodies().contains(BodyNumber.LIGHT);
+            insert("duplicate", originals.beside());
+            if (light) {
+                studio.notice(UNCOPIED_LIGHT);
+            }
+        });
+    }
+
+    public void copy() {
+        selected().ifPresent(originals -> {
+            copied = Optional.of(originals);
+            studio.notice(
+                    studio.selection().bodies().contains(BodyNumber.LIGHT)
+                            ? UNCOPIED_LIGHT
+                            : "Copied " + (originals.bodies().size() == 1 ? "a " : "") + originals.kind());
+        });
+    }
+
+    /** To the right of the bodies that were copied, or pasted before. */
+    public void paste() {
+        copied.ifPresentOrElse(
+                originals -> {
+                    BodyGroup pasted = originals.beside();
+                    copied = Optional.of(pasted);
+                    insert("paste", pasted);
+                },
+                () -> studio.notice("Nothing has been copied"));
+    }
+
+    public void delete() {
+        Scene standing = studio.scene();
+        SelectedBodies solids = solids(standing);
+        if (solids.count() > 0) {
+            boolean light = studio.selection().bodies().contains(BodyNumber.LIGHT);
+            String what = solids.count() == 1
+                    ? BodyEdits.solid(standing, solids.active()).kind()
+                    : solids.count() + " bodies";
+            studio.edit("delete " + what, scene -> BodyEdits.deleted(scene, solids.bodies()));
+            studio.endGesture();
+            if (light) {
+                studio.notice(UNDELETED_LIGHT);
+            }
+        }
+    }
+
+    public void selectAlong(int steps) {
+        Selection selection = studio.selection();
+        selection.select(BodyEdits.along(studio.scene(), selection.active(), steps));
+    }
+
+    /** Moves the camera so that the selected bodies fill the picture. */
+    public void frameSelected() {
+        studio.selection()
+                .extent()
+                .ifPresentOrElse(
+                        extent -> studio.moveCamera(camera -> Orbit.framed(camera, extent.middle(), extent.radius())),
+                        () -> studio.notice("Select a sphere, a mesh or the light to frame it"));
+    }
+
+    private SelectedBodies solids(Scene scene) {
+        return studio.selection().bodies().where(body -> BodyEdits.isSolid(scene, body));
+    }
+
+    /** The selected spheres and meshes where they are now; says so where there is none. */
+    private Optional<BodyGroup> selected() {
+        Scene now = studio.sceneNow();
+        SelectedBodies solids = solids(now);
+        if (solids.count() == 0) {
+            studio.notice("Select a sphere or a mesh to copy it");
+            return Optional.empty();
+        }
+        return Optional.of(new BodyGroup(
+                solids.bodies().stream().map(body -> BodyEdits.solid(now, body)).toList(),
+                studio.selection().extent(solids).orElseThrow().apart()));
+    }
+
+    private void insert(String what, BodyGroup group) {
+        studio.insert(what + " " + group.kind(), group.bodies());
+    }
+}

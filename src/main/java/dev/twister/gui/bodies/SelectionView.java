@@ -1,0 +1,159 @@
+package dev.twister.gui.bodies;
+
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.Axis;
+import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.model.MeshOutline;
+import dev.twister.gui.model.Projection;
+import dev.twister.gui.model.SelectedBodies;
+import dev.twister.gui.model.SphereOutline;
+import dev.twister.gui.picture.PicturePlace;
+import dev.twister.gui.picture.PictureView;
+import dev.twister.gui.studio.PictureBodies;
+import dev.twister.gui.studio.Studio;
+import dev.twister.scene.Mesh;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javafx.geometry.Point2D;
+import javafx.scene.Group;
+import javafx.scene.layout.Pane;
+import javafx.scene.shape.Line;
+import javafx.scene.shape.Rectangle;
+
+/** Draws the selected bodies' outlines over the picture, the active one's apart. */
+public final class SelectionView extends Pane {
+    private static final int CORNERS = 96;
+
+    /** Of each of several. */
+    private static final int FEW_CORNERS = 48;
+
+    /** Of more selected bodies, the last ones are outlined: an outline takes JavaFX longer than a sphere an engine. */
+    private static final int MOST_OUTLINED = 200;
+
+    /** Both ways from the body. */
+    private static final double AXIS_METERS = 1000;
+
+    private final PictureView view;
+    private final Studio studio;
+    private final Outline active = new Outline();
+    private final Group others = new Group();
+    private final Line axisLine = new Line();
+    private Optional<Axis> axis = Optional.empty();
+
+    public SelectionView(PictureView view, Studio studio, AxisHandles handles) {
+        this.view = view;
+        this.studio = studio;
+        setMouseTransparent(true);
+        // An outline that goes beyond the picture makes no room for itself.
+        Rectangle clip = new Rectangle();
+        clip.widthProperty().bind(widthProperty());
+        clip.heightProperty().bind(heightProperty());
+        setClip(clip);
+        active.setId("active-outline");
+        active.line().setId("outline");
+        others.setManaged(false);
+        others.setId("other-outlines");
+        axisLine.setManaged(false);
+        axisLine.setVisible(false);
+        axisLine.setId("axis");
+        getChildren().addAll(axisLine, others, active, handles);
+        studio.pictureProperty().subscribe(_ -> refresh());
+        studio.selection().bodiesProperty().subscribe(_ -> refresh());
+        view.image().boundsInParentProperty().subscribe(_ -> refresh());
+    }
+
+    /** Shows the axis through the active body, along which the selected ones are moved. */
+    public void showAxis(Optional<Axis> newAxis) {
+        axis = newAxis;
+        refresh();
+    }
+
+    private void refreshAxis() {
+        int selected = studio.selection().active();
+        double[] ends = axis.filter(_ -> BodyEdits.isMovable(studio.scene(), selected))
+                .flatMap(along -> studio.pictureProperty().get().map(picture -> {
+                    Vector3 middle = studio.extentNow(selected).middle();
+                    return Projection.of(picture.input())
+                            .line(along.from(middle, -AXIS_METERS), along.from(middle, AXIS_METERS));
+                }))
+                .orElse(new double[0]);
+        axisLine.setVisible(ends.length > 0);
+        if (ends.length > 0) {
+            Point2D from = view.place().toView(ends[0], ends[1]);
+            Point2D to = view.place().toView(ends[2], ends[3]);
+            axisLine.setStartX(from.getX());
+            axisLine.setStartY(from.getY());
+            axisLine.setEndX(to.getX());
+            axisLine.setEndY(to.getY());
+            axisLine.getStyleClass().setAll("axis", "axis-" + axis.orElseThrow().label());
+        }
+    }
+
+    private void refresh() {
+        refreshAxis();
+        SelectedBodies selected = studio.selection().bodies();
+        active.show(points(selected.active(), CORNERS));
+        List<Integer> outlined = outlined(selected);
+        while (others.getChildren().size() > outlined.size()) {
+            others.getChildren().removeLast();
+        }
+        for (int index = 0; index < outlined.size(); index++) {
+            if (index == others.getChildren().size()) {
+                others.getChildren().add(new Outline("outline-other"));
+            }
+            ((Outline) others.getChildren().get(index)).show(points(outlined.get(index), FEW_CORNERS));
+        }
+    }
+
+    /** Those beside the active one. */
+    private List<Integer> outlined(SelectedBodies selected) {
+        // While bodies come and go, which one is which in the picture takes long to find of many.
+        boolean renumbered =
+                studio.picturedBodies().filter(PictureBodies::renumbered).isPresent();
+        return renumbered
+                ? List.of()
+                : selected.bodies().reversed().stream()
+                        .filter(body -> body != selected.active())
+                        .limit(MOST_OUTLINED - 1)
+                        .toList();
+    }
+
+    private List<Double> points(int body, int corners) {
+        return studio.picturedBodies()
+                .map(bodies -> bodies.inPicture(body))
+                .flatMap(pictured ->
+                        studio.pictureProperty().get().map(picture -> points(corners(picture, pictured, corners))))
+                .orElse(List.of());
+    }
+
+    private List<Double> points(double[] corners) {
+        PicturePlace place = view.place();
+        List<Double> points = new ArrayList<>();
+        for (int i = 0; i < corners.length; i += 2) {
+            Point2D corner = place.toView(corners[i], corners[i + 1]);
+            points.add(corner.getX());
+            points.add(corner.getY());
+        }
+        return points;
+    }
+
+    private static double[] corners(DrawnPicture picture, int body, int count) {
+        Scene scene = picture.request().scene();
+        if (BodyEdits.isMesh(scene, body)) {
+            Mesh mesh = BodyEdits.mesh(scene, body);
+            return picture.meshes().holds(mesh)
+                    ? MeshOutline.corners(picture.input(), picture.meshes().farPoints(mesh))
+                    : new double[0];
+        }
+        // Nothing is selected, or the plane, or the picture is of the time before the body was there.
+        return body == BodyNumber.NONE
+                        || body == BodyNumber.PLANE
+                        || body >= picture.input().bodyCount()
+                ? new double[0]
+                : SphereOutline.corners(picture.input(), body, count);
+    }
+}

@@ -1,0 +1,2 @@
+/** Selecting and moving bodies in the picture. */
+package dev.twister.gui.bodies;

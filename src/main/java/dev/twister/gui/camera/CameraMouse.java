@@ -1,0 +1,92 @@
+package dev.twister.gui.camera;
+
+import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.studio.Studio;
+import dev.twister.world.CameraMotion;
+import java.util.Locale;
+import java.util.Optional;
+import javafx.animation.PauseTransition;
+import javafx.geometry.Point2D;
+import javafx.geometry.Rectangle2D;
+import javafx.scene.Cursor;
+import javafx.scene.Node;
+import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
+import javafx.scene.input.ScrollEvent;
+import javafx.scene.robot.Robot;
+import javafx.stage.Screen;
+import javafx.util.Duration;
+
+/**
+ * Turns the camera by dragging over the picture, with the pointer hidden and however far, and changes the field of view
+ * by the wheel. What another handler of the picture's consumes (the drag of a body, say) does not come here.
+ */
+public final class CameraMouse {
+    private final Node picture;
+    private final Studio studio;
+    /** A turn of the wheel after that time starts a new gesture. */
+    private final PauseTransition turning = new PauseTransition(Duration.seconds(1));
+
+    private Optional<HiddenPointer> pointer = Optional.empty();
+
+    private CameraMouse(Node picture, Studio studio) {
+        this.picture = picture;
+        this.studio = studio;
+        turning.setOnFinished(_ -> studio.endGesture());
+    }
+
+    public static void install(Node picture, Studio studio) {
+        CameraMouse mouse = new CameraMouse(picture, studio);
+        picture.addEventHandler(MouseEvent.MOUSE_PRESSED, mouse::pressed);
+        picture.addEventHandler(MouseEvent.MOUSE_DRAGGED, mouse::dragged);
+        picture.addEventHandler(MouseEvent.MOUSE_RELEASED, mouse::released);
+        picture.addEventHandler(ScrollEvent.SCROLL, mouse::scrolled);
+    }
+
+    private void pressed(MouseEvent event) {
+        picture.requestFocus();
+        pointer = Optional.of(place(event))
+                .filter(_ -> event.getButton() != MouseButton.MIDDLE)
+                .map(start -> new HiddenPointer(to -> new Robot().mouseMove(to), start, screen(start)));
+    }
+
+    private static Point2D place(MouseEvent event) {
+        return new Point2D(event.getScreenX(), event.getScreenY());
+    }
+
+    private static Rectangle2D screen(Point2D place) {
+        return Screen.getScreensForRectangle(place.getX(), place.getY(), 1, 1).stream()
+                .findFirst()
+                .orElseGet(Screen::getPrimary)
+                .getBounds();
+    }
+
+    private void dragged(MouseEvent event) {
+        pointer.ifPresent(hidden -> {
+            picture.setCursor(Cursor.NONE);
+            // What is under the pointer in the middle of the picture moves about as far as the pointer.
+            double side = Math.min(
+                    picture.getLayoutBounds().getWidth(),
+                    picture.getLayoutBounds().getHeight());
+            double degrees = studio.scene().camera().fieldOfViewDegrees() / Math.max(1, side);
+            Point2D moved = hidden.movedTo(place(event)).multiply(degrees);
+            studio.moveCamera(camera -> CameraMotion.look(camera, moved.getX(), moved.getY()));
+        });
+    }
+
+    private void released(MouseEvent event) {
+        pointer.ifPresent(HiddenPointer::release);
+        pointer = Optional.empty();
+        picture.setCursor(Cursor.DEFAULT);
+    }
+
+    private void scrolled(ScrollEvent event) {
+        if (event.getDeltaY() != 0) {
+            double notches = event.getDeltaY() / event.getMultiplierY();
+            studio.edit(
+                    SceneNumbers.FIELD_OF_VIEW.label().toLowerCase(Locale.ROOT),
+                    scene -> scene.withCamera(CameraMotion.zoom(scene.camera(), notches)));
+            turning.playFromStart();
+        }
+    }
+}

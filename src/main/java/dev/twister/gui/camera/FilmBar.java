@@ -1,0 +1,207 @@
+package dev.twister.gui.camera;
+
+import dev.twister.gui.controls.Command;
+import dev.twister.gui.controls.CommandActions;
+import dev.twister.gui.controls.DropDownKeys;
+import dev.twister.gui.controls.Ids;
+import dev.twister.gui.controls.Tooltips;
+import dev.twister.gui.model.KeyframeEdits;
+import dev.twister.gui.studio.CameraFilm;
+import dev.twister.gui.studio.Studio;
+import dev.twister.scene.CameraKeyframe;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneLimits;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javafx.css.PseudoClass;
+import javafx.geometry.Pos;
+import javafx.scene.control.Button;
+import javafx.scene.control.ComboBox;
+import javafx.scene.control.Label;
+import javafx.scene.control.Slider;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
+
+/** The camera's keyframes on a line of time: a time to go to, and buttons that set, delete and play. */
+public final class FilmBar extends HBox {
+    private static final PseudoClass WRONG = PseudoClass.getPseudoClass("wrong");
+    private static final double SHORTEST_SECONDS = 10;
+
+    /** Of the last keyframe's time, so that there is room for another one. */
+    private static final double ROOM = 1.25;
+
+    private static final int TIME_COLUMNS = 4;
+
+    private final Studio studio;
+    private final CameraFilm film;
+    private final Button play;
+    private final Button delete;
+    private final TextField time = new TextField();
+    private final Slider slider = new Slider(0, SHORTEST_SECONDS, 0);
+    private final KeyframeMarks marks;
+    private final ComboBox<Listed> list = new ComboBox<>();
+    private List<CameraKeyframe> shown = List.of();
+    private boolean showing;
+
+    /** As the field was set last: another one is typed. */
+    private String timeText = "";
+
+    /** A keyframe in the list; its place is below 0 where the present time has none. */
+    private record Listed(int index, String label) {
+        static Listed of(int index, int count, double seconds) {
+            return new Listed(index, (index + 1) + " of " + count + ": " + KeyframeEdits.text(seconds) + " s");
+        }
+
+        static Listed none(int count) {
+            return new Listed(-1, count == 0 ? "No keyframes" : count + (count == 1 ? " keyframe" : " keyframes"));
+        }
+
+        /** The label. */
+        @Override
+        public String toString() {
+            return label;
+        }
+    }
+
+    /** @param leave goes back to the picture */
+    public FilmBar(Studio studio, CommandActions actions, Runnable leave) {
+        this.studio = studio;
+        film = studio.film();
+        setId("film");
+        getStyleClass().add("film");
+        setAlignment(Pos.CENTER_LEFT);
+        visibleProperty().bind(film.shownProperty());
+        managedProperty().bind(visibleProperty());
+        play = button(Command.PLAY, actions);
+        delete = button(Command.DELETE_KEYFRAME, actions);
+        marks = new KeyframeMarks(studio, slider);
+        VBox line = new VBox(marks, slider);
+        line.setMinWidth(0);
+        setHgrow(line, Priority.ALWAYS);
+        time.setId("film-time");
+        time.setPrefColumnCount(TIME_COLUMNS);
+        time.setMinWidth(USE_PREF_SIZE);
+        time.setTooltip(Tooltips.of("Time in the film, in seconds. Between keyframes the camera goes there."));
+        time.setOnAction(_ -> {
+            if (takeTyped()) {
+                leave.run();
+            }
+        });
+        time.focusedProperty().subscribe(focused -> {
+            if (!focused) {
+                takeTyped();
+            }
+        });
+        time.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
+            if (event.getCode() == KeyCode.ESCAPE) {
+                showTime();
+            }
+        });
+        slider.setId("film-slider");
+        slider.setTooltip(Tooltips.of("Time in the film. Between keyframes the camera goes along."));
+        slider.valueProperty().subscribe((_, value) -> {
+            if (!showing) {
+                film.goTo(value.doubleValue());
+            }
+        });
+        slider.valueChangingProperty().subscribe(_ -> showRange());
+        list.setId("film-list");
+        list.setTooltip(Tooltips.of("The keyframes. Choose one to go to it."));
+        list.valueProperty().subscribe((_, chosen) -> {
+            if (!showing && chosen != null && chosen.index() >= 0) {
+                film.goToKeyframe(chosen.index());
+            }
+        });
+        DropDownKeys.install(list);
+        getChildren().addAll(play, time, new Label("s"), line, list, button(Command.SET_KEYFRAME, actions), delete);
+        getChildren().stream()
+                .filter(Button.class::isInstance)
+                .map(Button.class::cast)
+                .forEach(button -> button.setMinWidth(USE_PREF_SIZE));
+        film.secondsProperty().subscribe(_ -> show());
+        film.playingProperty().subscribe(playing -> play.setText(playing ? "Stop" : Command.PLAY.label()));
+        studio.sceneProperty().subscribe(this::follow);
+    }
+
+    private void follow(Scene scene) {
+        if (!scene.camera().keyframes().equals(shown)) {
+            show();
+        }
+    }
+
+    private void show() {
+        shown = film.keyframes();
+        showing = true;
+        showRange();
+        slider.setValue(film.secondsProperty().get());
+        // What a person reads in order to type is not changed under their hands.
+        if (!time.isFocused()) {
+            showTime();
+        }
+        OptionalInt present = film.present();
+        List<Listed> keyframes = IntStream.range(0, shown.size())
+                .mapToObj(
+                        index -> Listed.of(index, shown.size(), shown.get(index).seconds()))
+                .toList();
+        Listed chosen = present.isPresent() ? keyframes.get(present.getAsInt()) : Listed.none(shown.size());
+        List<Listed> all = Stream.concat(Stream.of(Listed.none(shown.size())), keyframes.stream())
+                .toList();
+        if (!list.getItems().equals(all)) {
+            list.getSelectionModel().clearSelection();
+            list.getItems().setAll(all);
+        }
+        list.getSelectionModel().select(chosen);
+        delete.setDisable(present.isEmpty());
+        marks.show(shown, present);
+        showing = false;
+    }
+
+    /** Not while the pointer holds what it is shown by. */
+    private void showRange() {
+        if (!slider.isValueChanging() && !marks.isHeld()) {
+            double last = shown.isEmpty() ? 0 : shown.getLast().seconds();
+            slider.setMax(Math.max(
+                    SHORTEST_SECONDS,
+                    Math.max(ROOM * last, film.secondsProperty().get())));
+        }
+    }
+
+    private void showTime() {
+        timeText = KeyframeEdits.text(film.secondsProperty().get());
+        time.pseudoClassStateChanged(WRONG, false);
+        time.setText(timeText);
+    }
+
+    /** Whether what was typed is a time, or nothing was typed. */
+    private boolean takeTyped() {
+        String typed = time.getText();
+        if (typed.equals(timeText)) {
+            return true;
+        }
+        Optional<Double> seconds = KeyframeEdits.parse(typed);
+        time.pseudoClassStateChanged(WRONG, seconds.isEmpty());
+        seconds.ifPresentOrElse(
+                film::goTo,
+                () -> studio.notice(
+                        "Time is '" + typed.strip() + "', but must be a number " + SceneLimits.KEYFRAME_TIME));
+        if (seconds.isPresent() || !time.isFocused()) {
+            showTime();
+        }
+        return seconds.isPresent();
+    }
+
+    private static Button button(Command command, CommandActions actions) {
+        Button button = new Button(command.label());
+        button.setId("film-" + Ids.of(command.label()));
+        button.setTooltip(Tooltips.of(command));
+        button.setOnAction(_ -> actions.run(command));
+        return button;
+    }
+}

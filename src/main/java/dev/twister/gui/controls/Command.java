@@ -1,0 +1,108 @@
+package dev.twister.gui.controls;
+
+import java.util.Locale;
+import javafx.scene.input.KeyCombination;
+
+/** What a person can do by a menu or a key; the one place that says which key. */
+public enum Command {
+    OPEN(Group.FILE, "Open…", "Shortcut+O", "Opens a scene or a mesh, or a panorama as the sky."),
+    SAVE(Group.FILE, "Save", "Shortcut+S", "Saves the scene, with the camera where it is now."),
+    SAVE_AS(Group.FILE, "Save as…", "Shortcut+Shift+S", "Saves the scene under another name."),
+    SCREENSHOT(Group.FILE, "Screenshot…", "F12", "Saves the picture as PNG, or as HDR with its radiance."),
+    RENDER(Group.FILE, "Render to file…", "Shift+F12", "Renders a picture or a film, beside the window."),
+    RECORD(Group.FILE, "Record…", "Shortcut+R", "Saves each picture drawn as a numbered PNG, until chosen again."),
+    QUIT(Group.FILE, "Quit", "Shortcut+Q", "Closes the window."),
+    UNDO(Group.EDIT, "Undo", "Shortcut+Z", "Undoes the last edit."),
+    REDO(Group.EDIT, "Redo", "Shortcut+Shift+Z", "Redoes the last undone edit."),
+    REDO_ALSO(Group.EDIT, "Redo", "Shortcut+Y", "Same as Ctrl+Shift+Z."),
+    INSERT(Group.EDIT, "Insert sphere", "Insert", "A new sphere in the middle of the picture."),
+    INSERT_MESH(Group.EDIT, "Insert mesh…", "Shift+Insert", "Adds a mesh file to the scene, as large as a new sphere."),
+    DUPLICATE(Group.EDIT, "Duplicate", "Shortcut+D", "Adds copies of the selected spheres and meshes beside them."),
+    COPY(Group.EDIT, "Copy", "Shortcut+C", "Copies the selected spheres and meshes."),
+    PASTE(Group.EDIT, "Paste", "Shortcut+V", "Inserts what was copied beside the originals, also in another scene."),
+    DELETE(Group.EDIT, "Delete", "Delete", "Deletes the selected spheres and meshes."),
+    SELECT_ALL(Group.EDIT, "Select all", "Shortcut+A", "Selects all spheres, all meshes and the light."),
+    NEXT(Group.EDIT, "Next body", "F2", "Selects the light, the plane, then each sphere and each mesh, then nothing."),
+    PREVIOUS(Group.EDIT, "Previous body", "Shift+F2", "Selects them in reverse order."),
+    DESELECT(Group.EDIT, "Back to the picture", "Esc", "Leaves the panel; in the picture, selects nothing."),
+    AUTO_EXPOSURE(Group.EDIT, "Auto exposure", "Shift+J", "Sets the exposure by the brightness of the picture."),
+    RESET(Group.EDIT, "Reset everything", "Shortcut+Shift+Home", "Resets all settings in the panel."),
+    NEXT_SHOWN(Group.VIEW, "Next stage or view", "F4", "Shows the next stage of the picture, or the next view."),
+    PREVIOUS_SHOWN(Group.VIEW, "Previous stage or view", "Shift+F4", "Shows the previous stage or view."),
+    INSPECT(Group.VIEW, "Pixel inspector", "Shortcut+I", "Shows what the pixel under the pointer is."),
+    EXPLAIN(
+            Group.VIEW,
+            "Path of a pixel",
+            "Shortcut+P",
+            "Shows the rays of the pixel under the pointer; so does Alt+click."),
+    COMPARE(
+            Group.VIEW,
+            "Second picture",
+            "Shortcut+K",
+            "Splits the view: another engine, stage or settings at the right."),
+    CLIPPING(Group.VIEW, "Show clipping", "J", "Marks pixels with a channel at 255 in red, and black ones in blue."),
+    ZOOM_IN(Group.VIEW, "Zoom in", "Shortcut+EQUALS", "Magnifies the picture; so does Ctrl and the wheel."),
+    ZOOM_OUT(Group.VIEW, "Zoom out", "Shortcut+MINUS", "Shows more of the picture."),
+    ZOOM_TO_FIT(Group.VIEW, "Zoom to fit", "Shortcut+Backspace", "Shows all of the picture again."),
+    FRAME(Group.VIEW, "Frame selected", "PERIOD", "Moves the camera so that the selected bodies fill the picture."),
+    FRAME_ALSO(Group.VIEW, "Frame selected", "DECIMAL", "Same as the period key."),
+    Q_UP(Group.VIEW, "Q up, E down", "Shortcut+E", "Swaps the keys for up and down."),
+    AXIS_HANDLES(Group.VIEW, "Axis handles", "Shift+F3", "Shows or hides the arrows that move bodies along an axis."),
+    PANEL(Group.VIEW, "Panel", "F9", "Shows or hides the panel; so does Tab, in the picture."),
+    FRAME_TIMES(Group.VIEW, "Frame times", "F3", "Shows or hides frames per second and their graph."),
+    FULL_SCREEN(Group.VIEW, "Full screen", "F11", "Toggles full screen."),
+    MOVE(Group.PHYSICS, "Physics on or off", "F5", "Starts the physics, or resets the bodies."),
+    PAUSE(Group.PHYSICS, "Pause", "F6", "Pauses or resumes the physics."),
+    STEP(Group.PHYSICS, "Step", "F7", "Advances the physics by 1/120 s and pauses."),
+    RANDOMIZE(Group.PHYSICS, "Randomize", "F8", "Throws the spheres into the air, anywhere over the plane."),
+    PLAY(Group.FILM, "Play", "SPACE", "Plays or stops the camera's keyframes."),
+    SET_KEYFRAME(Group.FILM, "Set keyframe", "K", "Sets a keyframe of the camera at the current time."),
+    DELETE_KEYFRAME(Group.FILM, "Delete keyframe", "Shift+K", "Deletes the keyframe at the current time."),
+    NEXT_KEYFRAME(Group.FILM, "Next keyframe", "Page Down", "Goes to the next keyframe."),
+    PREVIOUS_KEYFRAME(Group.FILM, "Previous keyframe", "Page Up", "Goes to the previous keyframe."),
+    FILM(Group.FILM, "Keyframes", "Shortcut+T", "Shows or hides the keyframes of the camera, below the picture."),
+    CONTROLS(Group.HELP, "Controls", "F1", "Shows this list."),
+    ABOUT(Group.HELP, "About Twister", "Shift+F1", "Shows the version.");
+
+    /** The menus, in their order. */
+    public enum Group {
+        FILE,
+        EDIT,
+        VIEW,
+        PHYSICS,
+        FILM,
+        HELP;
+
+        public String label() {
+            return name().charAt(0) + name().substring(1).toLowerCase(Locale.ROOT);
+        }
+    }
+
+    private final Group group;
+    private final String label;
+    private final String keys;
+    private final String hint;
+
+    Command(Group group, String label, String keys, String hint) {
+        this.group = group;
+        this.label = label;
+        this.keys = keys;
+        this.hint = hint;
+    }
+
+    public Group group() {
+        return group;
+    }
+
+    public String label() {
+        return label;
+    }
+
+    public KeyCombination keys() {
+        return KeyCombination.valueOf(keys);
+    }
+
+    public String hint() {
+        return hint;
+    }
+}

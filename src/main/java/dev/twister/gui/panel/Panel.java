@@ -1,0 +1,244 @@
+package dev.twister.gui.panel;
+
+import dev.twister.gui.controls.Command;
+import dev.twister.gui.controls.CommandActions;
+import dev.twister.gui.controls.Tooltips;
+import dev.twister.gui.files.FileActions;
+import dev.twister.gui.files.SettingsKeeper;
+import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.model.CameraRig;
+import dev.twister.gui.model.ResolutionMode;
+import dev.twister.gui.picture.Comparison;
+import dev.twister.gui.picture.HistogramView;
+import dev.twister.gui.studio.EngineList;
+import dev.twister.gui.studio.Studio;
+import dev.twister.world.Picture;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javafx.beans.property.BooleanProperty;
+import javafx.css.PseudoClass;
+import javafx.geometry.Bounds;
+import javafx.scene.Node;
+import javafx.scene.Scene;
+import javafx.scene.control.Button;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
+
+/** Everything that can be set, in sections. */
+public final class Panel extends ScrollPane {
+    private static final PseudoClass WIDE = PseudoClass.getPseudoClass("wide");
+
+    /** Of the window, in letters' heights: there is room for a wider panel then. */
+    private static final double WIDE_EM = 130;
+
+    private final EngineSection engine;
+    private final CompareSection compare;
+    private final PlaneSection plane;
+    private final List<PanelSection> sections;
+    private final PictureSection picture;
+    private final PanelSection pictureSection;
+    private final HistogramView histogram;
+    private final CameraSection camera;
+    private final LightSection light;
+    private final SkySection sky;
+    private final PhysicsSection physics;
+    private final SelectionSection selection;
+    private final MaterialSection material;
+
+    public Panel(
+            Studio studio,
+            EngineList engines,
+            Comparison comparison,
+            BooleanProperty clippingShown,
+            FileActions files,
+            CommandActions actions) {
+        engine = new EngineSection(
+                studio, engines, studio.engineProperty().get().offer().id());
+        compare = new CompareSection(studio, engines, comparison);
+        picture = new PictureSection(studio, clippingShown);
+        histogram = new HistogramView(studio, actions);
+        camera = new CameraSection(studio);
+        light = new LightSection(studio);
+        sky = new SkySection(studio, files);
+        plane = new PlaneSection(studio);
+        physics = new PhysicsSection(studio, actions);
+        selection = new SelectionSection(studio);
+        material = new MaterialSection(studio, files);
+        Button reset = new Button("Reset everything");
+        reset.setId("reset-everything");
+        reset.setTooltip(Tooltips.of(
+                Command.RESET.hint() + "\nKey: " + Command.RESET.keys().getDisplayText()));
+        reset.setOnAction(_ -> actions.run(Command.RESET));
+        PanelSection physicsSection = section("Physics", physics.rows());
+        physicsSection.add(physics.buttons());
+        pictureSection = section("Picture", picture.rows());
+        pictureSection.add(histogram);
+        PanelSection lightSection = section("Light", light.rows());
+        PanelSection planeSection = section("Plane", plane.rows());
+        planeSection.add(plane.buttons());
+        PanelSection selectionSection = new PanelSection("Selection", selection.bodies(), selection);
+        PanelSection materialSection = new PanelSection("Material", material);
+        materialSection.visibleProperty().bind(material.visibleProperty());
+        materialSection.managedProperty().bind(material.visibleProperty());
+        sections = List.of(
+                section("Drawing", engine.rows()),
+                pictureSection,
+                selectionSection,
+                materialSection,
+                section("Camera", camera.rows()),
+                new PanelSection("Views", new ViewList(studio)),
+                lightSection,
+                section("Sky", sky.rows()),
+                planeSection,
+                physicsSection,
+                section("Compare", compare.rows()));
+        VBox all = new VBox(sections.toArray(PanelSection[]::new));
+        all.getChildren().add(reset);
+        all.getStyleClass().add("sections");
+        setId("panel");
+        sceneProperty()
+                .flatMap(Scene::widthProperty)
+                .subscribe(width -> pseudoClassStateChanged(
+                        WIDE,
+                        width != null
+                                && width.doubleValue()
+                                        >= WIDE_EM * reset.getFont().getSize()));
+        setContent(all);
+        setFitToWidth(true);
+        setHbarPolicy(ScrollBarPolicy.NEVER);
+        setFocusTraversable(false);
+        studio.selection().activeProperty().subscribe((_, body) -> {
+            if (body.intValue() != BodyNumber.NONE) {
+                PanelSection section = switch (body.intValue()) {
+                    case BodyNumber.LIGHT -> lightSection;
+                    case BodyNumber.PLANE -> materialSection;
+                    default -> selectionSection;
+                };
+                section.fold(false);
+                scrollTo(section);
+            }
+        });
+    }
+
+    /** All rows, in the order in which they are shown. */
+    public List<PanelRow> rows() {
+        return Stream.of(
+                        engine.rows(),
+                        picture.rows(),
+                        selection.rows(),
+                        material.rows(),
+                        camera.rows(),
+                        light.rows(),
+                        sky.rows(),
+                        plane.rows(),
+                        physics.rows(),
+                        compare.rows())
+                .flatMap(List::stream)
+                .toList();
+    }
+
+    /**
+     * Makes an edit of a number that is typed and not yet entered; false where it is none that is allowed, which is
+     * said.
+     */
+    public boolean takeTyped() {
+        return rows().stream()
+                .filter(NumberRow.class::isInstance)
+                .map(NumberRow.class::cast)
+                .filter(NumberRow::isBeingTyped)
+                .allMatch(NumberRow::takeTyped);
+    }
+
+    /** Whether an edit has been made of all that is typed in a row's field. */
+    boolean isTaken(TextField field) {
+        return rows().stream()
+                .filter(NumberRow.class::isInstance)
+                .map(NumberRow.class::cast)
+                .filter(row -> field.getParent() == row)
+                .noneMatch(NumberRow::isBeingTyped);
+    }
+
+    /** Called in every pulse: shows what changes by itself. */
+    public void pulse(long nanos) {
+        if (isVisible()) {
+            selection.pulse(nanos);
+            if (!pictureSection.isFolded()) {
+                histogram.pulse(nanos);
+            }
+        }
+    }
+
+    /** Offers these panoramas in the list of skies. */
+    public void offerSkies(List<Path> panoramas) {
+        sky.offer(panoramas);
+    }
+
+    /** The row whose key this is. */
+    Optional<PanelRow> rowOf(KeyEvent event) {
+        return rows().stream().filter(row -> row.keys().match(event)).findFirst();
+    }
+
+    /** Gives a row the focus, and scrolls to it. */
+    void reveal(PanelRow row) {
+        sections.stream().filter(section -> contains(section, row)).forEach(section -> section.fold(false));
+        scrollTo(row);
+        row.firstControl().requestFocus();
+    }
+
+    private static boolean contains(Node ancestor, Node node) {
+        Node at = node;
+        while (at != null && !at.equals(ancestor)) {
+            at = at.getParent();
+        }
+        return at != null;
+    }
+
+    /** Lets sections be folded as they were kept, and keeps how they are. */
+    public void foldAsKept(SettingsKeeper settings) {
+        List<String> folded = settings.settings().folded();
+        sections.forEach(section -> section.makeFoldable(
+                folded.contains(section.heading()),
+                isFolded -> settings.change(kept -> kept.withFolded(section.heading(), isFolded))));
+    }
+
+    /** Scrolls so that what is there is in the middle, or as near to it as it comes; not where it is seen already. */
+    public void scrollTo(Region part) {
+        applyCss();
+        layout();
+        Bounds place = getContent().sceneToLocal(part.localToScene(part.getLayoutBounds()));
+        double height = getViewportBounds().getHeight();
+        double hidden = getContent().getLayoutBounds().getHeight() - height;
+        double seenFrom = getVvalue() * hidden;
+        boolean seen = place.getMinY() >= seenFrom && place.getMaxY() <= seenFrom + height;
+        if (hidden > 0 && !seen) {
+            setVvalue(Math.clamp((place.getCenterY() - height / 2) / hidden, 0, 1));
+        }
+    }
+
+    /** Engine, resolution, scene and refinement as they were at first. */
+    public static void resetAll(Studio studio, EngineList engines, String usualEngine) {
+        // First, as an edit of moving bodies keeps where it found them.
+        studio.motion().setOn(false);
+        studio.edit(
+                "everything",
+                scene -> studio.original()
+                        .withCamera(CameraRig.of(studio.original().camera()).on(scene.camera())));
+        studio.endGesture();
+        studio.hand().goHome();
+        studio.setResolution(ResolutionMode.WINDOW);
+        studio.setShown(Picture.REFLECTIONS);
+        studio.refiningProperty().set(true);
+        if (!studio.engineProperty().get().offer().id().equals(usualEngine)) {
+            engines.find(usualEngine).ifPresent(studio::chooseEngine);
+        }
+    }
+
+    private static PanelSection section(String heading, List<PanelRow> rows) {
+        return new PanelSection(heading, rows.toArray(PanelRow[]::new));
+    }
+}

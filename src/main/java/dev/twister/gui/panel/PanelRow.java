@@ -1,0 +1,100 @@
+package dev.twister.gui.panel;
+
+import dev.twister.gui.controls.Command;
+import dev.twister.gui.controls.Ids;
+import dev.twister.gui.controls.Tooltips;
+import java.util.Objects;
+import java.util.stream.Stream;
+import javafx.scene.Node;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.control.Tooltip;
+import javafx.scene.input.KeyCombination;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+
+/** A line of the panel: a name, controls, and a button that resets them. */
+public abstract sealed class PanelRow extends HBox permits NumberRow, ColorRow, ChoiceRow, SwitchRow, BodiesRow {
+    private final Button reset = new Button("↺");
+    private final Label nameLabel;
+    private final Tooltip tooltip;
+    private final KeyCombination keys;
+
+    /**
+     * A row without controls yet.
+     *
+     * @param hint what the controls do, for the tooltip
+     * @param key what leads to the first of them
+     */
+    PanelRow(String label, String hint, String key) {
+        keys = KeyCombination.valueOf(key);
+        tooltip = Tooltips.of(hint + "\nKey: " + keys.getDisplayText());
+        nameLabel = new Label(label);
+        nameLabel.getStyleClass().add("row-name");
+        nameLabel.setTooltip(tooltip);
+        reset.getStyleClass().add("reset");
+        reset.setTooltip(Tooltips.of("Resets: " + label));
+        reset.setAccessibleText("Reset " + label);
+        getStyleClass().add("row");
+        setId(Ids.of(label));
+    }
+
+    /** Puts the controls between the name and the reset; the first takes the room that there is. */
+    final void addControls(Node... controls) {
+        getChildren().add(nameLabel);
+        getChildren().addAll(controls);
+        getChildren().add(reset);
+        for (Node control : controls) {
+            Tooltip.install(control, tooltip);
+            control.setAccessibleText(nameLabel.getText());
+        }
+        setHgrow(controls[0], Priority.ALWAYS);
+        if (controls[0] instanceof Region region) {
+            region.setMaxWidth(Double.MAX_VALUE);
+            region.setMinWidth(0);
+        }
+        nameLabel.setLabelFor(controls[0]);
+    }
+
+    /** Puts a control of its own before the reset. */
+    final void addControl(Region control) {
+        control.setMinWidth(USE_PREF_SIZE);
+        getChildren().add(getChildren().size() - 1, control);
+    }
+
+    /** Runs a command whose key it is, which the row's control would keep for itself. */
+    final void leaveToTheWindow(KeyEvent event, Command... commands) {
+        Stream.of(commands)
+                .map(Command::keys)
+                .filter(keys -> keys.match(event))
+                .map(keys -> getScene().getAccelerators().get(keys))
+                .filter(Objects::nonNull)
+                .forEach(command -> {
+                    command.run();
+                    event.consume();
+                });
+    }
+
+    /** Whether there is something to reset, and how. */
+    final void setReset(boolean differs, Runnable action) {
+        reset.setDisable(!differs);
+        reset.setOnAction(_ -> action.run());
+    }
+
+    final Label nameLabel() {
+        return nameLabel;
+    }
+
+    public final String name() {
+        return nameLabel.getText();
+    }
+
+    public final KeyCombination keys() {
+        return keys;
+    }
+
+    /** What takes the focus when the row's key is pressed. */
+    public abstract Node firstControl();
+}

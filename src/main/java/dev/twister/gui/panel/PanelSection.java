@@ -1,0 +1,63 @@
+package dev.twister.gui.panel;
+
+import dev.twister.gui.controls.Tooltips;
+import java.util.function.Consumer;
+import javafx.css.PseudoClass;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
+
+/** Rows that belong together, under a heading. */
+public final class PanelSection extends VBox {
+    private static final PseudoClass FOLDED = PseudoClass.getPseudoClass("folded");
+
+    private final String heading;
+    private final Label label;
+    private final VBox content;
+    private Consumer<Boolean> whenFolded = _ -> {};
+
+    public PanelSection(String heading, Node... rows) {
+        this.heading = heading;
+        getStyleClass().add("section");
+        label = new Label(heading);
+        label.getStyleClass().add("heading");
+        label.setMaxWidth(Double.MAX_VALUE);
+        content = new VBox(rows);
+        content.getStyleClass().add("rows");
+        setVgrow(content, Priority.ALWAYS);
+        getChildren().addAll(label, content);
+    }
+
+    String heading() {
+        return heading;
+    }
+
+    /** Puts something below the rows. */
+    void add(Node node) {
+        content.getChildren().add(node);
+    }
+
+    /** From now on a click on the heading folds the rows or unfolds them. */
+    void makeFoldable(boolean folded, Consumer<Boolean> changed) {
+        label.getStyleClass().add("foldable");
+        label.setTooltip(Tooltips.of("Folds or unfolds. The key of a row unfolds its section."));
+        label.setOnMouseClicked(_ -> fold(!isFolded()));
+        fold(folded);
+        whenFolded = changed;
+    }
+
+    boolean isFolded() {
+        return !content.isManaged();
+    }
+
+    void fold(boolean folded) {
+        if (folded != isFolded() || label.getText().equals(heading)) {
+            content.setVisible(!folded);
+            content.setManaged(!folded);
+            label.setText((folded ? "▸ " : "▾ ") + heading);
+            pseudoClassStateChanged(FOLDED, folded);
+            whenFolded.accept(folded);
+        }
+    }
+}

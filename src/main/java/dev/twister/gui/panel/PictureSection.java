@@ -1,0 +1,89 @@
+package dev.twister.gui.panel;
+
+import dev.twister.gui.controls.Command;
+import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.panel.ChoiceRow.Look;
+import dev.twister.gui.studio.Studio;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Scene;
+import dev.twister.scene.ToneMap;
+import java.util.List;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import javafx.beans.property.BooleanProperty;
+
+/** How the picture is made of the scene. */
+final class PictureSection {
+    private final Studio studio;
+    private final List<NumberRow> numbers;
+    private final ChoiceRow<ToneMap> toneMap;
+    private final SwitchRow srgb;
+    private final SwitchRow refining;
+    private final SwitchRow clipping;
+
+    /** @param clippingShown whether clipped pixels are marked */
+    PictureSection(Studio studio, BooleanProperty clippingShown) {
+        this.studio = studio;
+        numbers = List.of(
+                new NumberRow(SceneNumbers.SHADOW_SAMPLES, "Alt+S", studio),
+                new NumberRow(SceneNumbers.BOUNCES, "Alt+B", studio),
+                new NumberRow(SceneNumbers.SAMPLES_PER_PIXEL, "Alt+A", studio),
+                new NumberRow(SceneNumbers.EXPOSURE, "Alt+X", studio));
+        toneMap = new ChoiceRow<>(
+                "Tone map",
+                "Maps bright colors to the range that a screen can show.",
+                "Alt+T",
+                map -> new Look(label(map)),
+                this::setToneMap,
+                studio::notice);
+        srgb = new SwitchRow(
+                "sRGB curve", "Apply the sRGB transfer function after tone mapping.", "Alt+U", this::setSrgb);
+        refining = new SwitchRow(
+                "Refine at rest",
+                "Keep refining the picture while nothing moves.",
+                "Alt+N",
+                studio.refiningProperty()::set);
+        clipping = new SwitchRow("Show clipping", Command.CLIPPING.hint(), "Alt+Z", clippingShown::set);
+        clippingShown.subscribe(on -> clipping.show(on, false));
+        studio.sceneProperty().subscribe(_ -> refresh());
+        studio.originalProperty().subscribe(_ -> refresh());
+        studio.refiningProperty().subscribe(on -> refining.show(on, true));
+    }
+
+    List<PanelRow> rows() {
+        return Stream.concat(numbers.stream(), Stream.of(toneMap, srgb, refining, clipping))
+                .toList();
+    }
+
+    private void refresh() {
+        Scene scene = studio.scene();
+        Scene usual = studio.original();
+        numbers.forEach(row -> row.show(scene, usual));
+        toneMap.show(
+                List.of(ToneMap.values()),
+                scene.settings().toneMap(),
+                usual.settings().toneMap());
+        srgb.show(scene.settings().srgb(), usual.settings().srgb());
+    }
+
+    private static String label(ToneMap map) {
+        return switch (map) {
+            case CLAMP -> "Clamp";
+            case REINHARD -> "Reinhard";
+            case ACES -> "ACES";
+        };
+    }
+
+    private void setToneMap(ToneMap map) {
+        edit("tone map", settings -> settings.withTone(settings.exposure(), map, settings.srgb()));
+    }
+
+    private void setSrgb(boolean on) {
+        edit("sRGB curve", settings -> settings.withTone(settings.exposure(), settings.toneMap(), on));
+    }
+
+    private void edit(String what, UnaryOperator<RenderSettings> change) {
+        studio.edit(what, scene -> scene.withSettings(change.apply(scene.settings())));
+        studio.endGesture();
+    }
+}

@@ -1,0 +1,37 @@
+package dev.twister.gui.panel;
+
+import dev.twister.gui.controls.Tooltips;
+import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.model.SurroundingsNumbers;
+import dev.twister.gui.studio.Studio;
+import java.util.List;
+import javafx.scene.control.Button;
+import javafx.scene.layout.HBox;
+
+/** The plane's place; its material is that of a selected body. */
+final class PlaneSection {
+    private final List<NumberRow> numbers;
+    private final HBox buttons;
+
+    PlaneSection(Studio studio) {
+        numbers = List.of(
+                new NumberRow(SurroundingsNumbers.PLANE_SIZE, "Alt+Shift+P", studio),
+                new NumberRow(SurroundingsNumbers.PLANE_HEIGHT, "Alt+Shift+H", studio));
+        Button select = new Button("Colors and material…");
+        select.setId("select-plane");
+        select.setTooltip(Tooltips.of("Selects the plane, so that Material shows its colors and reflectivity."));
+        select.setOnAction(_ -> studio.selection().select(BodyNumber.PLANE));
+        buttons = new HBox(select);
+        buttons.getStyleClass().add("buttons");
+        studio.sceneProperty().subscribe(scene -> numbers.forEach(row -> row.show(scene, studio.original())));
+        studio.originalProperty().subscribe(original -> numbers.forEach(row -> row.show(studio.scene(), original)));
+    }
+
+    List<PanelRow> rows() {
+        return List.copyOf(numbers);
+    }
+
+    HBox buttons() {
+        return buttons;
+    }
+}

@@ -1,0 +1,58 @@
+package dev.twister.gui.panel;
+
+import dev.twister.gui.controls.Tooltips;
+import dev.twister.gui.files.FileActions;
+import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.panel.ChoiceRow.Look;
+import dev.twister.gui.studio.Studio;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javafx.scene.control.Button;
+
+/** What is behind everything. */
+final class SkySection {
+    private final Studio studio;
+    private final ChoiceRow<Path> sky;
+    private final List<NumberRow> numbers;
+    private final Button other = new Button("Other…");
+    private List<Path> known = List.of();
+
+    SkySection(Studio studio, FileActions files) {
+        this.studio = studio;
+        sky = new ChoiceRow<>(
+                "Sky",
+                "The panorama behind everything, which mirrors show too. A file can be dropped on the window.",
+                "Alt+K",
+                file -> new Look(SkyList.label(file), SkyList.label(file), file.toString(), Optional.empty()),
+                file -> files.useSky(file, this::refresh),
+                studio::notice);
+        other.setId("other-sky");
+        other.setTooltip(Tooltips.of("Chooses a panorama's file: .hdr, .png or .jpg."));
+        other.setOnAction(_ -> files.chooseSky());
+        sky.addControl(other);
+        numbers = List.of(
+                new NumberRow(SceneNumbers.SKY_ROTATION, "Alt+D", studio),
+                new NumberRow(SceneNumbers.SKY_STRENGTH, "Alt+O", studio));
+        studio.sceneProperty().subscribe(_ -> refresh());
+        studio.originalProperty().subscribe(_ -> refresh());
+    }
+
+    /** Offers these panoramas too. */
+    void offer(List<Path> panoramas) {
+        known = panoramas;
+        refresh();
+    }
+
+    List<PanelRow> rows() {
+        return Stream.concat(Stream.of(sky), numbers.stream()).toList();
+    }
+
+    private void refresh() {
+        Path used = studio.scene().skybox();
+        Path own = studio.original().skybox();
+        sky.show(SkyList.with(known, own, used), used, own);
+        numbers.forEach(row -> row.show(studio.scene(), studio.original()));
+    }
+}

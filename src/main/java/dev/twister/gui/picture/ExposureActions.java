@@ -1,0 +1,62 @@
+package dev.twister.gui.picture;
+
+import dev.twister.engine.ExposureMeter;
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.files.FileActions;
+import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.studio.Errands;
+import dev.twister.gui.studio.Studio;
+import dev.twister.world.AutoExposure;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.concurrent.CompletableFuture;
+
+/** Sets the exposure by the picture that is shown, once. */
+public final class ExposureActions {
+    private final Studio studio;
+    private final Errands errands;
+
+    public ExposureActions(Studio studio, Errands errands) {
+        this.studio = studio;
+        this.errands = errands;
+    }
+
+    public void setAutomatically() {
+        studio.pictureProperty().get().ifPresent(picture -> {
+            if (picture.request().shown().isColor()) {
+                measure(picture);
+            } else {
+                studio.notice(HistogramView.without(picture.request().shown()));
+            }
+        });
+    }
+
+    private void measure(DrawnPicture picture) {
+        long document = studio.document();
+        boolean srgb = studio.scene().settings().srgb();
+        CompletableFuture<Optional<float[]>> gathered = studio.radiance(picture);
+        errands.run(
+                // A picture that was not refined has kept no radiance.
+                () -> gathered.join()
+                        .map(radiance -> AutoExposure.stops(radiance, srgb))
+                        .orElseGet(() -> ExposureMeter.stops(picture.input())),
+                stops -> {
+                    if (studio.document() == document) {
+                        set(stops);
+                    }
+                },
+                problem -> studio.notice(FileActions.explain(problem)));
+    }
+
+    private void set(OptionalDouble measured) {
+        if (measured.isEmpty()) {
+            studio.notice("The picture is black: its exposure can't be measured");
+            return;
+        }
+        double stops = measured.getAsDouble();
+        studio.endGesture();
+        studio.edit("exposure", scene -> SceneNumbers.EXPOSURE.write(scene, stops));
+        studio.endGesture();
+        studio.notice("Exposure: " + SceneNumbers.EXPOSURE.text(stops) + " stops");
+    }
+}

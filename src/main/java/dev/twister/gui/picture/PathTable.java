@@ -1,0 +1,128 @@
+package dev.twister.gui.picture;
+
+import dev.twister.explain.PathStep;
+import dev.twister.explain.PixelPath;
+import dev.twister.explain.Shading;
+import dev.twister.gui.controls.Tooltips;
+import dev.twister.scene.Rgb;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
+import javafx.beans.property.ReadOnlyStringWrapper;
+import javafx.collections.FXCollections;
+import javafx.geometry.Pos;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.control.TableColumn;
+import javafx.scene.control.TableView;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
+
+/** The steps of a pixel's path with the numbers of the equation, and what each adds to the pixel. */
+public final class PathTable extends VBox {
+    /** Of the usual text, as the style sheet has it. */
+    private static final double TEXT = 0.85;
+
+    private final Label heading = new Label();
+    private final TableView<PathStep> table = new TableView<>();
+
+    public PathTable(PathPick pick) {
+        getStyleClass().add("path");
+        setId("path");
+        table.setId("path-steps");
+        table.setFocusTraversable(false);
+        table.setPlaceholder(new Region());
+        column("Step", 3.2, step -> String.valueOf(table.getItems().indexOf(step) + 1));
+        column("Ray", 8.2, this::ray);
+        column("Meets", 5.5, step -> InspectorText.bodyName(pick.sceneBody(step.body())));
+        column("Distance", 6, step -> step.distance() == 0 ? "" : number(step.distance()) + " m");
+        shading("N·L", 3.9, Shading::normalDotLight);
+        shading("S", 3.6, Shading::visible);
+        shading("lit", 3.6, Shading::lit);
+        shading("spec", 3.8, Shading::specular);
+        column(
+                "C",
+                9,
+                step -> step.shading()
+                        .map(Shading::albedo)
+                        .map(PathTable::color)
+                        .orElse(""));
+        shading("m", 3.6, Shading::mirror);
+        shading("t", 3.6, Shading::transmission);
+        shading("F", 3.6, Shading::reflectance);
+        column("Throughput", 9, step -> color(step.throughput()));
+        column("Adds", 9, step -> color(step.adds()));
+        Button close = new Button("✕");
+        close.setId("close-path");
+        close.setFocusTraversable(false);
+        close.setTooltip(Tooltips.of("Closes the path.\nKey: Esc"));
+        close.setOnAction(_ -> pick.clear());
+        heading.setId("path-heading");
+        heading.setMinWidth(0);
+        Region gap = new Region();
+        HBox.setHgrow(gap, Priority.ALWAYS);
+        HBox top = new HBox(heading, gap, close);
+        top.setAlignment(Pos.CENTER_LEFT);
+        VBox.setVgrow(table, Priority.ALWAYS);
+        getChildren().addAll(top, table);
+        setMaxHeight(USE_PREF_SIZE);
+        managedProperty().bind(visibleProperty());
+        pick.pathProperty().subscribe(this::show);
+    }
+
+    private void show(Optional<PixelPath> path) {
+        setVisible(path.isPresent());
+        heading.setText(path.map(PathTable::heading).orElse(""));
+        table.setItems(
+                FXCollections.observableArrayList(path.map(PixelPath::steps).orElseGet(List::of)));
+    }
+
+    private static String heading(PixelPath path) {
+        return String.format(
+                Locale.ROOT,
+                "Path through the center of pixel x %d, y %d   radiance %s, the sum of what the steps add   RGB %d %d %d",
+                path.column(),
+                path.row(),
+                color(path.radiance()),
+                path.argb() >> 16 & 255,
+                path.argb() >> 8 & 255,
+                path.argb() & 255);
+    }
+
+    private String ray(PathStep step) {
+        return step.parent() == PathStep.NO_PARENT
+                ? step.kind().id()
+                : step.kind().id() + " from " + (step.parent() + 1);
+    }
+
+    private void shading(String name, double width, ToDoubleFunction<Shading> value) {
+        column(
+                name,
+                width,
+                step -> step.shading()
+                        .map(shading -> number(value.applyAsDouble(shading)))
+                        .orElse(""));
+    }
+
+    /** Its width is in letters' heights. */
+    private void column(String name, double width, Function<PathStep, String> text) {
+        TableColumn<PathStep, String> column = new TableColumn<>(name);
+        column.setCellValueFactory(cell -> new ReadOnlyStringWrapper(text.apply(cell.getValue())));
+        column.setSortable(false);
+        column.setReorderable(false);
+        column.prefWidthProperty().bind(heading.fontProperty().map(font -> TEXT * width * font.getSize()));
+        table.getColumns().add(column);
+    }
+
+    private static String number(double value) {
+        return String.format(Locale.ROOT, "%.3f", value);
+    }
+
+    private static String color(Rgb color) {
+        return String.format(Locale.ROOT, "%.3f %.3f %.3f", color.red(), color.green(), color.blue());
+    }
+}

@@ -1,0 +1,183 @@
+package dev.twister.gui.picture;
+
+import dev.twister.engine.Engine;
+import dev.twister.engine.JvmEngines;
+import dev.twister.gui.controls.Dialogs;
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.files.FileActions;
+import dev.twister.gui.files.FileChoice;
+import dev.twister.gui.model.FrameRecorder;
+import dev.twister.gui.model.PictureFile;
+import dev.twister.gui.studio.Errands;
+import dev.twister.gui.studio.Studio;
+import dev.twister.image.Frame;
+import dev.twister.image.HdrWriter;
+import dev.twister.image.PngWriter;
+import dev.twister.world.FrameInput;
+import java.io.IOException;
+import java.nio.IntBuffer;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+
+/** Keeps what is shown: screenshots, and recordings frame by frame. */
+public final class PictureActions implements AutoCloseable {
+    private final Studio studio;
+    private final FileChoice choice;
+    private final Dialogs dialogs;
+    private final Errands errands;
+    private final ReadOnlyObjectWrapper<Optional<FrameRecorder>> recorder =
+            new ReadOnlyObjectWrapper<>(Optional.empty());
+
+    /** The recordings that are over, but not all on the disk yet. */
+    private final List<FrameRecorder> finishing = new ArrayList<>();
+
+    private Path lastFolder = Path.of("").toAbsolutePath();
+
+    public PictureActions(Studio studio, FileChoice choice, Dialogs dialogs, Errands errands) {
+        this.studio = studio;
+        this.choice = choice;
+        this.dialogs = dialogs;
+        this.errands = errands;
+    }
+
+    /** The recording that is going on. */
+    public ReadOnlyObjectProperty<Optional<FrameRecorder>> recorderProperty() {
+        return recorder.getReadOnlyProperty();
+    }
+
+    /** Asks for a file, and saves the picture as it was when asked. */
+    public void screenshot() {
+        Optional<DrawnPicture> shown = studio.pictureProperty().get();
+        if (shown.isEmpty()) {
+            return;
+        }
+        Frame frame = shown.get().frame();
+        int[] argb = frame.argb().clone();
+        // What is seen as one samples it: the frame's own samples, or those gathered since.
+        FrameInput own = shown.get().input();
+        int samples = shown.get().samples();
+        FrameInput input = samples == own.samplesPerPixel() ? own : own.withSamples(0, samples);
+        CompletableFuture<Optional<float[]>> gathered = studio.radiance(shown.get());
+        choice.toSavePicture(lastFolder.resolve(PictureFile.freeName(lastFolder)))
+                .ifPresent(file -> {
+                    lastFolder = Optional.ofNullable(file.toAbsolutePath().getParent())
+                            .orElse(lastFolder);
+                    errands.keepPicture(
+                            // The window's engine may be long at a picture before it tells.
+                            PictureFile.isLinear(file) ? gathered : CompletableFuture.completedFuture(""),
+                            () -> {
+                                write(file, frame.width(), frame.height(), argb, input, gathered);
+                                return file;
+                            },
+                            written -> studio.notice("Saved " + written),
+                            problem -> dialogs.complain("Couldn't save the picture", FileActions.explain(problem)));
+                });
+    }
+
+    /** Starts a recording, or ends the one that is going on. */
+    public void toggleRecording() {
+        if (recorder.get().isPresent()) {
+            endRecording();
+        } else {
+            choice.folder(lastFolder).ifPresent(this::startRecording);
+        }
+    }
+
+    /** Called in every pulse: says how a recording goes. */
+    public void pulse() {
+        recorder.get().ifPresent(running -> {
+            FrameRecorder.Progress progress = running.progress();
+            studio.notice(describe("Recording", progress));
+            if (progress.failure().isPresent()) {
+                endRecording();
+            }
+        });
+        List<FrameRecorder> finished = finishing.stream()
+                .filter(ended -> ended.progress().waiting() == 0)
+                .toList();
+        finishing.removeAll(finished);
+        finished.forEach(ended -> {
+            FrameRecorder.Progress progress = ended.progress();
+            studio.notice(describe("Recorded", progress));
+            progress.failure().ifPresent(why -> dialogs.complain("Recording stopped", why));
+        });
+    }
+
+    /** Ends a recording. Returns at once. */
+    public void finish() {
+        if (recorder.get().isPresent()) {
+            endRecording();
+        }
+    }
+
+    /** Waits until an ended recording's last frames are on the disk; called after {@link #finish}, by any thread. */
+    @Override
+    public void close() {
+        finishing.forEach(FrameRecorder::close);
+    }
+
+    private void startRecording(Path folder) {
+        lastFolder = folder;
+        try {
+            FrameRecorder started = FrameRecorder.start(folder);
+            // At rest no other picture may come.
+            studio.pictureProperty().get().ifPresent(shown -> record(started, shown));
+            studio.watch(picture -> record(started, picture));
+            recorder.set(Optional.of(started));
+        } catch (IOException problem) {
+            dialogs.complain("Couldn't start recording", problem.getMessage());
+        }
+    }
+
+    private void endRecording() {
+        studio.unwatch();
+        recorder.get().ifPresent(ended -> {
+            ended.finish();
+            finishing.add(ended);
+        });
+        recorder.set(Optional.empty());
+    }
+
+    private static void record(FrameRecorder running, DrawnPicture picture) {
+        Frame frame = picture.frame();
+        running.offer(
+                frame.width(),
+                frame.height(),
+                IntBuffer.wrap(frame.argb()),
+                picture.input().srgb());
+    }
+
+    private static String describe(String what, FrameRecorder.Progress progress) {
+        String waiting = progress.waiting() == 0 ? "" : ", " + progress.waiting() + " waiting";
+        return what + " " + progress.written() + " frames" + waiting;
+    }
+
+    private static void write(
+            Path file,
+            int width,
+            int height,
+            int[] argb,
+            FrameInput input,
+            CompletableFuture<Optional<float[]>> gathered)
+            throws IOException {
+        if (!PictureFile.isLinear(file)) {
+            PngWriter.write(file, width, height, argb, input.srgb());
+            return;
+        }
+        HdrWriter.write(file, width, height, gathered.join().orElseGet(() -> draw(input, width, height)));
+    }
+
+    /** The window's engine is busy with the window; this one draws the same picture. */
+    private static float[] draw(FrameInput input, int width, int height) {
+        Frame linear = Frame.ofRadiance(width, height);
+        try (Engine engine = JvmEngines.parallel().opener().get()) {
+            engine.render(input, linear);
+        }
+        return linear.radiance();
+    }
+}

@@ -1,0 +1,30 @@
+package dev.twister.gui.picture;
+
+import javafx.geometry.Bounds;
+import javafx.geometry.Point2D;
+
+/**
+ * Where a picture lies in the view that it was scaled to fit.
+ *
+ * @param bounds of the scaled picture, in the view's units
+ * @param width of the picture, in pixels
+ * @param height of the picture, in pixels
+ */
+public record PicturePlace(Bounds bounds, int width, int height) {
+    /** From the view's units to pixels of the picture. */
+    public Point2D toPicture(double x, double y) {
+        return new Point2D(
+                (x - bounds.getMinX()) * width / bounds.getWidth(),
+                (y - bounds.getMinY()) * height / bounds.getHeight());
+    }
+
+    /** From pixels of the picture to the view's units. */
+    public Point2D toView(double x, double y) {
+        return new Point2D(
+                bounds.getMinX() + x * bounds.getWidth() / width, bounds.getMinY() + y * bounds.getHeight() / height);
+    }
+
+    public boolean contains(double x, double y) {
+        return bounds.contains(x, y);
+    }
+}

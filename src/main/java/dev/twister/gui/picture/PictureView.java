@@ -1,0 +1,158 @@
+package dev.twister.gui.picture;
+
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.PictureZoom;
+import dev.twister.gui.model.PictureZoom.Side;
+import dev.twister.gui.studio.Studio;
+import dev.twister.image.Frame;
+import java.nio.IntBuffer;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import javafx.scene.image.Image;
+import javafx.scene.image.ImageView;
+import javafx.scene.image.PixelBuffer;
+import javafx.scene.image.PixelFormat;
+import javafx.scene.image.WritableImage;
+import javafx.scene.layout.Pane;
+import javafx.scene.layout.Region;
+import javafx.scene.shape.Rectangle;
+import javafx.stage.Window;
+
+/**
+ * Shows the newest picture, as large as fits, without copying it: each of the frames that go round has an image that
+ * looks at the same pixels.
+ */
+public final class PictureView extends Pane {
+    /** Nearer than that, pixels are squares. */
+    private static final double PIXELS_SEEN_FROM = 2;
+
+    private final ImageView view = new ImageView();
+    private final Map<Frame, ShownFrame> frames = new HashMap<>();
+    private final Studio studio;
+    private Optional<Frame> onScreen = Optional.empty();
+    private final Rectangle clip = new Rectangle();
+    private PictureZoom zoom = PictureZoom.FIT;
+    private Side across = new Side(1, 1);
+    private Side down = new Side(1, 1);
+    private double laidOutScale;
+
+    /** A frame as JavaFX sees it. */
+    private record ShownFrame(PixelBuffer<IntBuffer> pixels, WritableImage image) {
+        static ShownFrame of(Frame frame) {
+            PixelBuffer<IntBuffer> pixels = new PixelBuffer<>(
+                    frame.width(), frame.height(), IntBuffer.wrap(frame.argb()), PixelFormat.getIntArgbPreInstance());
+            return new ShownFrame(pixels, new WritableImage(pixels));
+        }
+    }
+
+    public PictureView(Studio studio) {
+        this.studio = studio;
+        getStyleClass().add("picture");
+        view.setManaged(false);
+        getChildren().add(view);
+        clip.widthProperty().bind(widthProperty());
+        clip.heightProperty().bind(heightProperty());
+        studio.pictureProperty().subscribe(picture -> picture.ifPresent(this::show));
+    }
+
+    /** The image that is shown. */
+    public ImageView image() {
+        return view;
+    }
+
+    /** Where the picture lies in this view. */
+    public PicturePlace place() {
+        return new PicturePlace(view.getBoundsInParent(), (int) view.getImage().getWidth(), (int)
+                view.getImage().getHeight());
+    }
+
+    /** Lays something over all of the view. */
+    public void addOverlay(Region overlay) {
+        overlay.setManaged(false);
+        getChildren().add(overlay);
+        layoutBoundsProperty().subscribe(bounds -> overlay.resize(bounds.getWidth(), bounds.getHeight()));
+    }
+
+    /** Asks for a picture of as many pixels as the screen has here. */
+    public void tellSize() {
+        Window window = getScene().getWindow();
+        if (window.getOutputScaleX() != laidOutScale) {
+            requestLayout();
+        }
+        studio.setViewSize(getWidth() * window.getOutputScaleX(), getHeight() * window.getOutputScaleY());
+    }
+
+    @Override
+    protected void layoutChildren() {
+        Image image = view.getImage();
+        if (image == null) {
+            return;
+        }
+        Window window = getScene().getWindow();
+        laidOutScale = window.getOutputScaleX();
+        double width = image.getWidth() / window.getOutputScaleX();
+        double height = image.getHeight() / window.getOutputScaleY();
+        double fit = Math.min(getWidth() / width, getHeight() / height);
+        // Pixel for pixel, JavaFX without a graphics card takes a sixth of the time that scaling takes it.
+        if (Math.abs(fit - 1) * Math.max(image.getWidth(), image.getHeight()) >= 1) {
+            width *= fit;
+            height *= fit;
+        }
+        across = new Side(width, getWidth());
+        down = new Side(height, getHeight());
+        view.setFitWidth(width * zoom.factor());
+        view.setFitHeight(height * zoom.factor());
+        view.setSmooth(zoom.factor() < PIXELS_SEEN_FROM);
+        view.relocate(snapPositionX(zoom.left(across)), snapPositionY(zoom.top(down)));
+    }
+
+    /** Whether only a part of the picture is seen. */
+    boolean isZoomed() {
+        return !zoom.isFit();
+    }
+
+    /** Magnifies by a factor; what is at that place of the view stays there. */
+    void zoom(double change, double x, double y) {
+        show(zoom.times(change, across, x, down, y));
+    }
+
+    /** The same about the view's middle. */
+    public void zoom(double change) {
+        zoom(change, getWidth() / 2, getHeight() / 2);
+    }
+
+    public void zoomToFit() {
+        show(PictureZoom.FIT);
+    }
+
+    /** Moves what is magnified. */
+    void moveZoomed(double right, double lower) {
+        show(zoom.moved(across, right, down, lower));
+    }
+
+    private void show(PictureZoom newZoom) {
+        zoom = newZoom;
+        setClip(zoom.isFit() ? null : clip);
+        requestLayout();
+    }
+
+    private void show(DrawnPicture picture) {
+        Frame frame = picture.frame();
+        if (onScreen.equals(Optional.of(frame))) {
+            // The exchange gives a repetition of the picture that is shown in its frame. To hand it to JavaFX would
+            // cost an engine on all cores a tenth of its frames.
+            return;
+        }
+        onScreen = Optional.of(frame);
+        // Frames of another size do not come back.
+        frames.keySet().removeIf(old -> old.width() != frame.width() || old.height() != frame.height());
+        ShownFrame shown = frames.computeIfAbsent(frame, ShownFrame::of);
+        shown.pixels().updateBuffer(_ -> null);
+        Image before = view.getImage();
+        view.setImage(shown.image());
+        if (before == null || before.getWidth() != frame.width() || before.getHeight() != frame.height()) {
+            requestLayout();
+        }
+    }
+}

@@ -1,0 +1,140 @@
+package dev.twister.gui.rendering;
+
+import dev.twister.gui.controls.NumberField;
+import dev.twister.gui.controls.PlainBox;
+import dev.twister.gui.model.FilmMotion;
+import dev.twister.gui.model.FilmPlan;
+import dev.twister.render.FrameRange;
+import dev.twister.scene.CameraKeyframe;
+import dev.twister.scene.Range;
+import dev.twister.scene.Scene;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import javafx.scene.control.Label;
+import javafx.scene.layout.HBox;
+
+/** What moves in a film, and which of its frames are rendered. */
+final class FilmFields {
+    private static final Range RATES = new Range(0.001, 1000, "frames per second");
+    private static final Range NUMBERS = new Range(0, FrameRange.MOST - 1);
+    private static final double USUAL_RATE = 30;
+
+    /** Of bodies that move, which come to no end by themselves. */
+    private static final double USUAL_SECONDS = 10;
+
+    private final Runnable changed;
+    private final PlainBox<FilmMotion> motion;
+    private final NumberField rate;
+    private final NumberField first;
+    private final NumberField last;
+    private final Label length = new Label();
+    private final HBox frames;
+    private List<CameraKeyframe> keyframes = List.of();
+    private boolean showing;
+
+    /** Whether the last frame is at the film's own end, and stays there. */
+    private boolean whole = true;
+
+    /** @param changed called when something is another one */
+    FilmFields(Runnable changed) {
+        this.changed = changed;
+        motion = new PlainBox<>("render-motion", FilmMotion::label, this::showEnd);
+        rate = new NumberField("Frames per second", RATES, false, this::showEnd);
+        first = new NumberField("First frame", NUMBERS, true, this::tell);
+        last = new NumberField("Last frame", NUMBERS, true, this::takeLast);
+        length.getStyleClass().add("hint");
+        length.setId("render-length");
+        frames = new HBox(first, new Label("to"), last, length);
+        frames.getStyleClass().add("render-fields");
+    }
+
+    PlainBox<FilmMotion> motion() {
+        return motion;
+    }
+
+    NumberField rate() {
+        return rate;
+    }
+
+    HBox frames() {
+        return frames;
+    }
+
+    NumberField first() {
+        return first;
+    }
+
+    /** Shows what most films have. */
+    void showUsual() {
+        first.show(0);
+        rate.show(USUAL_RATE);
+    }
+
+    /** Forgets an end that was typed for another scene. */
+    void startAnew() {
+        whole = true;
+    }
+
+    /** Offers what can move in a scene. */
+    void follow(Scene scene) {
+        keyframes = scene.camera().keyframes();
+        List<FilmMotion> motions = FilmMotion.of(scene);
+        motion.offer(motions, motions.stream().findFirst());
+        showEnd();
+    }
+
+    /** What is wrong, or why there is no film. */
+    Optional<String> complaint() {
+        return Optional.of("Nothing moves: set two camera keyframes or more, or add spheres that fall")
+                .filter(_ -> motion.choice().isEmpty())
+                .or(rate::complaint)
+                .or(first::complaint)
+                .or(last::complaint)
+                .or(() -> Optional.of("Last frame is " + last.wholeNumber() + ", but must be at least the first frame, "
+                                + first.wholeNumber())
+                        .filter(_ -> last.number() < first.number()));
+    }
+
+    /** The film; empty where {@link #complaint} says why there is none. */
+    Optional<FilmPlan> film() {
+        return complaint().isPresent()
+                ? Optional.empty()
+                : motion.choice().map(moving -> new FilmPlan(moving, rate.number(), range()));
+    }
+
+    private FrameRange range() {
+        return FrameRange.of(first.wholeNumber(), last.wholeNumber());
+    }
+
+    private void takeLast() {
+        whole &= showing;
+        tell();
+    }
+
+    private void showEnd() {
+        if (whole && rate.complaint().isEmpty()) {
+            showing = true;
+            last.show(NUMBERS.clamp(Math.rint(seconds() * rate.number())));
+            showing = false;
+        }
+        tell();
+    }
+
+    private double seconds() {
+        boolean path = motion.choice().filter(FilmMotion::movesCamera).isPresent();
+        return path && !keyframes.isEmpty() ? keyframes.getLast().seconds() : USUAL_SECONDS;
+    }
+
+    private void tell() {
+        if (!showing) {
+            length.setText(film().map(FilmFields::describe).orElse(""));
+            changed.run();
+        }
+    }
+
+    private static String describe(FilmPlan film) {
+        int count = film.frames().count();
+        return String.format(Locale.ROOT, "%d %s, %.2f s", count, count == 1 ? "frame" : "frames", count / film.rate());
+    }
+}

@@ -1,0 +1,188 @@
+package dev.twister.gui.rendering;
+
+import dev.twister.engine.EngineException;
+import dev.twister.gui.controls.Dialogs;
+import dev.twister.gui.controls.Dialogs.Answer;
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.files.FileActions;
+import dev.twister.gui.files.FileChoice;
+import dev.twister.gui.model.RenderJob;
+import dev.twister.gui.studio.EngineList;
+import dev.twister.gui.studio.Studio;
+import dev.twister.render.RenderOrder;
+import dev.twister.render.RenderOutput;
+import dev.twister.render.SceneInputs;
+import dev.twister.world.SceneMeshes;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Optional;
+import javafx.stage.Stage;
+
+/** Renders to files beside the window, one after the other. */
+public final class RenderActions implements AutoCloseable {
+    private static final String FAILED = "Couldn't render to the file";
+
+    /** A slow engine may be long at a picture that nobody wants; nothing of it is left. */
+    private static final Duration LONGEST_END = Duration.ofSeconds(5);
+
+    private final Studio studio;
+    private final FileChoice choice;
+    private final Dialogs dialogs;
+    private final RenderForm form;
+    private final RenderWindow window;
+    private Optional<RenderJob> job = Optional.empty();
+    private Path lastFolder = Path.of("").toAbsolutePath();
+    private boolean choosing;
+
+    public RenderActions(Stage owner, Studio studio, EngineList engines, FileChoice choice, Dialogs dialogs) {
+        this.studio = studio;
+        this.choice = choice;
+        this.dialogs = dialogs;
+        form = new RenderForm(studio, engines);
+        window = new RenderWindow(owner, form, this::start, this::cancel);
+        studio.sceneProperty().subscribe(_ -> {
+            if (window.isShowing()) {
+                form.follow();
+            }
+        });
+    }
+
+    /** Shows the window that renders. */
+    public void show() {
+        window.show();
+    }
+
+    /** Called in every pulse: shows how far a rendering is, and what came of it. */
+    public void pulse() {
+        job.filter(running -> running.result().isDone()).ifPresent(this::tellEnd);
+        if (window.isShowing()) {
+            job.ifPresent(running -> window.showProgress(
+                    running.isCanceled() ? "Canceling…" : running.progress().text(),
+                    running.progress().part()));
+        }
+    }
+
+    /** Does that, which closes the window; where something is rendered, asks first whether to cancel it. */
+    public void beforeClosing(Runnable then) {
+        if (job.isPresent()) {
+            dialogs.askToCancelRender(
+                    FileActions.name(job.get().order().output().file()), new Answer("Cancel render", () -> {
+                        cancel();
+                        then.run();
+                    }));
+        } else {
+            then.run();
+        }
+    }
+
+    /** Cancels what is rendered. Returns at once. */
+    public void finish() {
+        cancel();
+        window.close();
+    }
+
+    /** Waits for the end of a canceled rendering; called after {@link #finish}, by any thread. */
+    @Override
+    public void close() {
+        job.ifPresent(running -> {
+            try {
+                running.awaitEnd(LONGEST_END);
+            } catch (InterruptedException _) {
+                Thread.currentThread().interrupt();
+            }
+        });
+    }
+
+    private void cancel() {
+        job.ifPresent(RenderJob::cancel);
+    }
+
+    private void start() {
+        if (choosing || job.isPresent()) {
+            return;
+        }
+        choosing = true;
+        Path suggested = lastFolder.resolve(form.format().fileName(stem()));
+        Optional<Path> chosen =
+                choice.toRender(suggested, form.format().label(), form.format().ending());
+        choosing = false;
+        chosen.flatMap(form::order).ifPresent(this::startWhereFree);
+    }
+
+    private String stem() {
+        String name = FileActions.name(studio.fileProperty().get().path());
+        int dot = name.lastIndexOf('.');
+        return dot > 0 ? name.substring(0, dot) : name;
+    }
+
+    /** Asks about frames that would be replaced: of others, the choice of the file did. */
+    private void startWhereFree(RenderOrder order) {
+        Path file = order.output().file();
+        lastFolder = Optional.ofNullable(file.toAbsolutePath().getParent()).orElse(lastFolder);
+        try {
+            if (SceneInputs.areReplacedBy(
+                    file, SceneInputs.of(studio.fileProperty().get().path(), order.scene()))) {
+                dialogs.complain(FAILED, file + " is a file of the scene; choose another one");
+            } else {
+                Optional<Path> there = firstFrameThere(order);
+                if (there.isPresent()) {
+                    dialogs.askToReplaceFrames(
+                            FileActions.name(there.get()),
+                            new Answer("Other name…", this::start),
+                            new Answer("Replace", () -> start(order)));
+                } else {
+                    start(order);
+                }
+            }
+        } catch (IOException problem) {
+            dialogs.complain(FAILED, problem.getMessage());
+        } catch (IllegalArgumentException problem) {
+            dialogs.complain(FAILED, file + " " + problem.getMessage());
+        }
+    }
+
+    private Optional<Path> firstFrameThere(RenderOrder order) {
+        RenderOutput output = order.output();
+        return output.range()
+                .numbers()
+                .mapToObj(output::file)
+                .filter(_ -> output.isNumbered())
+                .filter(Files::exists)
+                .findFirst();
+    }
+
+    private void start(RenderOrder order) {
+        SceneMeshes meshes =
+                studio.pictureProperty().get().map(DrawnPicture::meshes).orElse(SceneMeshes.NONE);
+        job = Optional.of(RenderJob.start(order, () -> studio.assets().world(order.scene(), meshes), System::nanoTime));
+        pulse();
+    }
+
+    private void tellEnd(RenderJob ended) {
+        job = Optional.empty();
+        switch (ended.result().state()) {
+            case SUCCESS -> tell("Rendered " + ended.result().resultNow() + more(ended.order()));
+            case CANCELLED -> tell("Render canceled");
+            default -> {
+                window.showEnd("");
+                dialogs.complain(FAILED, explain(ended.result().exceptionNow()));
+            }
+        }
+    }
+
+    private static String more(RenderOrder order) {
+        int frames = order.output().range().count();
+        return frames == 1 ? "" : ", " + frames + " frames";
+    }
+
+    private static String explain(Throwable problem) {
+        return problem instanceof EngineException ? problem.getMessage() : FileActions.explain(problem);
+    }
+
+    private void tell(String what) {
+        window.showEnd(what);
+        studio.notice(what);
+    }
+}

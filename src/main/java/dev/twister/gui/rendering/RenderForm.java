@@ -1,0 +1,217 @@
+package dev.twister.gui.rendering;
+
+import dev.twister.engine.EngineOffer;
+import dev.twister.engine.auto.FastestEngine;
+import dev.twister.film.Ffmpeg;
+import dev.twister.gui.controls.NumberField;
+import dev.twister.gui.controls.PlainBox;
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.RefinementGoal;
+import dev.twister.gui.model.RenderFormat;
+import dev.twister.gui.model.ShownPictures;
+import dev.twister.gui.model.WindowOrder;
+import dev.twister.gui.studio.EngineList;
+import dev.twister.gui.studio.Studio;
+import dev.twister.image.PictureSize;
+import dev.twister.render.PictureMemory;
+import dev.twister.render.RenderOrder;
+import dev.twister.render.Rendering;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneLimits;
+import dev.twister.world.FrameInput;
+import dev.twister.world.Picture;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.control.RadioButton;
+import javafx.scene.control.ToggleGroup;
+import javafx.scene.layout.ColumnConstraints;
+import javafx.scene.layout.GridPane;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+
+/** What is rendered to a file, and how; it stays as it was left. */
+final class RenderForm extends GridPane {
+    private final Studio studio;
+    private final EngineList engines;
+    private final boolean mp4 =
+            Ffmpeg.find(System.getenv().getOrDefault("PATH", "")).isPresent();
+    private final ReadOnlyObjectWrapper<Optional<String>> complaint = new ReadOnlyObjectWrapper<>(Optional.empty());
+    private final RadioButton film = radio("render-film", "Fil_m");
+    private final FilmFields films = new FilmFields(this::check);
+    private final SizeFields size = new SizeFields(this::check);
+    private final NumberField samples =
+            new NumberField("Samples per pixel", SceneLimits.SAMPLES_PER_PIXEL, true, this::check);
+    private final NumberField shadows =
+            new NumberField("Shadow samples", SceneLimits.SHADOW_SAMPLES, true, this::check);
+    private final PlainBox<EngineOffer> engine = new PlainBox<>("render-engine", RenderForm::name, this::check);
+    private final PlainBox<Picture> shown = new PlainBox<>("render-show", ShownPictures::label, this::check);
+    private final PlainBox<RenderFormat> format = new PlainBox<>("render-format", RenderFormat::label, this::check);
+    private Optional<Long> document = Optional.empty();
+    private int rows;
+
+    RenderForm(Studio studio, EngineList engines) {
+        this.studio = studio;
+        this.engines = engines;
+        getStyleClass().add("render-form");
+        ColumnConstraints controls = new ColumnConstraints();
+        controls.setHgrow(Priority.ALWAYS);
+        getColumnConstraints().setAll(new ColumnConstraints(), controls);
+        RadioButton picture = radio("render-picture", "_Picture");
+        picture.setSelected(true);
+        ToggleGroup group = new ToggleGroup();
+        group.getToggles().setAll(picture, film);
+        HBox output = new HBox(picture, film);
+        output.getStyleClass().add("render-choice");
+        addRow("Output", output, picture);
+        showForFilms(addRow("M_oves", films.motion(), films.motion()));
+        showForFilms(addRow("Frames per secon_d", films.rate(), films.rate()));
+        showForFilms(addRow("Fr_ames", films.frames(), films.first()));
+        addRow("Si_ze", size, size.firstControl());
+        addRow("_Samples per pixel", samples, samples);
+        addRow("S_hadow samples", shadows, shadows);
+        addRow("En_gine", engine, engine);
+        addRow("Sho_w", shown, shown);
+        addRow("_Format", format, format);
+        film.selectedProperty().subscribe(_ -> showFormats());
+        engines.offersProperty().subscribe(_ -> showEngines());
+    }
+
+    /** What keeps the form from being rendered. */
+    ReadOnlyObjectProperty<Optional<String>> complaintProperty() {
+        return complaint.getReadOnlyProperty();
+    }
+
+    /** The kind of file that is wanted. */
+    RenderFormat format() {
+        return format.choice().orElse(RenderFormat.PNG);
+    }
+
+    /** Shows what the scene offers; called while the form is in sight. */
+    void follow() {
+        Scene scene = studio.scene();
+        Optional<PictureSize> window = studio.pictureProperty()
+                .get()
+                .map(seen ->
+                        new PictureSize(seen.request().width(), seen.request().height()));
+        size.offer(window);
+        if (document.isEmpty()) {
+            size.show(new PictureSize(scene.settings().width(), scene.settings().height()));
+            samples.show(RefinementGoal.samples(scene, Picture.REFLECTIONS));
+            shown.offer(ShownPictures.all(), Optional.of(studio.shownProperty().get()));
+            films.showUsual();
+            engines.want();
+        }
+        if (!document.equals(Optional.of(studio.document()))) {
+            document = Optional.of(studio.document());
+            shadows.show(scene.settings().shadowSamples());
+            films.startAnew();
+        }
+        films.follow(scene);
+    }
+
+    /** The order that the form stands for, of the scene as it is now; empty where there is a complaint. */
+    Optional<RenderOrder> order(Path file) {
+        Scene scene = studio.scene();
+        return size.size()
+                .filter(_ -> samples.complaint().or(shadows::complaint).isEmpty())
+                .map(wanted -> scene.withSettings(settings(scene.settings(), wanted)))
+                .flatMap(sized -> engine.choice()
+                        .flatMap(chosen -> shown.choice().flatMap(picture -> order(sized, picture, chosen, file))));
+    }
+
+    private Optional<RenderOrder> order(Scene scene, Picture picture, EngineOffer chosen, Path file) {
+        return film.isSelected()
+                ? films.film().map(plan -> WindowOrder.film(scene, picture, chosen, plan, file))
+                : Optional.of(WindowOrder.picture(scene, picture, chosen, movedBodies(scene), file));
+    }
+
+    private RenderSettings settings(RenderSettings usual, PictureSize wanted) {
+        return usual.withSize(wanted.width(), wanted.height())
+                .withSamplesPerPixel(samples.wholeNumber())
+                .withShadows(shadows.wholeNumber());
+    }
+
+    /** Where bodies are seen that move. */
+    private Optional<FrameInput> movedBodies(Scene scene) {
+        return studio.pictureProperty()
+                .get()
+                .filter(_ -> studio.motion().isOn())
+                .filter(seen -> seen.request().motion().start()
+                                == studio.motion().motionProperty().get().start()
+                        && seen.request().scene().spheres().equals(scene.spheres())
+                        && seen.request().scene().pour().equals(scene.pour()))
+                .map(DrawnPicture::input);
+    }
+
+    private void showEngines() {
+        List<EngineOffer> working = engines.offersProperty().get().stream()
+                .filter(EngineOffer::works)
+                .toList();
+        String wanted = engine.choice()
+                .map(EngineOffer::id)
+                .orElse(studio.engineProperty().get().offer().id());
+        engine.offer(working, find(working, wanted).or(() -> find(working, FastestEngine.AUTO)));
+        check();
+    }
+
+    private static Optional<EngineOffer> find(List<EngineOffer> offers, String id) {
+        return offers.stream().filter(offer -> offer.id().equals(id)).findFirst();
+    }
+
+    private static String name(EngineOffer offer) {
+        return offer.device().isEmpty() ? offer.id() : offer.id() + " (" + offer.device() + ")";
+    }
+
+    private void showFormats() {
+        List<RenderFormat> formats = RenderFormat.of(film.isSelected(), mp4);
+        format.offer(formats, Optional.of(formats.getFirst()));
+        check();
+    }
+
+    private void check() {
+        Optional<String> wrong = (film.isSelected() ? films.complaint() : Optional.<String>empty())
+                .or(size::complaint)
+                .or(samples::complaint)
+                .or(shadows::complaint);
+        complaint.set(
+                wrong.or(() -> order(Path.of(format().fileName("picture"))).flatMap(RenderForm::shortage)));
+    }
+
+    private static Optional<String> shortage(RenderOrder order) {
+        return PictureMemory.of(order.size(), Rendering.bytesPerPixel(order))
+                .map(shortage -> "Size " + shortage.text());
+    }
+
+    private void showForFilms(List<Node> row) {
+        row.forEach(node -> {
+            node.visibleProperty().bind(film.selectedProperty());
+            node.managedProperty().bind(film.selectedProperty());
+        });
+    }
+
+    private List<Node> addRow(String name, Region controls, Node first) {
+        Label label = new Label(name);
+        label.setMnemonicParsing(true);
+        label.setLabelFor(first);
+        label.getStyleClass().add("row-name");
+        addRow(rows, label, controls);
+        rows++;
+        first.setAccessibleText(name.replace("_", ""));
+        return List.of(label, controls);
+    }
+
+    private static RadioButton radio(String id, String label) {
+        RadioButton button = new RadioButton(label);
+        button.setId(id);
+        // Its underlined letter does no more than this.
+        button.setOnAction(_ -> button.setSelected(true));
+        return button;
+    }
+}

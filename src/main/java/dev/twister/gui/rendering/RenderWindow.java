@@ -1,0 +1,118 @@
+package dev.twister.gui.rendering;
+
+import java.util.Optional;
+import javafx.css.PseudoClass;
+import javafx.scene.Scene;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.control.ProgressBar;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
+import javafx.stage.Stage;
+
+/** The window that renders to files: a form, how far a rendering is, and buttons. */
+final class RenderWindow {
+    private static final PseudoClass WRONG = PseudoClass.getPseudoClass("wrong");
+
+    private final Stage stage = new Stage();
+    private final RenderForm form;
+    private final Button render = button("render-start", "_Render…");
+    private final Button cancel = button("render-cancel", "_Cancel render");
+    private final ProgressBar bar = new ProgressBar(0);
+    private final Label state = new Label();
+    private boolean rendering;
+
+    /** What is said of the last rendering, while the form is right. */
+    private String said = "";
+
+    /**
+     * A window that is not shown yet.
+     *
+     * @param start called to render what the form says
+     * @param stop called to cancel it
+     */
+    RenderWindow(Stage owner, RenderForm form, Runnable start, Runnable stop) {
+        this.form = form;
+        stage.initOwner(owner);
+        stage.setTitle("Render to file");
+        stage.setResizable(false);
+        Button close = button("render-close", "Close");
+        render.setDefaultButton(true);
+        render.setOnAction(_ -> start.run());
+        cancel.setOnAction(_ -> {
+            // The button is about to go.
+            close.requestFocus();
+            stop.run();
+        });
+        close.setCancelButton(true);
+        close.setOnAction(_ -> stage.hide());
+        bar.setId("render-bar");
+        bar.setMaxWidth(Double.MAX_VALUE);
+        state.setId("render-state");
+        state.setWrapText(true);
+        Region gap = new Region();
+        HBox.setHgrow(gap, Priority.ALWAYS);
+        HBox buttons = new HBox(gap, cancel, render, close);
+        buttons.getStyleClass().add("buttons");
+        VBox page = new VBox(form, new VBox(bar, state), buttons);
+        page.setId("render-page");
+        page.getStyleClass().add("page");
+        Scene scene = new Scene(page);
+        scene.getStylesheets().setAll(owner.getScene().getStylesheets());
+        stage.setScene(scene);
+        form.complaintProperty().subscribe(_ -> refresh());
+        form.heightProperty().subscribe(_ -> stage.sizeToScene());
+    }
+
+    /** Shows the window, or brings it to the front. */
+    void show() {
+        form.follow();
+        stage.show();
+        stage.toFront();
+    }
+
+    boolean isShowing() {
+        return stage.isShowing();
+    }
+
+    void close() {
+        stage.hide();
+    }
+
+    /**
+     * Shows how far a rendering is.
+     *
+     * @param part that is done, in [0, 1]; empty where it is not known
+     */
+    void showProgress(String text, Optional<Double> part) {
+        rendering = true;
+        said = text;
+        bar.setProgress(part.orElse(ProgressBar.INDETERMINATE_PROGRESS));
+        refresh();
+    }
+
+    /** Shows that nothing is rendered, and what came of the last rendering. */
+    void showEnd(String text) {
+        rendering = false;
+        said = text;
+        bar.setProgress(0);
+        refresh();
+    }
+
+    private void refresh() {
+        Optional<String> complaint = form.complaintProperty().get().filter(_ -> !rendering);
+        bar.setVisible(rendering);
+        cancel.setVisible(rendering);
+        render.setDisable(rendering || complaint.isPresent());
+        state.pseudoClassStateChanged(WRONG, complaint.isPresent());
+        state.setText(complaint.orElse(said));
+    }
+
+    private static Button button(String id, String label) {
+        Button button = new Button(label);
+        button.setId(id);
+        return button;
+    }
+}

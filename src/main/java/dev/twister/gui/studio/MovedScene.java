@@ -1,0 +1,114 @@
+package dev.twister.gui.studio;
+
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.drawing.Motion;
+import dev.twister.gui.model.BodyNumber;
+import dev.twister.physics.SameSpheres;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import dev.twister.world.Bodies;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+
+/**
+ * A scene whose spheres may be elsewhere by now than it says.
+ *
+ * @param standing the scene, its spheres where they start
+ * @param seen the picture that shows where they are; empty where they stand
+ */
+record MovedScene(Scene standing, Optional<DrawnPicture> seen) {
+    /**
+     * An edit of moving bodies.
+     *
+     * @param before the scene as it is to be returned to: a sphere that the edit puts elsewhere is where it was seen
+     * @param after the edited scene: all other spheres start where they did
+     */
+    record Edit(Scene before, Scene after) {}
+
+    /** The scene as the picture shows it; as it stands where nothing moves or the picture is of another motion. */
+    static MovedScene of(Scene scene, Motion motion, Optional<DrawnPicture> picture) {
+        return new MovedScene(
+                scene,
+                picture.filter(
+                        shown -> motion.isOn() && shown.request().motion().start() == motion.start()));
+    }
+
+    /** Where a sphere is, by its place in the list. */
+    Vector3 position(int index) {
+        int[] same = sameInPicture();
+        return position(same, index);
+    }
+
+    /** The scene with its spheres where they are. */
+    Scene asSeen() {
+        return standing.withSpheres(spheresAsSeen());
+    }
+
+    private List<Sphere> spheresAsSeen() {
+        List<Sphere> stand = standing.spheres();
+        int[] same = sameInPicture();
+        List<Sphere> moved = new ArrayList<>(stand.size());
+        for (int index = 0; index < stand.size(); index++) {
+            moved.add(at(position(same, index), stand.get(index)));
+        }
+        return moved;
+    }
+
+    /** Edits the scene as it is seen. */
+    Edit edit(UnaryOperator<Scene> change) {
+        List<Sphere> stand = standing.spheres();
+        List<Sphere> moved = spheresAsSeen();
+        Scene edited = change.apply(standing.withSpheres(moved));
+        int[] old = SameSpheres.of(moved, edited.spheres());
+        List<Sphere> before = new ArrayList<>(stand);
+        List<Sphere> after = new ArrayList<>(edited.spheres());
+        for (int index = 0; index < old.length; index++) {
+            int number = old[index];
+            if (number != SameSpheres.NONE) {
+                Vector3 place = moved.get(number).position();
+                if (place.equals(after.get(index).position())) {
+                    after.set(index, at(stand.get(number).position(), after.get(index)));
+                } else {
+                    before.set(number, at(place, stand.get(number)));
+                }
+            }
+        }
+        return new Edit(standing.withSpheres(before), edited.withSpheres(after));
+    }
+
+    /** For each sphere, which one of the picture's scene it is. */
+    private int[] sameInPicture() {
+        return seen.map(shown -> SameSpheres.of(shown.request().scene().spheres(), standing.spheres()))
+                .orElseGet(() -> new int[0]);
+    }
+
+    private Vector3 position(int[] same, int index) {
+        Vector3 start = standing.spheres().get(index).position();
+        return seen.filter(shown -> same[index] != SameSpheres.NONE
+                        // One that was put elsewhere since is there.
+                        && shown.request()
+                                .scene()
+                                .spheres()
+                                .get(same[index])
+                                .position()
+                                .equals(start))
+                .map(shown -> place(shown.input().bodies(), BodyNumber.ofSphere(same[index])))
+                .orElse(start);
+    }
+
+    private static Vector3 place(Bodies bodies, int body) {
+        Vector3 center = bodies.centerInScene(body);
+        return new Vector3(
+                SceneLimits.POSITION.clamp(center.x()),
+                SceneLimits.POSITION.clamp(center.y()),
+                SceneLimits.POSITION.clamp(center.z()));
+    }
+
+    private static Sphere at(Vector3 place, Sphere sphere) {
+        return sphere.withPosition(place);
+    }
+}

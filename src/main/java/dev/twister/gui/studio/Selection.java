@@ -1,0 +1,129 @@
+package dev.twister.gui.studio;
+
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.BodyEdits;
+import dev.twister.gui.model.BodyExtent;
+import dev.twister.gui.model.BodyNumber;
+import dev.twister.gui.model.SelectedBodies;
+import dev.twister.scene.Scene;
+import dev.twister.world.SceneMeshes;
+import java.util.Collection;
+import java.util.Optional;
+import javafx.beans.property.ReadOnlyIntegerProperty;
+import javafx.beans.property.ReadOnlyIntegerWrapper;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+
+/**
+ * The bodies that a person works on. Several at a time are movable ones; the plane and a poured sphere are selected
+ * alone.
+ */
+public final class Selection {
+    private final Studio studio;
+    private final ReadOnlyObjectWrapper<SelectedBodies> bodies = new ReadOnlyObjectWrapper<>(SelectedBodies.NONE);
+    private final ReadOnlyIntegerWrapper active = new ReadOnlyIntegerWrapper(BodyNumber.NONE);
+
+    Selection(Studio studio) {
+        this.studio = studio;
+    }
+
+    public ReadOnlyObjectProperty<SelectedBodies> bodiesProperty() {
+        return bodies.getReadOnlyProperty();
+    }
+
+    public SelectedBodies bodies() {
+        return bodies.get();
+    }
+
+    /** See {@link SelectedBodies#active}; changes after {@link #bodiesProperty}. */
+    public ReadOnlyIntegerProperty activeProperty() {
+        return active.getReadOnlyProperty();
+    }
+
+    public int active() {
+        return bodies.get().active();
+    }
+
+    /** Selects the light, the plane, a sphere, a mesh, or a sphere that is poured; any other number selects nothing. */
+    public void select(int body) {
+        set(SelectedBodies.of(BodyEdits.isSelectable(studio.scene(), body) ? body : BodyNumber.NONE));
+    }
+
+    /** Selects the movable ones of several bodies, the last of them active; one alone as {@link #select(int)}. */
+    public void select(Collection<Integer> several) {
+        if (several.size() == 1) {
+            select(several.iterator().next());
+        } else {
+            set(SelectedBodies.of(several.stream().filter(this::isMovable).toList()));
+        }
+    }
+
+    /** Adds a body to the selection as the active one, or takes it out; says so where it can only be alone. */
+    public void toggle(int body) {
+        SelectedBodies selected = bodies.get();
+        boolean movable = isMovable(body);
+        if (movable || selected.contains(body)) {
+            set((movable ? selected.where(this::isMovable) : selected).toggled(body));
+        } else if (BodyEdits.isSelectable(studio.scene(), body)) {
+            if (selected.where(this::isMovable).count() == 0) {
+                select(body);
+            } else {
+                studio.notice((body == BodyNumber.PLANE ? "The plane" : "A poured sphere") + " is only selected alone");
+            }
+        }
+    }
+
+    /** Makes one of the selected bodies the active one. */
+    public void activate(int body) {
+        set(bodies.get().withActive(body));
+    }
+
+    /** Selects all movable bodies; the active one stays it. */
+    public void selectAll() {
+        SelectedBodies all = SelectedBodies.of(BodyEdits.movable(studio.scene()));
+        set(all.contains(active()) ? all.withActive(active()) : all);
+        studio.notice(all.count() + " bodies selected");
+    }
+
+    /** The room that its movable bodies take together in the picture that is shown; empty where there are none. */
+    public Optional<BodyExtent> extent() {
+        return extent(bodies());
+    }
+
+    /** The same of some of them. */
+    public Optional<BodyExtent> extent(SelectedBodies some) {
+        Scene now = studio.sceneNow();
+        SceneMeshes shown =
+                studio.pictureProperty().get().map(DrawnPicture::meshes).orElse(SceneMeshes.NONE);
+        return Optional.of(some.bodies().stream()
+                        .filter(this::isMovable)
+                        .map(body -> BodyExtent.of(now, shown, body))
+                        .toList())
+                .filter(extents -> !extents.isEmpty())
+                .map(BodyExtent::of);
+    }
+
+    /** Keeps those bodies alone whose numbers mean the same ones in the scene as it is now. */
+    void follow(Scene before, Scene now) {
+        boolean renumbered = before.spheres().size() != now.spheres().size()
+                || before.meshes().size() != now.meshes().size();
+        // A poured sphere is no body of the scene; all others stay as long as none comes or goes.
+        if (renumbered || BodyEdits.isPoured(before, active())) {
+            set(bodies.get()
+                    .where(body -> !BodyEdits.isRenumbered(before, now, body) && BodyEdits.isSelectable(now, body)));
+        }
+    }
+
+    private boolean isMovable(int body) {
+        return BodyEdits.isMovable(studio.scene(), body);
+    }
+
+    private void set(SelectedBodies selected) {
+        if (!selected.equals(bodies.get())) {
+            // The next edit may have the same name, but is of other bodies.
+            studio.endGesture();
+            bodies.set(selected);
+            active.set(selected.active());
+        }
+    }
+}

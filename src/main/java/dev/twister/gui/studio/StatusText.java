@@ -1,0 +1,89 @@
+package dev.twister.gui.studio;
+
+import dev.twister.gui.drawing.DrawingStatus;
+import dev.twister.gui.drawing.DrawnPicture;
+import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.model.ShownPictures;
+import dev.twister.scene.Camera;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
+import dev.twister.world.Picture;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** What the status line says. */
+public final class StatusText {
+    private static final String BETWEEN = " · ";
+
+    private StatusText() {}
+
+    /** Scene, engine, size, bodies that are there, and where a lens is focused. */
+    public static String facts(DrawnPicture picture) {
+        String chosen = picture.request().engine().offer().id();
+        String name = picture.request().scene().name();
+        Camera camera = picture.request().scene().camera();
+        return Stream.of(
+                        name.isEmpty() ? "untitled" : name,
+                        picture.request().shown() == Picture.REFLECTIONS
+                                ? ""
+                                : ShownPictures.label(picture.request().shown()),
+                        (chosen.equals(picture.engine()) ? "" : chosen + ": ") + picture.engine() + " ("
+                                + picture.device() + ")",
+                        picture.frame().width() + " × " + picture.frame().height(),
+                        picture.samples() + (picture.samples() == 1 ? " sample per pixel" : " samples per pixel"),
+                        picture.input().bodyCount() + " bodies",
+                        meshes(picture.request().scene().meshes().size()),
+                        camera.aperture() > 0 ? "focus at " + meters(camera) : "")
+                .filter(part -> !part.isEmpty())
+                .collect(Collectors.joining(BETWEEN));
+    }
+
+    private static String meshes(int count) {
+        return count == 0 ? "" : count + (count == 1 ? " mesh" : " meshes");
+    }
+
+    /** What the camera has been focused on. */
+    public static String focused(Camera camera) {
+        return "Focus distance: " + meters(camera)
+                + (camera.aperture() > 0 ? "" : ". The aperture is 0: everything is in focus");
+    }
+
+    private static String meters(Camera camera) {
+        return SceneNumbers.FOCUS_DISTANCE.text(camera.focusDistance()) + " m";
+    }
+
+    /** Whether {@link #facts} are known to be the same for both, told without putting them together. */
+    public static boolean isSame(DrawnPicture one, DrawnPicture other) {
+        return one.request().number() == other.request().number()
+                && one.samples() == other.samples()
+                && one.input().bodyCount() == other.input().bodyCount()
+                && one.engine().equals(other.engine())
+                && one.isWhole()
+                && other.isWhole();
+    }
+
+    /** What moves in a scene when its physics is switched on. */
+    static String whatFalls(Scene scene) {
+        int spheres = scene.spheres().size();
+        boolean pours = scene.pour().isPresent();
+        if (spheres == 0 && !pours) {
+            return "Physics on, but the scene has no spheres";
+        }
+        if (scene.physics().gravity().equals(new Vector3(0, 0, 0))) {
+            return "Physics on, but gravity is 0: nothing falls";
+        }
+        return "Physics on: " + spheres + (spheres == 1 ? " sphere" : " spheres")
+                + (pours ? ", and more are poured" : "");
+    }
+
+    /** What is going on, or went wrong; may be empty. */
+    public static String message(DrawingStatus status) {
+        return Stream.of(
+                        status.opening().map(id -> "making engine " + id + " ready…"),
+                        status.engineFailure(),
+                        status.sceneFailure())
+                .flatMap(Optional::stream)
+                .collect(Collectors.joining(BETWEEN));
+    }
+}

@@ -1,0 +1,32 @@
+package dev.twister.render;
+
+import dev.twister.engine.EngineOffer;
+import dev.twister.image.PictureSize;
+import dev.twister.scene.Scene;
+import dev.twister.world.Picture;
+import java.util.List;
+
+/**
+ * Everything that the files of a rendering depend on; {@link Rendering} carries it out.
+ *
+ * @param scene with the camera and the settings to render with
+ * @param engine is opened for the first picture and closed after the last one
+ * @param pictures the picture, a stage, or views; several need an .exr file
+ * @param sampling samples of each pixel; replaces the scene's
+ * @param part rows or samples to which the picture is limited
+ * @param autoExposure whether the first picture of the film sets the exposure; no effect on linear files
+ */
+public record RenderOrder(
+        Scene scene,
+        EngineOffer engine,
+        List<Picture> pictures,
+        Sampling sampling,
+        PicturePart part,
+        Movement movement,
+        boolean autoExposure,
+        RenderOutput output) {
+    /** The size of each picture. */
+    public PictureSize size() {
+        return new PictureSize(scene.settings().width(), scene.settings().height());
+    }
+}

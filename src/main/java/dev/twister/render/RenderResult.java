@@ -1,0 +1,22 @@
+package dev.twister.render;
+
+import dev.twister.world.FrameInput;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What a rendering did.
+ *
+ * @param kept number of frames of an earlier run that were kept
+ * @param picture empty for frames and films
+ */
+public record RenderResult(int kept, Optional<Single> picture) {
+    /**
+     * A single picture.
+     *
+     * @param part the rows and samples that were rendered
+     * @param engine its id
+     * @param device its display name
+     */
+    public record Single(List<DrawnPicture> drawn, FrameInput part, String engine, String device) {}
+}

@@ -1,0 +1,169 @@
+package dev.twister.render;
+
+import dev.twister.engine.ExposureMeter;
+import dev.twister.film.EncodedPixels;
+import dev.twister.film.FilmFile;
+import dev.twister.film.FilmFormat;
+import dev.twister.film.FilmWriting;
+import dev.twister.image.PictureNotes;
+import dev.twister.image.Provenance;
+import dev.twister.threads.BackgroundWriter;
+import dev.twister.world.FrameInput;
+import dev.twister.world.Picture;
+import dev.twister.world.World;
+import java.io.BufferedOutputStream;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.List;
+import java.util.Optional;
+
+/** Renders an order to its files. Files are written in the background while the next frames are rendered. */
+public final class Rendering {
+    private static final int MOST_WRITERS = 4;
+
+    private final RenderOrder order;
+    private final RenderOutput output;
+    private final RenderProgress progress;
+    private final PictureDrawing drawing;
+    private final FilmScene shown;
+
+    private Rendering(RenderOrder order, RenderProgress progress, PictureDrawing drawing, FilmScene shown) {
+        this.order = order;
+        output = order.output();
+        this.progress = progress;
+        this.drawing = drawing;
+        this.shown = shown;
+    }
+
+    /**
+     * Renders an order. Each file is written whole or not at all.
+     *
+     * @param world of the order's scene
+     * @throws IOException if a file cannot be written, or the bodies' positions cannot be read
+     * @throws dev.twister.engine.EngineException if the engine does not work
+     * @throws BlackPictureException if the exposure cannot be set by a picture
+     */
+    public static RenderResult render(RenderOrder order, World world, RenderProgress progress) throws IOException {
+        world.setSettings(order.scene().settings());
+        // Told at once, not after minutes of simulation.
+        order.engine().check();
+        BodyMotion motion = order.movement().bodies();
+        try (PictureDrawing drawing = new PictureDrawing(order);
+                FilmBodies bodies = FilmBodies.of(motion, order.scene(), world.meshes(), progress)) {
+            Rendering rendering = new Rendering(order, progress, drawing, new FilmScene(order, world, bodies));
+            rendering.setExposure();
+            progress.begin();
+            return rendering.render();
+        }
+    }
+
+    /** Memory that rendering and writing takes, in bytes per pixel. */
+    public static long bytesPerPixel(RenderOrder order) {
+        RenderOutput output = order.output();
+        if (output.isFilm()) {
+            return (1L + FilmWriting.WAITING) * BandedDrawing.bytesPerPixel(false);
+        }
+        long pictures = output.frames().isPresent() ? 1L + room(writers(output)) : 1;
+        return pictures * output.format().bytesPerPixel(order.pictures());
+    }
+
+    private static int writers(RenderOutput output) {
+        // Standard output needs the order of the frames.
+        return output.isStandardOutput()
+                ? 1
+                : Math.clamp(Runtime.getRuntime().availableProcessors() / 2, 1, MOST_WRITERS);
+    }
+
+    private static int room(int writers) {
+        return writers + 1;
+    }
+
+    private RenderResult render() throws IOException {
+        if (output.isFilm()) {
+            return film();
+        }
+        return output.frames().isPresent() ? frames() : picture();
+    }
+
+    /** By the film's first frame, whichever frames are rendered, so that all parts of a film are as bright. */
+    private void setExposure() throws IOException {
+        Picture first = order.pictures().getFirst();
+        if (order.autoExposure() && first.isColor() && !output.isLinear()) {
+            int start = order.movement().bodies() instanceof BodyMotion.Recorded recorded
+                    ? recorded.file().firstFrame()
+                    : 0;
+            World world = shown.world();
+            double stops =
+                    ExposureMeter.stops(shown.frame(start).showing(first)).orElseThrow(BlackPictureException::new);
+            world.setSettings(world.settings().withExposure(stops));
+        }
+    }
+
+    private RenderResult film() throws IOException {
+        FrameRange frames = output.range();
+        FilmFormat format = new FilmFormat(
+                order.size().width(), order.size().height(), order.movement().rate(), frames.count());
+        try (FilmWriting writing = new FilmWriting(FilmFile.of(output.file()), format)) {
+            for (int number : frames.numbers().toArray()) {
+                FrameInput input = shown.frame(number);
+                DrawnPicture drawn = drawing.draw(input, progress).getFirst();
+                writing.add(EncodedPixels.of(drawn.pixels(), PictureFormat.isEncoded(drawn, input)));
+                progress.frame();
+            }
+            writing.finish();
+        }
+        return new RenderResult(0, Optional.empty());
+    }
+
+    private RenderResult frames() throws IOException {
+        int kept = 0;
+        int writers = writers(output);
+        try (BackgroundWriter writer = new BackgroundWriter("writing", writers, room(writers))) {
+            for (int number : output.range().numbers().toArray()) {
+                FrameInput input = shown.frame(number);
+                FrameInput part = order.part().of(input);
+                Provenance made = drawing.provenance(input);
+                if (isKept(number, made, part)) {
+                    kept++;
+                } else {
+                    List<DrawnPicture> drawn = drawing.draw(input, progress);
+                    writer.submit(1, () -> write(number, drawn, part, made));
+                }
+                progress.frame();
+            }
+            writer.finish();
+        }
+        return new RenderResult(kept, Optional.empty());
+    }
+
+    private RenderResult picture() throws IOException {
+        FrameInput input = shown.frame(0);
+        FrameInput part = order.part().of(input);
+        List<DrawnPicture> drawn = drawing.draw(input, progress);
+        progress.frame();
+        write(0, drawn, part, drawing.provenance(input));
+        return new RenderResult(
+                0,
+                Optional.of(new RenderResult.Single(
+                        drawn, part, drawing.engine().id(), drawing.engine().device())));
+    }
+
+    private boolean isKept(int number, Provenance made, FrameInput part) {
+        return output.isNumbered()
+                && output.existing() == ExistingFrames.KEPT
+                && PictureNotes.of(output.file(number), part.firstRow(), part.rows())
+                        .equals(Optional.of(made));
+    }
+
+    private void write(int number, List<DrawnPicture> drawn, FrameInput part, Provenance made) throws IOException {
+        if (output.isStandardOutput()) {
+            // Not System.out, which hides errors. Not closed, as more pictures may follow.
+            OutputStream out = new BufferedOutputStream(new FileOutputStream(FileDescriptor.out));
+            PictureFormat.writePng(out, drawn.getFirst(), part, made);
+        } else {
+            output.format().write(output.file(number), drawn, part, made);
+        }
+    }
+}

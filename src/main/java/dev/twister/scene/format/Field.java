@@ -1,0 +1,82 @@
+package dev.twister.scene.format;
+
+import java.util.function.BiFunction;
+import java.util.function.Function;
+
+/**
+ * One field of an object in a scene file.
+ *
+ * @param <R> the record that the object is read as
+ * @param <T> the field's value
+ * @param since the version of the format that first has it
+ * @param get the record's value
+ * @param with the record with another value
+ */
+record Field<R, T>(
+        String name, Presence presence, int since, ValueType<T> type, Function<R, T> get, BiFunction<R, T, R> with) {
+    /** Where a field stands. */
+    enum Presence {
+        /** In every file. */
+        REQUIRED,
+        /** In every file that is written; a file that is read may leave it out. */
+        WRITTEN,
+        /** Only where its value is not what a file that leaves it out gets. */
+        SPARSE
+    }
+
+    static <R, T> Field<R, T> required(String name, ValueType<T> type, Function<R, T> get, BiFunction<R, T, R> with) {
+        return new Field<>(name, Presence.REQUIRED, 1, type, get, with);
+    }
+
+    static <R, T> Field<R, T> written(String name, ValueType<T> type, Function<R, T> get, BiFunction<R, T, R> with) {
+        return new Field<>(name, Presence.WRITTEN, 1, type, get, with);
+    }
+
+    static <R, T> Field<R, T> sparse(String name, ValueType<T> type, Function<R, T> get, BiFunction<R, T, R> with) {
+        return new Field<>(name, Presence.SPARSE, 1, type, get, with);
+    }
+
+    /** The same field, which only files of that version and later may have. */
+    Field<R, T> from(int version) {
+        return new Field<>(name, presence, version, type, get, with);
+    }
+
+    /** The same field, left out where its value is the default. */
+    Field<R, T> orDefault() {
+        return new Field<>(name, Presence.SPARSE, since, type, get, with);
+    }
+
+    /** The same field of an object that stands for a record which holds this one's. */
+    <S> Field<S, T> within(Function<S, R> part, BiFunction<S, R, S> withPart) {
+        return new Field<>(
+                name,
+                presence,
+                since,
+                type,
+                part.andThen(get),
+                (whole, value) -> withPart.apply(whole, with.apply(part.apply(whole), value)));
+    }
+
+    boolean isRequired() {
+        return presence == Presence.REQUIRED;
+    }
+
+    /** The record with the value that stands at a place. */
+    R read(R record, Place place) {
+        return with.apply(record, type.read(place));
+    }
+
+    /** Whether the field is left out of the text of a record, as a default says the same. */
+    boolean isLeftOut(R record, R defaults) {
+        return presence == Presence.SPARSE && get.apply(record).equals(get.apply(defaults));
+    }
+
+    /** The version of the format that the field's value needs. */
+    int version(R record) {
+        return Math.max(since, type.version(get.apply(record)));
+    }
+
+    String write(R record) {
+        return JsonText.member(name, type.write(get.apply(record)));
+    }
+}

@@ -1,0 +1,70 @@
+package dev.twister.scene.format;
+
+import static dev.twister.scene.format.Field.required;
+import static dev.twister.scene.format.Field.sparse;
+
+import dev.twister.scene.Material;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.SceneLimits;
+import dev.twister.scene.format.ValueType.Decimal;
+import dev.twister.scene.format.ValueType.FilePath;
+import java.util.List;
+import java.util.function.BiFunction;
+import java.util.function.Function;
+import java.util.stream.Stream;
+
+/**
+ * The fields of a material, wherever one stands in a scene file.
+ *
+ * @param fields in the order in which they are written
+ */
+record MaterialFormat(List<Field<Material, ?>> fields) {
+    private static final Field<Material, Rgb> COLOR =
+            required("color", ValueType.color(SceneLimits.ALBEDO), Material::color, Material::withColor);
+
+    private static final List<Field<Material, ?>> NUMBERS = List.of(
+            required(
+                    "reflectivity",
+                    new Decimal(SceneLimits.REFLECTIVITY),
+                    Material::reflectivity,
+                    Material::withReflectivity),
+            sparse("roughness", new Decimal(SceneLimits.ROUGHNESS), Material::roughness, Material::withRoughness)
+                    .from(2),
+            sparse(
+                            "transmission",
+                            new Decimal(SceneLimits.TRANSMISSION),
+                            Material::transmission,
+                            Material::withTransmission)
+                    .from(2),
+            sparse("ior", new Decimal(SceneLimits.IOR), Material::ior, Material::withIor)
+                    .from(2));
+
+    static MaterialFormat whole(FilePath file) {
+        return new MaterialFormat(Stream.concat(Stream.of(COLOR), uncolored(file).fields().stream())
+                .toList());
+    }
+
+    /** Of bodies that have their colors from elsewhere. */
+    static MaterialFormat uncolored(FilePath file) {
+        return new MaterialFormat(
+                Stream.concat(NUMBERS.stream(), Stream.of(texture(file))).toList());
+    }
+
+    /** The same fields, any of which may be left out. */
+    MaterialFormat optional() {
+        return new MaterialFormat(
+                fields.stream().<Field<Material, ?>>map(Field::orDefault).toList());
+    }
+
+    /** The same fields in an object that stands for something made of the material. */
+    <R> List<Field<R, ?>> within(Function<R, Material> material, BiFunction<R, Material, R> withMaterial) {
+        return fields.stream()
+                .<Field<R, ?>>map(field -> field.within(material, withMaterial))
+                .toList();
+    }
+
+    private static Field<Material, ?> texture(FilePath file) {
+        return sparse("texture", ValueType.present(file), Material::texture, Material::withTexture)
+                .from(2);
+    }
+}

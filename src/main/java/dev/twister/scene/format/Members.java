@@ -1,0 +1,39 @@
+package dev.twister.scene.format;
+
+import dev.twister.scene.format.LocatedValue.Member;
+import dev.twister.scene.format.ValueType.Text;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.SequencedMap;
+
+/**
+ * An object whose fields have names of the user's, one line per field, at the top level of the document.
+ *
+ * @param name what a name may be
+ * @param limit how many fields there may be
+ */
+record Members<T>(Text name, ValueType<T> type, int limit) implements ValueType<SequencedMap<String, T>> {
+    @Override
+    public SequencedMap<String, T> read(Place place) {
+        Fields fields = place.fields();
+        SequencedMap<String, T> values = new LinkedHashMap<>();
+        for (Member member : fields.members()) {
+            if (!name.allows(member.name())) {
+                throw fields.failure(
+                        member.offset(),
+                        place.path() + " has the name " + Excerpt.quoted(member.name()) + ", but a name must be "
+                                + name.allowed());
+            }
+            values.put(member.name(), type.read(fields.at(member)));
+        }
+        return values;
+    }
+
+    @Override
+    public String write(SequencedMap<String, T> value) {
+        List<String> members = new ArrayList<>();
+        value.forEach((key, item) -> members.add(JsonText.member(key, type.write(item))));
+        return members.isEmpty() ? "{}" : "{\n    " + String.join(",\n    ", members) + "\n  }";
+    }
+}

@@ -1,0 +1,407 @@
+package dev.twister.scene.format;
+
+import static dev.twister.scene.format.Field.required;
+import static dev.twister.scene.format.Field.sparse;
+import static dev.twister.scene.format.Field.written;
+
+import dev.twister.scene.Camera;
+import dev.twister.scene.CameraKeyframe;
+import dev.twister.scene.CameraView;
+import dev.twister.scene.Light;
+import dev.twister.scene.Material;
+import dev.twister.scene.Mesh;
+import dev.twister.scene.Palette;
+import dev.twister.scene.Physics;
+import dev.twister.scene.Plane;
+import dev.twister.scene.Pour;
+import dev.twister.scene.Range;
+import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.ToneMap;
+import dev.twister.scene.Vector3;
+import dev.twister.scene.format.ValueType.Array;
+import dev.twister.scene.format.ValueType.Choice;
+import dev.twister.scene.format.ValueType.Decimal;
+import dev.twister.scene.format.ValueType.FilePath;
+import dev.twister.scene.format.ValueType.Flag;
+import dev.twister.scene.format.ValueType.Lines;
+import dev.twister.scene.format.ValueType.Structure;
+import dev.twister.scene.format.ValueType.Text;
+import dev.twister.scene.format.ValueType.Version;
+import dev.twister.scene.format.ValueType.WholeNumber;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.SequencedMap;
+
+/**
+ * The fields of a scene file of some version: the one list that reader and writer go by, and that the schema is held
+ * to.
+ */
+final class SceneFormat {
+    static final String VERSION_FIELD = "version";
+    static final String MATERIALS = "materials";
+    static final String SKYBOX = "skybox";
+
+    /** The version that first has named materials. */
+    static final int MATERIALS_SINCE = 2;
+
+    private static final String MATERIAL = "material";
+
+    private static final ValueType<Vector3> POSITION = ValueType.vector(SceneLimits.POSITION);
+    private static final ValueType<Double> LENGTH = new Decimal(SceneLimits.LENGTH);
+    private static final ValueType<Rgb> ALBEDO = ValueType.color(SceneLimits.ALBEDO);
+    private static final ValueType<Boolean> FLAG = new Flag();
+    private static final ValueType<String> REFERENCE = new Text(0, SceneLimits.MAX_PATH_LENGTH);
+
+    private static final Structure<CameraKeyframe> KEYFRAME = new Structure<>(
+            CameraKeyframe.DEFAULT,
+            List.of(
+                    required(
+                            KeyframeRules.TIME,
+                            new Decimal(SceneLimits.KEYFRAME_TIME),
+                            CameraKeyframe::seconds,
+                            CameraKeyframe::withSeconds),
+                    required("position", POSITION, CameraKeyframe::position, CameraKeyframe::withPosition),
+                    required("yaw", new Decimal(SceneLimits.YAW), CameraKeyframe::yawDegrees, CameraKeyframe::withYaw),
+                    required(
+                            "pitch",
+                            new Decimal(SceneLimits.PITCH),
+                            CameraKeyframe::pitchDegrees,
+                            CameraKeyframe::withPitch),
+                    sparse(
+                            "fieldOfView",
+                            ValueType.present(new Decimal(SceneLimits.FIELD_OF_VIEW)),
+                            CameraKeyframe::fieldOfViewDegrees,
+                            CameraKeyframe::withFieldOfView),
+                    sparse(
+                            "focusDistance",
+                            ValueType.present(new Decimal(SceneLimits.FOCUS_DISTANCE)),
+                            CameraKeyframe::focusDistance,
+                            CameraKeyframe::withFocusDistance)));
+
+    private static final List<Field<Camera, ?>> CAMERA = List.of(
+            required("position", POSITION, Camera::position, Camera::withPosition),
+            required("yaw", new Decimal(SceneLimits.YAW), Camera::yawDegrees, Camera::withYaw),
+            required("pitch", new Decimal(SceneLimits.PITCH), Camera::pitchDegrees, Camera::withPitch),
+            required(
+                    "fieldOfView",
+                    new Decimal(SceneLimits.FIELD_OF_VIEW),
+                    Camera::fieldOfViewDegrees,
+                    Camera::withFieldOfView),
+            sparse("aperture", new Decimal(SceneLimits.APERTURE), Camera::aperture, Camera::withAperture)
+                    .from(2),
+            sparse(
+                            "focusDistance",
+                            new Decimal(SceneLimits.FOCUS_DISTANCE),
+                            Camera::focusDistance,
+                            Camera::withFocusDistance)
+                    .from(2));
+
+    private static final Field<Camera, List<CameraKeyframe>> KEYFRAMES = Field.<Camera, List<CameraKeyframe>>sparse(
+                    KeyframeRules.FIELD,
+                    new Array<>(
+                            KEYFRAME,
+                            0,
+                            SceneLimits.MAX_KEYFRAMES,
+                            "an array of 0 to " + SceneLimits.MAX_KEYFRAMES + " keyframes"),
+                    Camera::keyframes,
+                    Camera::withKeyframes)
+            .from(2);
+
+    private static final Field<CameraView, String> VIEW_NAME =
+            required(ViewRules.NAME, new Text(1, SceneLimits.MAX_NAME_LENGTH), CameraView::name, CameraView::withName);
+
+    private static final Structure<Light> LIGHT = new Structure<>(
+            Light.DEFAULT,
+            List.of(
+                    required("position", POSITION, Light::position, Light::withPosition),
+                    required("radius", LENGTH, Light::radius, Light::withRadius),
+                    required("color", ValueType.color(SceneLimits.RADIANCE), Light::color, Light::withColor)));
+
+    private static final List<Field<Plane, ?>> PLANE = List.of(
+            required("size", LENGTH, Plane::size, Plane::withSize),
+            required("height", new Decimal(SceneLimits.POSITION), Plane::height, Plane::withHeight));
+
+    private static final Field<Plane, List<Rgb>> PLANE_COLORS = required(
+            "colors",
+            new Array<>(ALBEDO, 2, 2, "an array of 2 colors"),
+            plane -> List.of(plane.evenColor(), plane.oddColor()),
+            (plane, colors) -> plane.withColors(colors.getFirst(), colors.getLast()));
+
+    private static final List<Field<Sphere, ?>> SPHERE = List.of(
+            required("position", POSITION, Sphere::position, Sphere::withPosition),
+            required("radius", LENGTH, Sphere::radius, Sphere::withRadius));
+
+    private static final Structure<RenderSettings> RENDERING = new Structure<>(
+            RenderSettings.DEFAULT,
+            List.of(
+                    written(
+                            "width",
+                            new WholeNumber(SceneLimits.SIDE),
+                            RenderSettings::width,
+                            RenderSettings::withWidth),
+                    written(
+                            "height",
+                            new WholeNumber(SceneLimits.SIDE),
+                            RenderSettings::height,
+                            RenderSettings::withHeight),
+                    written(
+                            "shadowSamples",
+                            new WholeNumber(SceneLimits.SHADOW_SAMPLES),
+                            RenderSettings::shadowSamples,
+                            RenderSettings::withShadows),
+                    written(
+                            "bounces",
+                            new WholeNumber(SceneLimits.BOUNCES),
+                            RenderSettings::bounces,
+                            RenderSettings::withBounces),
+                    written(
+                            "samplesPerPixel",
+                            new WholeNumber(SceneLimits.SAMPLES_PER_PIXEL),
+                            RenderSettings::samplesPerPixel,
+                            RenderSettings::withSamplesPerPixel),
+                    written(
+                            "exposure",
+                            new Decimal(SceneLimits.EXPOSURE),
+                            RenderSettings::exposure,
+                            RenderSettings::withExposure),
+                    written(
+                            "toneMap",
+                            new Choice<>(ToneMap.class),
+                            RenderSettings::toneMap,
+                            RenderSettings::withToneMap),
+                    written("srgb", FLAG, RenderSettings::srgb, RenderSettings::withSrgb)));
+
+    private static final Structure<Physics> PHYSICS = new Structure<>(
+            Physics.DEFAULT,
+            List.of(
+                    written("gravity", ValueType.vector(SceneLimits.GRAVITY), Physics::gravity, Physics::withGravity),
+                    written(
+                            "elasticity",
+                            new Decimal(SceneLimits.ELASTICITY),
+                            Physics::elasticity,
+                            Physics::withElasticity),
+                    written("friction", new Decimal(SceneLimits.FRICTION), Physics::friction, Physics::withFriction),
+                    written("damping", new Decimal(SceneLimits.DAMPING), Physics::damping, Physics::withDamping),
+                    written("walls", FLAG, Physics::walls, Physics::withWalls),
+                    written("solidLight", FLAG, Physics::solidLight, Physics::withSolidLight)));
+
+    private static final List<Field<Pour, ?>> POUR = List.of(
+            required(
+                    "count",
+                    new WholeNumber(new Range(1, SceneLimits.MAX_SPHERES, "spheres")),
+                    Pour::count,
+                    Pour::withCount),
+            required("rate", new Decimal(SceneLimits.POUR_RATE), Pour::rate, Pour::withRate),
+            required("position", POSITION, Pour::position, Pour::withPosition),
+            required("width", LENGTH, Pour::width, Pour::withWidth),
+            required("speed", new Decimal(SceneLimits.POUR_SPEED), Pour::speed, Pour::withSpeed),
+            required(
+                    "radius",
+                    new Array<>(LENGTH, 2, 2, "an array of 2 numbers [least, most]"),
+                    pour -> List.of(pour.minRadius(), pour.maxRadius()),
+                    (pour, radii) -> pour.withRadii(radii.getFirst(), radii.getLast())),
+            required("palette", new Choice<>(Palette.class), Pour::palette, Pour::withPalette));
+
+    private static final Field<Pour, Integer> POUR_SEED =
+            required("seed", new WholeNumber(SceneLimits.SEED), Pour::seed, Pour::withSeed);
+
+    private static final Structure<Double> SHADING = new Structure<>(
+            Scene.DEFAULT_AMBIENT,
+            List.of(written("ambient", new Decimal(SceneLimits.AMBIENT), ambient -> ambient, (_, ambient) -> ambient)));
+
+    static final Version VERSION = new Version(Scene.VERSION);
+
+    private final int version;
+    private final NamedMaterials named;
+    private final MaterialFormat material;
+    private final MaterialFormat uncolored;
+    private final FilePath file;
+
+    /**
+     * The format of a file.
+     *
+     * @param materials those that the file's bodies may name
+     * @param files how files' paths are read and written
+     */
+    SceneFormat(int version, SequencedMap<String, Material> materials, NamedFiles files) {
+        this.version = version;
+        named = NamedMaterials.of(materials);
+        file = new FilePath(new Text(1, SceneLimits.MAX_PATH_LENGTH), files);
+        material = MaterialFormat.whole(file);
+        uncolored = MaterialFormat.uncolored(file);
+    }
+
+    Structure<Camera> camera() {
+        return structure(Camera.DEFAULT, List.of(CAMERA, List.of(KEYFRAMES)));
+    }
+
+    Structure<CameraView> view() {
+        List<Field<CameraView, ?>> camera = CAMERA.stream()
+                .<Field<CameraView, ?>>map(field -> field.within(CameraView::camera, CameraView::withCamera))
+                .toList();
+        return structure(CameraView.DEFAULT, List.of(List.of(VIEW_NAME), camera));
+    }
+
+    ValueType<SequencedMap<String, Material>> materials() {
+        return new Members<>(
+                new Text(1, SceneLimits.MAX_NAME_LENGTH),
+                Structure.of(version, Material.DEFAULT, material.fields()),
+                SceneLimits.MAX_MATERIALS);
+    }
+
+    /** With a named material, whose color is the even checks', the odd ones have it too unless another is given. */
+    Shaped<Plane> plane() {
+        Field<Plane, Material> name = required(
+                        MATERIAL,
+                        named,
+                        Plane::material,
+                        (plane, material) -> plane.withMaterial(material).withOddColor(material.color()))
+                .from(2);
+        Field<Plane, Optional<Rgb>> oddColor = Field.<Plane, Optional<Rgb>>sparse(
+                        "oddColor",
+                        ValueType.present(ALBEDO),
+                        plane -> Optional.of(plane.oddColor()).filter(color -> !color.equals(plane.evenColor())),
+                        (plane, color) -> plane.withOddColor(color.orElseThrow()))
+                .from(2);
+        return new Shaped<>(
+                MATERIAL,
+                structure(
+                        Plane.DEFAULT.withOddColor(Plane.DEFAULT.evenColor()), List.of(PLANE, List.of(name, oddColor))),
+                structure(
+                        Plane.DEFAULT,
+                        List.of(PLANE, List.of(PLANE_COLORS), uncolored.within(Plane::material, Plane::withMaterial))),
+                plane -> named.have(plane.material()));
+    }
+
+    Shaped<Sphere> sphere() {
+        Field<Sphere, Material> name = required(MATERIAL, named, Sphere::material, Sphere::withMaterial)
+                .from(2);
+        return new Shaped<>(
+                MATERIAL,
+                structure(Sphere.DEFAULT, List.of(SPHERE, List.of(name))),
+                structure(Sphere.DEFAULT, List.of(SPHERE, material.within(Sphere::material, Sphere::withMaterial))),
+                sphere -> named.have(sphere.material()));
+    }
+
+    /** With neither a named material nor fields of one, it is made of what its file says. */
+    Shaped<Mesh> mesh() {
+        List<Field<Mesh, ?>> placement = List.of(
+                required("file", file, Mesh::file, Mesh::withFile).from(2),
+                sparse("position", POSITION, Mesh::position, Mesh::withPosition).from(2),
+                sparse("rotation", ValueType.angles(SceneLimits.ROTATION), Mesh::rotation, Mesh::withRotation)
+                        .from(2),
+                sparse("scale", new Decimal(SceneLimits.SCALE), Mesh::scale, Mesh::withScale)
+                        .from(2),
+                sparse("smooth", new Decimal(SceneLimits.SMOOTH), Mesh::smoothDegrees, Mesh::withSmooth)
+                        .from(2));
+        Field<Mesh, Material> name = Field.<Mesh, Material>required(
+                        MATERIAL,
+                        named,
+                        mesh -> mesh.material().orElseThrow(),
+                        (mesh, material) -> mesh.withMaterial(Optional.of(material)))
+                .from(2);
+        Field<Mesh, Optional<Rgb>> color = Field.<Mesh, Optional<Rgb>>sparse(
+                        "color",
+                        ValueType.present(ALBEDO),
+                        mesh -> mesh.material().map(Material::color),
+                        (mesh, given) ->
+                                mesh.withMaterial(Optional.of(mesh.own().withColor(given.orElseThrow()))))
+                .from(2);
+        return new Shaped<>(
+                MATERIAL,
+                structure(Mesh.DEFAULT, List.of(placement, List.of(name))),
+                structure(
+                        Mesh.DEFAULT,
+                        List.of(
+                                placement,
+                                List.of(color),
+                                uncolored
+                                        .optional()
+                                        .within(Mesh::own, (mesh, own) -> mesh.withMaterial(Optional.of(own))))),
+                mesh -> mesh.material().filter(named::have).isPresent());
+    }
+
+    Structure<Pour> pour() {
+        return structure(
+                Pour.DEFAULT, List.of(POUR, uncolored.within(Pour::material, Pour::withMaterial), List.of(POUR_SEED)));
+    }
+
+    private <R> Structure<R> structure(R defaults, List<List<Field<R, ?>>> parts) {
+        return Structure.of(
+                version, defaults, parts.stream().flatMap(List::stream).toList());
+    }
+
+    Structure<Scene> scene() {
+        return Structure.of(
+                version,
+                Scene.under(Path.of("")),
+                List.of(
+                        // For editors.
+                        sparse(SchemaReference.FIELD, REFERENCE, _ -> "", (scene, _) -> scene),
+                        required(VERSION_FIELD, VERSION, _ -> version, (scene, _) -> scene),
+                        written("name", new Text(0, SceneLimits.MAX_NAME_LENGTH), Scene::name, Scene::withName),
+                        written(
+                                "description",
+                                new Text(0, SceneLimits.MAX_DESCRIPTION_LENGTH),
+                                Scene::description,
+                                Scene::withDescription),
+                        required("camera", camera(), Scene::camera, Scene::withCamera),
+                        sparse(
+                                        ViewRules.FIELD,
+                                        new Lines<>(new Array<>(
+                                                view(),
+                                                0,
+                                                SceneLimits.MAX_VIEWS,
+                                                "an array of 0 to " + SceneLimits.MAX_VIEWS + " views")),
+                                        Scene::views,
+                                        Scene::withViews)
+                                .from(2),
+                        required("light", LIGHT, Scene::light, Scene::withLight),
+                        sparse(MATERIALS, materials(), Scene::materials, Scene::withMaterials)
+                                .from(MATERIALS_SINCE),
+                        required("plane", plane(), Scene::plane, Scene::withPlane),
+                        required(SKYBOX, file, Scene::skybox, Scene::withSkybox),
+                        sparse(
+                                "skyRotation",
+                                new Decimal(SceneLimits.SKY_ROTATION),
+                                Scene::skyRotationDegrees,
+                                Scene::withSkyRotation),
+                        sparse(
+                                "skyStrength",
+                                new Decimal(SceneLimits.SKY_STRENGTH),
+                                Scene::skyStrength,
+                                Scene::withSkyStrength),
+                        written("shading", SHADING, Scene::ambient, Scene::withAmbient),
+                        written("rendering", RENDERING, Scene::settings, Scene::withSettings),
+                        sparse("physics", PHYSICS, Scene::physics, Scene::withPhysics),
+                        sparse(
+                                "pour",
+                                ValueType.present(pour()),
+                                Scene::pour,
+                                (scene, pour) -> scene.withPour(pour.orElseThrow())),
+                        required(
+                                "spheres",
+                                new Lines<>(new Array<>(
+                                        sphere(),
+                                        0,
+                                        SceneLimits.MAX_SPHERES,
+                                        "an array of 0 to " + SceneLimits.MAX_SPHERES + " spheres")),
+                                Scene::spheres,
+                                Scene::withSpheres),
+                        sparse(
+                                        "meshes",
+                                        new Lines<>(new Array<>(
+                                                mesh(),
+                                                0,
+                                                SceneLimits.MAX_MESHES,
+                                                "an array of 0 to " + SceneLimits.MAX_MESHES + " meshes")),
+                                        Scene::meshes,
+                                        Scene::withMeshes)
+                                .from(2)));
+    }
+}

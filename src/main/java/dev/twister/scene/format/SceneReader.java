@@ -1,0 +1,46 @@
+package dev.twister.scene.format;
+
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneException;
+import java.nio.file.Path;
+
+/** Reads scene files; {@code scenes/scene.schema.json} says what one holds. */
+public final class SceneReader {
+    private SceneReader() {}
+
+    /**
+     * Reads and checks a scene file, JSON in UTF-8 of at most 64 MiB. Its skybox and textures are looked for from the
+     * folder that the file was named in, and, where the file is a link, from that of the file it leads to.
+     *
+     * @return the scene, its files as absolute paths without {@code ..}
+     * @throws SceneException if the file cannot be read, is not a valid scene, or names a file that is not there; the
+     *     message is one line
+     */
+    public static Scene read(Path file) {
+        SourceText source = SourceFile.read(file);
+        return SceneDocument.parse(source, beside(file, true));
+    }
+
+    /**
+     * Reads a scene file as {@link #read} does, but for its skybox: another one takes its place, whether it is there or
+     * not.
+     *
+     * @throws SceneException if the file cannot be read or is not a valid scene; the message is one line
+     */
+    public static Scene readUnder(Path skybox, Path file) {
+        return SceneDocument.parse(SourceFile.read(file), new FilesUnderSky(skybox, beside(file, true)));
+    }
+
+    /**
+     * Reads a scene file as {@link #read} does; its skybox and textures need not be there.
+     *
+     * @throws SceneException if the file cannot be read or is not a valid scene; the message is one line
+     */
+    public static Scene readWithoutPictures(Path file) {
+        return SceneDocument.parse(SourceFile.read(file), beside(file, false));
+    }
+
+    private static NamedFiles beside(Path file, boolean needed) {
+        return new FilesBeside(file, FilePaths.real(file), needed);
+    }
+}

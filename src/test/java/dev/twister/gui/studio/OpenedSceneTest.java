@@ -1,0 +1,23 @@
+package dev.twister.gui.studio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.gui.Gui;
+import dev.twister.gui.model.FileMark;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+
+class OpenedSceneTest {
+    private static final Path SCENE = Path.of("scenes", "teaching.json");
+
+    @Test
+    void aPanoramaIsAScenesSkyWithoutAnEditOfIt() {
+        Path sky = Path.of("skyboxes", "sunset.hdr");
+        OpenedScene opened = OpenedScene.readUnder(sky, SCENE);
+        assertThat(opened.scene()).isEqualTo(OpenedScene.read(SCENE).scene().withSkybox(sky.toAbsolutePath()));
+        assertThat(opened.file().mark()).isEqualTo(FileMark.of(SCENE)).isNotEqualTo(FileMark.NONE);
+        assertThat(Gui.isPanorama(sky)).isTrue();
+        assertThat(Gui.isPanorama(SCENE)).isFalse();
+        assertThat(Gui.isPanorama(Path.of("missing.hdr"))).isFalse();
+    }
+}

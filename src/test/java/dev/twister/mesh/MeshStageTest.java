@@ -1,0 +1,35 @@
+package dev.twister.mesh;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import dev.twister.scene.Scene;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class MeshStageTest {
+    @TempDir
+    private Path folder;
+
+    @Test
+    void scalesTheMeshToTwoMeters() {
+        assertThat(stage("5").meshes().getFirst().scale()).isEqualTo(0.2);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"1e9", "1e-7"})
+    void refusesAMeshThatCannotBeScaledSoFar(String half) {
+        assertThatThrownBy(() -> stage(half))
+                .isInstanceOf(MeshException.class)
+                .hasMessageStartingWith(folder.resolve("a.obj") + ": the mesh is 2.0E")
+                .hasMessageContaining(" m wide; expected 2.0E-6 to 2000000.0 m");
+    }
+
+    private Scene stage(String half) {
+        String text = "v -%1$s 0 0\nv %1$s 0 0\nv 0 %1$s 0\nf 1 2 3\n".formatted(half);
+        return MeshStage.of(folder.resolve("a.obj"), Reading.read(folder, "a.obj", text), Path.of("sky.hdr"));
+    }
+}

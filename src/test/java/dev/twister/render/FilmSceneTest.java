@@ -1,0 +1,76 @@
+package dev.twister.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.engine.EngineOffer;
+import dev.twister.scene.Camera;
+import dev.twister.scene.Scene;
+import dev.twister.scene.Vector3;
+import dev.twister.scene.format.SceneReader;
+import dev.twister.world.FrameInput;
+import dev.twister.world.Picture;
+import dev.twister.world.SceneImages;
+import dev.twister.world.World;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+
+/** A camera that flies away from the scene's origin, 100 m per frame. */
+class FilmSceneTest {
+    private static final EngineOffer NO_ENGINE = EngineOffer.impossible("none", "", "", "not needed");
+
+    private final Scene scene = SceneReader.read(Path.of("scenes", "teaching.json"));
+
+    @Test
+    void framesFarFromTheOriginShareAWorld() throws IOException {
+        FilmScene film = film();
+
+        FrameInput one = film.frame(62);
+        FrameInput next = film.frame(80);
+
+        assertThat(one.bodies().origin()).isNotEqualTo(film.world().origin());
+        assertThat(next.bodies().looks()).isSameAs(one.bodies().looks());
+    }
+
+    @Test
+    void aFrameIsTheSameWhateverFramesWereBeforeIt() throws IOException {
+        FilmScene film = film();
+        for (int frame = 0; frame < 100; frame++) {
+            FrameInput after = film.frame(frame);
+            FrameInput alone = film().frame(frame);
+
+            assertThat(after.bodies().origin())
+                    .as("frame %d", frame)
+                    .isEqualTo(alone.bodies().origin());
+            assertThat(after.bodies().floats()).isEqualTo(alone.bodies().floats());
+        }
+    }
+
+    @Test
+    void theOriginIsNearTheCamera() throws IOException {
+        FilmScene film = film();
+        for (int frame = 0; frame < 1000; frame += 7) {
+            Vector3 origin = film.frame(frame).bodies().origin();
+
+            assertThat(100.0 * frame - origin.x()).as("frame %d", frame).isBetween(-4096.0, 4096.0);
+        }
+    }
+
+    private FilmScene film() {
+        Camera camera = scene.camera();
+        Movement movement = new Movement(
+                new BodyMotion.Still(), seconds -> camera.withPosition(new Vector3(100 * seconds, 1, 0)), 1);
+        RenderOrder order = new RenderOrder(
+                scene,
+                NO_ENGINE,
+                List.of(Picture.BEAUTY),
+                new Sampling(1, Optional.empty()),
+                PicturePart.WHOLE,
+                movement,
+                false,
+                new RenderOutput(Path.of("f.png"), Optional.of(FrameRange.ofCount(1000)), ExistingFrames.REPLACED));
+        return new FilmScene(order, World.of(scene, SceneImages.read(scene, _ -> {})), (_, _) -> {});
+    }
+}

@@ -1,0 +1,102 @@
+package dev.twister.scene.format;
+
+import dev.twister.scene.Range;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.SequencedMap;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+
+/** Any value of a scene file, by type, so that new fields are tested automatically. */
+final class Values {
+    private static final int MOST_ITEMS = 8;
+    private static final int MOST_CHARACTERS = 60;
+    private static final List<Path> FILES = List.of(Path.of("sky.hdr"), Path.of("earth.png"));
+
+    private Values() {}
+
+    @SuppressWarnings("unchecked") // each type reads what its case gives
+    static <T> Arbitrary<T> of(ValueType<T> type) {
+        return (Arbitrary<T>)
+                switch (type) {
+                    case ValueType.Decimal(Range range) -> numbers(range);
+                    case ValueType.WholeNumber(Range range) ->
+                        Arbitraries.integers().between((int) range.min(), (int) range.max());
+                    case ValueType.Flag() -> Arbitraries.of(List.of(true, false));
+                    case ValueType.Text(int min, int max) -> texts(min, max);
+                    case ValueType.FilePath _ -> Arbitraries.of(FILES);
+                    case ValueType.Version _ -> Arbitraries.just(1);
+                    case ValueType.Choice<?>(Class<?> constants) -> Arbitraries.of(constants.getEnumConstants());
+                    case ValueType.Array<?> array -> items(array);
+                    case ValueType.Lines<?>(ValueType.Array<?> array) -> items(array);
+                    case ValueType.Converted<?, ?> converted -> decoded(converted);
+                    case ValueType.Structure<?> structure -> records(structure);
+                    case Members<?> members -> members(members);
+                    case NamedMaterials named -> Arbitraries.of(named.byName().values());
+                    case Shaped<?> shaped -> shapes(shaped);
+                };
+    }
+
+    // With many digits, as arithmetic produces them, and with both ends.
+    private static Arbitrary<Double> numbers(Range range) {
+        return Arbitraries.oneOf(
+                Arbitraries.longs()
+                        .map(bits -> range.min() + (range.max() - range.min()) * ((bits >>> 11) * 0x1.0p-53)),
+                Arbitraries.of(range.min(), range.max()));
+    }
+
+    private static Arbitrary<String> texts(int min, int max) {
+        return Arbitraries.strings()
+                .ofMinLength(min)
+                .ofMaxLength(Math.min(max, MOST_CHARACTERS))
+                .filter(text -> text.chars().noneMatch(Character::isISOControl));
+    }
+
+    private static <T> Arbitrary<List<T>> items(ValueType.Array<T> array) {
+        return of(array.item()).list().ofMinSize(array.minItems()).ofMaxSize(Math.min(array.maxItems(), MOST_ITEMS));
+    }
+
+    private static <S, T> Arbitrary<T> decoded(ValueType.Converted<S, T> converted) {
+        return of(converted.stored()).map(converted.decode());
+    }
+
+    private static <T> Arbitrary<SequencedMap<String, T>> members(Members<T> members) {
+        return Combinators.combine(
+                        of(members.name()).list().uniqueElements().ofMaxSize(MOST_ITEMS),
+                        of(members.type()).list().ofSize(MOST_ITEMS))
+                .as((names, values) -> {
+                    SequencedMap<String, T> map = new LinkedHashMap<>();
+                    names.forEach(name -> map.put(name, values.get(map.size())));
+                    return map;
+                });
+    }
+
+    private static <R> Arbitrary<R> shapes(Shaped<R> shaped) {
+        return canBeKeyed(shaped)
+                ? Arbitraries.oneOf(records(shaped.keyed()), records(shaped.plain()))
+                : records(shaped.plain());
+    }
+
+    // Omitted in the first version and where no material has a name.
+    private static boolean canBeKeyed(Shaped<?> shaped) {
+        return shaped.keyed().fields().stream()
+                .anyMatch(field -> field.type() instanceof NamedMaterials named
+                        && !named.byName().isEmpty());
+    }
+
+    private static <R> Arbitrary<R> records(ValueType.Structure<R> structure) {
+        Arbitrary<R> records = Arbitraries.just(structure.defaults());
+        for (Field<R, ?> field : structure.fields()) {
+            records = withAny(records, field);
+        }
+        return records;
+    }
+
+    private static <R, T> Arbitrary<R> withAny(Arbitrary<R> records, Field<R, T> field) {
+        Arbitrary<R> changed = Combinators.combine(records, of(field.type()))
+                .as((record, value) -> field.with().apply(record, value));
+        return field.presence() == Field.Presence.SPARSE ? Arbitraries.oneOf(records, changed) : changed;
+    }
+}
