@@ -4,7 +4,7 @@ import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Shadow;
 import dev.twister.kernel.Variant;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SphereHierarchy;
 import dev.twister.world.World;
@@ -54,7 +54,7 @@ public class CrowdBenchmark {
 
     @Setup(Level.Trial)
     public void fill() {
-        world = BenchmarkScene.withSpheres(spheres, RenderSettings.DEFAULT.withShadows(SHADOW_SAMPLES));
+        world = BenchmarkScene.withSpheres(spheres, Rendering.DEFAULT.withShadows(SHADOW_SAMPLES));
         input = world.snapshot();
         places = Arrays.copyOf(input.bodies().floats(), input.bodies().spheres());
         for (int axis = 0; axis < 3; axis++) {

@@ -4,7 +4,7 @@ import dev.twister.engine.EngineException;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.kernel.Layout;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.world.FrameInput;
 import java.util.Arrays;
 import uk.ac.manchester.tornado.api.GridScheduler;
@@ -44,8 +44,8 @@ final class DevicePlan implements AutoCloseable {
     private final float[] radiance;
     private final float[] view = new float
             [Layout.DISC
-                    + 2 * RenderSettings.MAX_SHADOW_SAMPLES
-                    + Layout.SAMPLE_STRIDE * RenderSettings.MAX_SAMPLES_PER_PIXEL];
+                    + 2 * Rendering.MAX_SHADOW_SAMPLES
+                    + Layout.SAMPLE_STRIDE * Rendering.MAX_SAMPLES_PER_PIXEL];
     private final float[] bodies;
     private final float[] looks;
     private final TornadoExecutionPlan plan;
