@@ -9,12 +9,17 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** Reads how a Radiance picture that {@link HdrWriter} wrote was made. */
 final class HdrNotes {
     static final String VARIABLE = Provenance.NAME.toUpperCase(Locale.ROOT) + "=";
 
     private static final String SOFTWARE = Provenance.SOFTWARE.toUpperCase(Locale.ROOT) + "=";
+    /** As Twister writes it. */
+    private static final Pattern RESOLUTION = Pattern.compile("-Y (?<height>\\d{1,9}) \\+X (?<width>\\d{1,9})");
+
     private static final int LONGEST_LINE = 1024;
     private static final int LONGEST_LITERAL = 128;
 
@@ -42,16 +47,19 @@ final class HdrNotes {
             String made = software;
             Optional<Provenance> provenance = text.flatMap(found -> Provenance.of(made, found));
             if (provenance.isPresent()) {
-                skipRows(in, line(in).split(" "));
+                skipRows(in, line(in));
             }
             return provenance;
         }
     }
 
-    /** {@code -Y height +X width}, as only Twister's own files have it here. */
-    private static void skipRows(DataInputStream in, String[] resolution) throws IOException {
-        int height = Integer.parseInt(resolution[1]);
-        int width = Integer.parseInt(resolution[3]);
+    private static void skipRows(DataInputStream in, String resolution) throws IOException {
+        Matcher sides = RESOLUTION.matcher(resolution);
+        if (!sides.matches()) {
+            throw new IOException("not the resolution line of a picture of Twister's");
+        }
+        int height = Integer.parseInt(sides.group("height"));
+        int width = Integer.parseInt(sides.group("width"));
         for (int row = 0; row < height; row++) {
             if (RgbeRunLengths.fits(width)) {
                 in.skipNBytes(4);

@@ -35,7 +35,7 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
     }
 
     /**
-     * As above, for a scene with meshes.
+     * As above, for a scene with meshes; warns of textures that are not shown, too.
      *
      * @throws SkyException as for {@link SkyboxReader#read} and {@link #textures}
      */
@@ -49,6 +49,7 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
      * @throws SkyException as for {@link #textures}
      */
     public static SceneImages read(Scene scene, Skybox sky, SceneMeshes meshes, Consumer<String> warnings) {
+        HiddenTextures.of(scene, meshes).forEach(warnings);
         return new SceneImages(
                 sky,
                 textures(

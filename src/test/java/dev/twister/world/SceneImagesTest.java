@@ -6,7 +6,9 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.image.HdrWriter;
 import dev.twister.image.PngWriter;
+import dev.twister.oracle.MeshShapes;
 import dev.twister.scene.Material;
+import dev.twister.scene.Mesh;
 import dev.twister.scene.Plane;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
@@ -72,6 +74,19 @@ class SceneImagesTest {
         assertThatThrownBy(() -> SceneImages.read(scene.withPlane(plane(folder.resolve("none.png"))), warnings::add))
                 .isInstanceOf(SkyException.class)
                 .hasMessage("$.plane.texture: " + folder.resolve("none.png") + ": file not found");
+    }
+
+    @Test
+    void tellsOfATextureThatAMeshDoesNotShow() throws IOException {
+        Path file = folder.resolve("red.png");
+        PngWriter.write(file, 1, 1, new int[] {0xff0000}, true);
+        Mesh mesh = Mesh.of(folder.resolve("box.obj")).withMaterial(Optional.of(textured(file)));
+        Scene scene = Scene.under(sky).withMeshes(List.of(mesh));
+
+        SceneImages.read(scene, SceneMeshes.of(scene, _ -> MeshShapes.file(MeshShapes.cube())), warnings::add);
+
+        assertThat(warnings)
+                .containsExactly(mesh.file() + ": no texture coordinates; the texture red.png is not shown");
     }
 
     @Test

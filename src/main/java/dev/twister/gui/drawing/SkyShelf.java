@@ -6,6 +6,7 @@ import dev.twister.sky.SkyException;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
 import dev.twister.sky.TextureReader;
+import dev.twister.world.HiddenTextures;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import java.nio.file.Path;
@@ -15,10 +16,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.SequencedMap;
+import java.util.Set;
 import java.util.StringJoiner;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
@@ -43,6 +46,7 @@ public final class SkyShelf {
     private Map<Path, Skybox> textures = Map.of();
     private long texturesEdition;
     private final Queue<String> warnings = new ConcurrentLinkedQueue<>();
+    private final Set<String> hiddenTextures = ConcurrentHashMap.newKeySet();
 
     public SkyShelf() {
         this(SkyboxReader::read, TextureReader::read);
@@ -194,6 +198,8 @@ public final class SkyShelf {
      * @throws SkyException where one cannot be read
      */
     public SceneImages images(Scene scene, SceneMeshes meshes) {
+        // Each once: an edit of the scene asks for its images again.
+        HiddenTextures.of(scene, meshes).stream().filter(hiddenTextures::add).forEach(warnings::add);
         Skybox sky = kept(scene.skybox()).orElseGet(() -> reader.apply(scene.skybox(), warnings::add));
         return new SceneImages(
                 sky,

@@ -1,5 +1,6 @@
 package dev.twister.engine.tornado;
 
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import uk.ac.manchester.tornado.api.exceptions.TornadoDeviceFP64NotSupported;
 import uk.ac.manchester.tornado.api.exceptions.TornadoMemoryException;
@@ -12,6 +13,10 @@ final class DeviceFailure {
 
     /** The stack trace that TornadoVM appends to its messages, about a thousand characters. */
     private static final Pattern TRACE = Pattern.compile("\\s*Stacktrace: \\[.*", Pattern.DOTALL);
+
+    private static final String MEMORY = "tornado.device.memory";
+    private static final Pattern GIGABYTES = Pattern.compile("(\\d{1,9})GB");
+    private static final long LEAST_GIGABYTES = 8;
 
     private static final Pattern LINE_BREAK = Pattern.compile("\\s*\\R\\s*");
 
@@ -29,7 +34,15 @@ final class DeviceFailure {
 
     private static String memory(String device, Throwable failure) {
         return device + " has too little memory for this picture: draw a smaller one, or give TornadoVM more with"
-                + " -Dtornado.device.memory=8GB (" + reason(failure) + ")";
+                + " -D" + MEMORY + "=" + moreGigabytes(System.getProperty(MEMORY, "")) + "GB (" + reason(failure) + ")";
+    }
+
+    /** Twice what is set, at least 8. */
+    static long moreGigabytes(String set) {
+        Matcher gigabytes = GIGABYTES.matcher(set);
+        return gigabytes.matches()
+                ? Math.max(LEAST_GIGABYTES, 2 * Long.parseLong(gigabytes.group(1)))
+                : LEAST_GIGABYTES;
     }
 
     /** The failure's message and that of its cause; the exception's class where a message is empty. */

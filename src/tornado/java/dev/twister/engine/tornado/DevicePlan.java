@@ -20,7 +20,6 @@ import uk.ac.manchester.tornado.api.common.TornadoDevice;
 import uk.ac.manchester.tornado.api.enums.DataTransferMode;
 import uk.ac.manchester.tornado.api.enums.ProfilerMode;
 import uk.ac.manchester.tornado.api.enums.TornadoDeviceType;
-import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
 
 /**
  * The kernel compiled for one device and one picture size, with its device buffers. The skybox and the triangles are
@@ -28,7 +27,6 @@ import uk.ac.manchester.tornado.api.exceptions.TornadoExecutionPlanException;
  * the sample tables are copied each frame. Only pixels are copied back.
  */
 final class DevicePlan implements AutoCloseable {
-    private static final System.Logger LOGGER = System.getLogger(DevicePlan.class.getName());
     private static final String GRAPH = "twister";
     private static final String TASK = "draw";
     private static final int NOT_DRAWN = 0;
@@ -216,11 +214,7 @@ final class DevicePlan implements AutoCloseable {
     /** Frees the device's buffers; a failure, as with a lost device, is only logged. */
     @Override
     public void close() {
-        try {
-            plan.freeDeviceMemory();
-            plan.close();
-        } catch (TornadoExecutionPlanException | RuntimeException e) {
-            LOGGER.log(System.Logger.Level.DEBUG, "the device's buffers could not be given back", e);
-        }
+        Release.quietly(plan::freeDeviceMemory);
+        Release.quietly(plan::close);
     }
 }

@@ -1,5 +1,7 @@
 package dev.twister.engine.tornado;
 
+import dev.twister.engine.Engine;
+import dev.twister.engine.EngineException;
 import dev.twister.engine.EngineOffer;
 import dev.twister.engine.EngineProvider;
 import dev.twister.engine.MissingTornado;
@@ -25,6 +27,10 @@ public final class TornadoEngines implements EngineProvider {
     /** Terminal colors in TornadoVM's messages. */
     private static final Pattern COLORS = Pattern.compile("\u001B\\[[0-9;]*m");
 
+    /** Parts of TornadoVM's messages that are not true here: nothing falls back to sequential execution. */
+    private static final Pattern NOISE =
+            Pattern.compile("\\[WARNING]|\\.?\\s*Deoptimizing to sequential execution\\.?");
+
     private static final Pattern DRIVER_VERSION = Pattern.compile("^Driver version *: *(\\S.*)$", Pattern.MULTILINE);
 
     private static final Map<String, String> BACKENDS = Map.of("OPENCL", "OpenCL", "METAL", "Metal");
@@ -36,7 +42,9 @@ public final class TornadoEngines implements EngineProvider {
         try {
             List<EngineOffer> offers = found();
             return offers.isEmpty() ? List.of(impossible("TornadoVM finds no device. " + DRIVER)) : offers;
-        } catch (RuntimeException | LinkageError e) {
+        } catch (VirtualMachineError e) {
+            throw e;
+        } catch (RuntimeException | Error e) {
             return List.of(impossible(explain(e, System.getProperty(RUNTIME_PROPERTY) != null)));
         }
     }
@@ -52,6 +60,7 @@ public final class TornadoEngines implements EngineProvider {
             cause = cause.getCause();
         }
         String message = COLORS.matcher(String.valueOf(cause.getMessage())).replaceAll("");
+        message = NOISE.matcher(message).replaceAll("").strip();
         return "TornadoVM does not start in this JVM (" + cause.getClass().getSimpleName() + ": " + message + "). "
                 // Without any driver, TornadoVM's OpenCL backend fails instead of finding no devices.
                 + (hasOptions ? DRIVER : "Start with scripts/twister, which gives the JVM the SDK's options");
@@ -73,11 +82,21 @@ public final class TornadoEngines implements EngineProvider {
                 TornadoDevice device = backend.getDevice(index);
                 String id = MissingTornado.TORNADO + ":" + driver + ":" + index;
                 String name = name(device);
-                offers.add(EngineOffer.working(id, name, DESCRIPTION, () -> new TornadoEngine(id, name, device))
+                offers.add(EngineOffer.working(id, name, DESCRIPTION, () -> open(id, name, device))
                         .withDriver(driverVersion(device.getPhysicalDevice().getDeviceInfo())));
             }
         }
         return offers;
+    }
+
+    private static Engine open(String id, String name, TornadoDevice device) {
+        try {
+            return new TornadoEngine(id, name, device);
+        } catch (VirtualMachineError e) {
+            throw e;
+        } catch (RuntimeException | Error e) {
+            throw new EngineException(DeviceFailure.message(name, e), e);
+        }
     }
 
     /** The device's name with backend and driver, because two drivers may offer the same device. */

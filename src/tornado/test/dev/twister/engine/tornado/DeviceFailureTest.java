@@ -48,4 +48,11 @@ class DeviceFailureTest {
                 .isInstanceOf(EngineException.class)
                 .hasMessageContaining("undrawn");
     }
+
+    @Test
+    void theAdviceOnMemoryIsMoreThanWhatIsSet() {
+        assertThat(DeviceFailure.moreGigabytes("")).isEqualTo(8);
+        assertThat(DeviceFailure.moreGigabytes("512MB")).isEqualTo(8);
+        assertThat(DeviceFailure.moreGigabytes("12GB")).isEqualTo(24);
+    }
 }

@@ -22,6 +22,15 @@ class TornadoEnginesTest {
     }
 
     @Test
+    void whatTornadoSaysOfSequentialExecutionIsLeftOut() {
+        Throwable bailout = new IllegalStateException(
+                "\u001B[33m[WARNING] No OpenCL platforms found. Deoptimizing to sequential execution.\u001B[0m");
+
+        assertThat(TornadoEngines.explain(bailout, true))
+                .contains("(IllegalStateException: No OpenCL platforms found)", "Install a driver");
+    }
+
+    @Test
     void theDriversVersionIsALineOfWhatTornadoTells() {
         assertThat(TornadoEngines.driverVersion(
                         "Device version   : OpenCL 3.0\nDriver version   : 3.1+debian \nEndianness: big"))
