@@ -38,8 +38,8 @@ public final class LinesFile {
     }
 
     private static void appendLocked(Path file, byte[] line) throws IOException {
-        try (FileChannel channel = FileChannel.open(
-                file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE)) {
+        try (FileChannel channel =
+                FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE)) {
             Optional<FileLock> lock = lock(channel);
             long end = channel.size();
             try {

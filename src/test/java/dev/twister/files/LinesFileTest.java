@@ -38,8 +38,10 @@ class LinesFileTest {
         }
 
         assertThat(Files.readAllLines(file))
-                .containsExactlyInAnyOrderElementsOf(
-                        IntStream.range(0, 4).boxed().flatMap(LinesFileTest::lines).toList());
+                .containsExactlyInAnyOrderElementsOf(IntStream.range(0, 4)
+                        .boxed()
+                        .flatMap(LinesFileTest::lines)
+                        .toList());
     }
 
     @Test

@@ -76,8 +76,8 @@ class TemporaryFolderTest {
     }
 
     private Process start() throws IOException {
-        Process java = ChildJvm.start(ChildJvm.of(EndlessMain.class, parent.toString())
-                .redirectError(ProcessBuilder.Redirect.INHERIT));
+        Process java = ChildJvm.start(
+                ChildJvm.of(EndlessMain.class, parent.toString()).redirectError(ProcessBuilder.Redirect.INHERIT));
         BufferedReader output = java.inputReader(StandardCharsets.UTF_8);
         assertThat(output.readLine()).isEqualTo("created");
         return java;
