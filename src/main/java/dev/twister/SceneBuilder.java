@@ -2,13 +2,15 @@ package dev.twister;
 
 import dev.twister.mesh.MeshException;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Mesh;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
+import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.format.SceneWriter;
 import dev.twister.sky.SkyException;
@@ -37,12 +39,12 @@ public final class SceneBuilder {
     }
 
     public SceneBuilder light(Light light) {
-        scene = scene.withLight(light);
+        scene = scene.withLights(Lights.of(light));
         return this;
     }
 
-    public SceneBuilder plane(Plane plane) {
-        scene = scene.withPlane(plane);
+    public SceneBuilder ground(Ground ground) {
+        scene = scene.withGround(ground);
         return this;
     }
 
@@ -69,14 +71,14 @@ public final class SceneBuilder {
         return this;
     }
 
-    /** The ambient strength, 0 to 1; {@value Scene#DEFAULT_AMBIENT} where it is not set. */
+    /** The ambient strength, 0 to 1; {@value Shading#DEFAULT_AMBIENT} where it is not set. */
     public SceneBuilder ambient(double ambient) {
-        scene = scene.withAmbient(ambient);
+        scene = scene.withShading(new Shading(ambient));
         return this;
     }
 
-    public SceneBuilder settings(RenderSettings settings) {
-        scene = scene.withSettings(settings);
+    public SceneBuilder rendering(Rendering rendering) {
+        scene = scene.withRendering(rendering);
         return this;
     }
 

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.scene.Camera;
 import dev.twister.scene.Mesh;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
@@ -20,15 +20,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class TwisterTest {
-    private static final RenderSettings SMALL =
-            RenderSettings.DEFAULT.withSize(32, 18).withShadows(4);
+    private static final Rendering SMALL = Rendering.DEFAULT.withSize(32, 18).withShadows(4);
 
     @TempDir
     private Path folder;
 
     @Test
     void sceneFileIsRendered() {
-        Scene scene = SceneReader.read(Path.of("scenes", "mirrors.json")).withSettings(SMALL);
+        Scene scene = SceneReader.read(Path.of("scenes", "mirrors.json")).withRendering(SMALL);
         assertThat(Twister.render(scene).frame().argb())
                 .hasSize(32 * 18)
                 .isEqualTo(Twister.render(scene, "sequential").frame().argb());
@@ -39,7 +38,7 @@ class TwisterTest {
         RenderedPicture picture = Twister.render(new SceneBuilder()
                 .camera(Camera.of(new Vector3(0, 2, 0), 0, -60, 40))
                 .sky(new Rgb(1, 0, 0.5))
-                .settings(SMALL.withSrgb(false)));
+                .rendering(SMALL.withSrgb(false)));
         assertThat(picture.frame().argb()).containsOnly(0xffff0080);
     }
 
@@ -62,7 +61,7 @@ class TwisterTest {
     private static SceneBuilder level() {
         return new SceneBuilder()
                 .camera(Camera.of(new Vector3(0, 1, -5), 0, 0, 40))
-                .settings(SMALL);
+                .rendering(SMALL);
     }
 
     private static int middle(SceneBuilder scene) {
@@ -79,7 +78,7 @@ class TwisterTest {
 
     @Test
     void pngAndImageHaveThePixels() throws IOException {
-        RenderedPicture picture = Twister.render(new SceneBuilder().settings(SMALL));
+        RenderedPicture picture = Twister.render(new SceneBuilder().rendering(SMALL));
         Path file = folder.resolve("picture.png");
         picture.writePng(file);
         assertThat(pixels(ImageIO.read(file.toFile())))

@@ -1,6 +1,6 @@
 package dev.twister.benchmarks;
 
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneGenerator;
 import dev.twister.scene.format.SceneReader;
@@ -18,18 +18,18 @@ final class BenchmarkScene {
     private BenchmarkScene() {}
 
     /** The paper's scene. */
-    static World paper(RenderSettings settings) {
+    static World paper(Rendering settings) {
         return world(SceneReader.read(HOME.resolve("scenes/benchmark.json")), settings);
     }
 
     /** The paper's scene for five spheres, else a generated one. */
-    static World withSpheres(int spheres, RenderSettings settings) {
+    static World withSpheres(int spheres, Rendering settings) {
         return spheres == 5
                 ? paper(settings)
                 : world(SceneGenerator.spheres(spheres, SEED, HOME.resolve("skyboxes/day.hdr")), settings);
     }
 
-    private static World world(Scene scene, RenderSettings settings) {
+    private static World world(Scene scene, Rendering settings) {
         World world = World.of(scene, SceneImages.read(scene, _ -> {}));
         world.setSettings(settings);
         return world;

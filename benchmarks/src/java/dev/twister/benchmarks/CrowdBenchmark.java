@@ -5,7 +5,7 @@ import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Material;
 import dev.twister.kernel.Shadow;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SphereHierarchy;
 import dev.twister.world.World;
@@ -53,7 +53,7 @@ public class CrowdBenchmark {
 
     @Setup(Level.Trial)
     public void fill() {
-        world = BenchmarkScene.withSpheres(spheres, RenderSettings.DEFAULT.withShadows(SHADOW_SAMPLES));
+        world = BenchmarkScene.withSpheres(spheres, Rendering.DEFAULT.withShadows(SHADOW_SAMPLES));
         input = world.snapshot();
         for (int axis = 0; axis < 3; axis++) {
             low[axis] = Float.MAX_VALUE;

@@ -3,7 +3,7 @@ package dev.twister.benchmarks;
 import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
 import dev.twister.image.Frame;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.world.FrameInput;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -51,7 +51,7 @@ public class FrameBenchmark {
     @Setup(Level.Trial)
     public void open() {
         String[] sides = size.split("x", 2);
-        RenderSettings settings = RenderSettings.DEFAULT
+        Rendering settings = Rendering.DEFAULT
                 .withSize(Integer.parseInt(sides[0]), Integer.parseInt(sides[1]))
                 .withShadows(shadowSamples)
                 .withBounces(bounces);

@@ -8,7 +8,7 @@ import dev.twister.kernel.Light;
 import dev.twister.kernel.Material;
 import dev.twister.kernel.Shadow;
 import dev.twister.kernel.Sky;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.world.FrameInput;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
@@ -49,7 +49,7 @@ public class KernelStepBenchmark {
 
     @Setup(Level.Trial)
     public void fill() {
-        input = BenchmarkScene.paper(RenderSettings.DEFAULT.withShadows(SHADOW_SAMPLES))
+        input = BenchmarkScene.paper(Rendering.DEFAULT.withShadows(SHADOW_SAMPLES))
                 .snapshot();
         SplittableRandom random = new SplittableRandom(1);
         for (int i = 0; i < CALLS; i++) {

@@ -4,7 +4,7 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
 import dev.twister.image.Frame;
 import dev.twister.image.PictureSize;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.world.FrameInput;
 import java.lang.management.ManagementFactory;
 import java.time.Duration;
@@ -34,7 +34,7 @@ public final class StartUp {
     public static void main(String[] arguments) {
         PictureSize size = PictureSize.parse(arguments[1]);
         Duration length = Duration.ofSeconds(Long.parseLong(arguments[2]));
-        FrameInput input = BenchmarkScene.paper(RenderSettings.DEFAULT.withSize(size.width(), size.height()))
+        FrameInput input = BenchmarkScene.paper(Rendering.DEFAULT.withSize(size.width(), size.height()))
                 .snapshot();
         Frame frame = Frame.ofPixels(size.width(), size.height());
         List<Long> ends = new ArrayList<>();

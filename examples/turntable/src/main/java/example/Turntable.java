@@ -8,7 +8,7 @@ import dev.twister.image.Frame;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
 import dev.twister.scene.Material;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
@@ -32,7 +32,7 @@ public final class Turntable {
                 .sphere(Sphere.of(new Vector3(-1.3, 1, 0), 1, Material.DEFAULT.withTransmission(1)))
                 .sphere(Sphere.of(new Vector3(1.3, 1, 0), 1, Material.DEFAULT.withReflectivity(110)))
                 .sky(DaylightSky.panorama(512, 256, 35, 120, 3))
-                .settings(RenderSettings.DEFAULT.withSize(320, 180).withShadows(32).withBounces(6))
+                .rendering(Rendering.DEFAULT.withSize(320, 180).withShadows(32).withBounces(6))
                 .world();
         Frame frame = Frame.ofPixels(320, 180);
         try (Engine engine = Engines.open("vector")) {

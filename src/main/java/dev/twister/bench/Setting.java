@@ -1,7 +1,7 @@
 package dev.twister.bench;
 
 import dev.twister.image.PictureSize;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 
 /**
  * Size and shading of a measured picture.
@@ -10,7 +10,7 @@ import dev.twister.scene.RenderSettings;
  * @param bounces limit of reflections
  */
 public record Setting(PictureSize size, int shadowSamples, int bounces) {
-    RenderSettings over(RenderSettings settings) {
+    Rendering over(Rendering settings) {
         return settings.withSize(size.width(), size.height())
                 .withShadows(shadowSamples)
                 .withBounces(bounces);

@@ -198,7 +198,8 @@ final class BenchmarkCommand implements Callable<Integer> {
         BenchmarkReport report = run(plan, scene, files);
         files.write(report);
         PrintWriter out = spec.commandLine().getOut();
-        out.println(PaperFolder.write(report, folder, scene.settings().srgb(), PaperFigures.render(JvmEngines.PARALLEL))
+        out.println(PaperFolder.write(
+                        report, folder, scene.rendering().srgb(), PaperFigures.render(JvmEngines.PARALLEL))
                 + ": "
                 + report.engines().size() + " engines at " + plan.settings().size()
                 + " settings; beside it JSON, CSV, plots and pictures");

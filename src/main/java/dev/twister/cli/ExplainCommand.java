@@ -5,7 +5,7 @@ import dev.twister.explain.PathJson;
 import dev.twister.explain.PathText;
 import dev.twister.explain.PixelPath;
 import dev.twister.image.PictureSize;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.world.World;
@@ -56,7 +56,7 @@ final class ExplainCommand implements Callable<Integer> {
     @Option(
             names = "--samples",
             paramLabel = "N",
-            description = "View rays per pixel, 1 to " + RenderSettings.MAX_SAMPLES_PER_PIXEL + ".")
+            description = "View rays per pixel, 1 to " + Rendering.MAX_SAMPLES_PER_PIXEL + ".")
     private Optional<Integer> samples = Optional.empty();
 
     @Option(
@@ -84,7 +84,7 @@ final class ExplainCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         Scene scene = sky.over(SceneReader.read(SceneFiles.find(sceneName)));
-        RenderSettings settings = settings(scene.settings());
+        Rendering settings = settings(scene.rendering());
         Ranges.check("--pixel's column", pixel.column(), 0, settings.width() - 1);
         Ranges.check("--pixel's row", pixel.row(), 0, settings.height() - 1);
         Ranges.check("--sample", sample, 0, settings.samplesPerPixel() - 1);
@@ -103,13 +103,13 @@ final class ExplainCommand implements Callable<Integer> {
         return Main.OK;
     }
 
-    private RenderSettings settings(RenderSettings usual) {
+    private Rendering settings(Rendering usual) {
         PictureSize wanted = size.orElseGet(() -> new PictureSize(usual.width(), usual.height()));
-        RenderSettings shaded = usual.withSize(wanted.width(), wanted.height())
+        Rendering shaded = usual.withSize(wanted.width(), wanted.height())
                 .withShadows(shading.shadowSamplesOr(usual.shadowSamples()))
                 .withBounces(shading.bouncesOr(usual.bounces()))
                 .withSamplesPerPixel(Ranges.check(
-                        "--samples", samples.orElse(usual.samplesPerPixel()), 1, RenderSettings.MAX_SAMPLES_PER_PIXEL));
+                        "--samples", samples.orElse(usual.samplesPerPixel()), 1, Rendering.MAX_SAMPLES_PER_PIXEL));
         return tone.over(shaded);
     }
 }

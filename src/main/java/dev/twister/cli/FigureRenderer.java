@@ -69,7 +69,7 @@ final class FigureRenderer implements AutoCloseable {
         arguments.addAll(options);
         StringWriter json = new StringWriter();
         run(json, arguments);
-        double radius = SceneReader.read(file).light().radius();
+        double radius = SceneReader.read(file).lights().first().radius();
         String svg = DiscDrawing.svg(json.toString(), 2 * radius);
         return new RenderedFigure.Picture(
                 samples + (samples == 1 ? " sample." : " samples."),

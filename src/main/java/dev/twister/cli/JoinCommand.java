@@ -12,7 +12,7 @@ import dev.twister.image.JoinedPicture;
 import dev.twister.image.PictureSize;
 import dev.twister.image.PngWriter;
 import dev.twister.image.Provenance;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.world.AutoExposure;
 import dev.twister.world.TonedPixels;
 import java.io.IOException;
@@ -64,7 +64,7 @@ final class JoinCommand implements Callable<Integer> {
         if (List.of(".exr", ".hdr", ".png").stream().noneMatch(ending -> OutputFile.endsIn(output, ending))) {
             throw new BadInputException("--output is " + output + ", but must end in .exr, .hdr or .png");
         }
-        RenderSettings settings = tone.over(RenderSettings.DEFAULT);
+        Rendering settings = tone.over(Rendering.DEFAULT);
         OutputFile.check("--output", output);
         for (Path part : parts) {
             InputFile.problem(part).ifPresent(problem -> {
@@ -110,7 +110,7 @@ final class JoinCommand implements Callable<Integer> {
         }
     }
 
-    private void write(ExrPicture picture, RenderSettings settings) throws IOException {
+    private void write(ExrPicture picture, Rendering settings) throws IOException {
         Provenance made = picture.provenance().orElseThrow();
         if (OutputFile.endsIn(output, ".exr")) {
             ExrWriter.write(output, picture);

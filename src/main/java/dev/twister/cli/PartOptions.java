@@ -3,7 +3,7 @@ package dev.twister.cli;
 import dev.twister.render.PicturePart;
 import dev.twister.render.PicturePart.Samples;
 import dev.twister.render.PicturePart.Tile;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.regex.Matcher;
@@ -40,7 +40,7 @@ final class PartOptions {
                 throw new TypeConversionException("'" + text + "' is not a tile; write K/N, such as 2/7");
             }
             int count = Ranges.check(
-                    "the number of tiles of --tile", Integer.parseInt(parts.group(2)), 1, RenderSettings.MAX_SIDE);
+                    "the number of tiles of --tile", Integer.parseInt(parts.group(2)), 1, Rendering.MAX_SIDE);
             return new Tile(Ranges.check("--tile", Integer.parseInt(parts.group(1)), 1, count), count);
         }
     }
@@ -58,7 +58,7 @@ final class PartOptions {
                         "'" + text + "' is not a range of samples; write the first and the last one, such as 0-63");
             }
             int first = Ranges.check("--sample-range", Integer.parseInt(parts.group(1)), 0, MOST);
-            int most = first + RenderSettings.MAX_SAMPLES_PER_PIXEL - 1;
+            int most = first + Rendering.MAX_SAMPLES_PER_PIXEL - 1;
             int last = Ranges.check("the last sample of --sample-range", Integer.parseInt(parts.group(2)), first, most);
             return new Samples(first, last);
         }

@@ -1,7 +1,7 @@
 package dev.twister.cli;
 
 import dev.twister.image.PictureSize;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
@@ -15,9 +15,9 @@ final class PictureSizeConverter implements ITypeConverter<PictureSize> {
         } catch (IllegalArgumentException problem) {
             throw new TypeConversionException(problem.getMessage());
         }
-        if (Math.max(size.width(), size.height()) > RenderSettings.MAX_SIDE) {
-            throw new TypeConversionException("the size " + size + " is not from 1x1 to " + RenderSettings.MAX_SIDE
-                    + "x" + RenderSettings.MAX_SIDE);
+        if (Math.max(size.width(), size.height()) > Rendering.MAX_SIDE) {
+            throw new TypeConversionException(
+                    "the size " + size + " is not from 1x1 to " + Rendering.MAX_SIDE + "x" + Rendering.MAX_SIDE);
         }
         return size;
     }

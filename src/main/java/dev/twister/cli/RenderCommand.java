@@ -12,11 +12,11 @@ import dev.twister.render.FrameRange;
 import dev.twister.render.RenderOrder;
 import dev.twister.render.RenderOutput;
 import dev.twister.render.RenderResult;
-import dev.twister.render.Rendering;
+import dev.twister.render.Renderer;
 import dev.twister.render.Sampling;
 import dev.twister.render.SceneInputs;
 import dev.twister.scene.Camera;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.world.FrameInput;
@@ -133,7 +133,7 @@ final class RenderCommand implements Callable<Integer> {
         try {
             RenderOrder order = order(scene, recorded);
             PictureOutput.checkKeeps(order.output(), SceneInputs.of(file, scene));
-            SizeCheck.check(order.size(), Rendering.bytesPerPixel(order));
+            SizeCheck.check(order.size(), Renderer.bytesPerPixel(order));
             render(order);
         } finally {
             if (recorded.isPresent()) {
@@ -149,11 +149,11 @@ final class RenderCommand implements Callable<Integer> {
         if (frames.isEmpty()) {
             film.checkSingle();
         }
-        RenderSettings settings = settings(scene.settings());
+        Rendering settings = settings(scene.rendering());
         part.check(settings.height());
         Sampling usual = samples.over(settings.samplesPerPixel());
         return new RenderOrder(
-                scene.withCamera(from).withSettings(settings),
+                scene.withCamera(from).withRendering(settings),
                 Engines.offer(engineId),
                 picture.pictures(),
                 new Sampling(part.samplesOr(usual.samples()), usual.noise()),
@@ -186,7 +186,7 @@ final class RenderCommand implements Callable<Integer> {
         RenderResult result;
         long nanos;
         try (RenderLine line = new RenderLine(command, progress, order.output().frames())) {
-            result = Rendering.render(order, world, line);
+            result = Renderer.render(order, world, line);
             nanos = line.nanos();
         } catch (BlackPictureException black) {
             throw new BadInputException("--exposure is auto, but " + black.getMessage() + "; give a number of stops");
@@ -244,9 +244,9 @@ final class RenderCommand implements Callable<Integer> {
                 : ", %d to %d samples per pixel".formatted(drawn.fewestSamples(), drawn.mostSamples());
     }
 
-    private RenderSettings settings(RenderSettings usual) {
+    private Rendering settings(Rendering usual) {
         PictureSize wanted = size.orElseGet(() -> new PictureSize(usual.width(), usual.height()));
-        RenderSettings shaded = usual.withSize(wanted.width(), wanted.height())
+        Rendering shaded = usual.withSize(wanted.width(), wanted.height())
                 .withShadows(shading.shadowSamplesOr(usual.shadowSamples()))
                 .withBounces(shading.bouncesOr(usual.bounces()))
                 .withSamplesPerPixel(samples.over(usual.samplesPerPixel()).samples());

@@ -1,7 +1,7 @@
 package dev.twister.cli;
 
 import dev.twister.render.Sampling;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.world.Picture;
 import java.util.List;
 import java.util.Optional;
@@ -14,8 +14,8 @@ final class SampleOptions {
     @Option(
             names = "--samples",
             paramLabel = "N",
-            description = "View rays per pixel, 1 to " + RenderSettings.MAX_SAMPLES_PER_PIXEL
-                    + "; with --noise, the limit (default: " + RenderSettings.MAX_SAMPLES_PER_PIXEL + ").")
+            description = "View rays per pixel, 1 to " + Rendering.MAX_SAMPLES_PER_PIXEL
+                    + "; with --noise, the limit (default: " + Rendering.MAX_SAMPLES_PER_PIXEL + ").")
     private Optional<Integer> samples = Optional.empty();
 
     @Option(
@@ -47,7 +47,7 @@ final class SampleOptions {
 
     /** What the options say over a scene's own samples. */
     Sampling over(int usual) {
-        int most = RenderSettings.MAX_SAMPLES_PER_PIXEL;
+        int most = Rendering.MAX_SAMPLES_PER_PIXEL;
         int least = noise.isPresent() ? Sampling.LEAST_CONVERGING : 1;
         return new Sampling(
                 Ranges.check("--samples", samples.orElse(noise.isPresent() ? most : usual), least, most),

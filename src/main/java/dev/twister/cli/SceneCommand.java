@@ -114,10 +114,10 @@ final class SceneCommand implements Callable<Integer> {
         Path day = Home.skyboxes().resolve(ShippedSky.DAY.fileName());
         Scene scene = wanted.sky.over(SceneGenerator.spheres(wanted.count, wanted.seed, day));
         if (toFile) {
-            OutputFile.checkKeeps("--output", wanted.output, List.of(scene.skybox()));
+            OutputFile.checkKeeps("--output", wanted.output, List.of(scene.sky().file()));
         }
         // As --check does: a scene that no command can draw is not to be written.
-        SkyFiles.read(scene.skybox(), spec.commandLine().getErr());
+        SkyFiles.read(scene.sky().file(), spec.commandLine().getErr());
         SceneOutput.write(scene, wanted.output, spec.commandLine().getOut());
         if (toFile) {
             say(wanted.output + ": " + spheres(scene));

@@ -1,6 +1,6 @@
 package dev.twister.cli;
 
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
@@ -9,22 +9,21 @@ final class ShadingOptions {
     @Option(
             names = "--shadow-samples",
             paramLabel = "N",
-            description =
-                    "Points on the light's disc, 1 to " + RenderSettings.MAX_SHADOW_SAMPLES + "; 1 is a hard shadow.")
+            description = "Points on the light's disc, 1 to " + Rendering.MAX_SHADOW_SAMPLES + "; 1 is a hard shadow.")
     private Optional<Integer> shadowSamples = Optional.empty();
 
     @Option(
             names = "--bounces",
             paramLabel = "N",
-            description = "Most reflections per ray, 0 to " + RenderSettings.MAX_BOUNCES + ".")
+            description = "Most reflections per ray, 0 to " + Rendering.MAX_BOUNCES + ".")
     private Optional<Integer> bounces = Optional.empty();
 
     int shadowSamplesOr(int usual) {
-        return Ranges.check("--shadow-samples", shadowSamples.orElse(usual), 1, RenderSettings.MAX_SHADOW_SAMPLES);
+        return Ranges.check("--shadow-samples", shadowSamples.orElse(usual), 1, Rendering.MAX_SHADOW_SAMPLES);
     }
 
     int bouncesOr(int usual) {
-        return Ranges.check("--bounces", bounces.orElse(usual), 0, RenderSettings.MAX_BOUNCES);
+        return Ranges.check("--bounces", bounces.orElse(usual), 0, Rendering.MAX_BOUNCES);
     }
 
     boolean areGiven() {

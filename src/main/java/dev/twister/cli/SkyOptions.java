@@ -2,6 +2,7 @@ package dev.twister.cli;
 
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Sky;
 import java.nio.file.Path;
 import java.util.Optional;
 import picocli.CommandLine.Option;
@@ -21,10 +22,10 @@ final class SkyOptions {
     private Optional<Double> strength = Optional.empty();
 
     Scene over(Scene scene) {
-        return scene.withSkybox(skybox.orElse(scene.skybox()))
-                .withSkyRotation(Ranges.check(
-                        "--sky-rotation", rotation.orElse(scene.skyRotationDegrees()), SceneLimits.SKY_ROTATION))
-                .withSkyStrength(
-                        Ranges.check("--sky-strength", strength.orElse(scene.skyStrength()), SceneLimits.SKY_STRENGTH));
+        Sky own = scene.sky();
+        return scene.withSky(new Sky(
+                skybox.orElse(own.file()),
+                Ranges.check("--sky-rotation", rotation.orElse(own.rotationDegrees()), SceneLimits.SKY_ROTATION),
+                Ranges.check("--sky-strength", strength.orElse(own.strength()), SceneLimits.SKY_STRENGTH)));
     }
 }

@@ -1,7 +1,7 @@
 package dev.twister.cli;
 
 import dev.twister.cli.ExposureConverter.Exposure;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.ToneMap;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -30,13 +30,13 @@ final class ToneOptions {
     private Optional<Boolean> srgb = Optional.empty();
 
     /** An exposure of auto is left as it is, for {@link #metered}. */
-    RenderSettings over(RenderSettings settings) {
+    Rendering over(Rendering settings) {
         double stops = Ranges.check(
                 "--exposure",
                 exposure.flatMap(given -> given.stops().stream().boxed().findFirst())
                         .orElse(settings.exposure()),
-                -RenderSettings.MAX_EXPOSURE_STOPS,
-                RenderSettings.MAX_EXPOSURE_STOPS);
+                -Rendering.MAX_EXPOSURE_STOPS,
+                Rendering.MAX_EXPOSURE_STOPS);
         return settings.withTone(stops, toneMap.orElse(settings.toneMap()), srgb.orElse(settings.srgb()));
     }
 
@@ -50,7 +50,7 @@ final class ToneOptions {
      *
      * @param stops empty where there is no light in the picture
      */
-    RenderSettings metered(RenderSettings settings, Supplier<OptionalDouble> stops) {
+    Rendering metered(Rendering settings, Supplier<OptionalDouble> stops) {
         if (!isMetered()) {
             return settings;
         }

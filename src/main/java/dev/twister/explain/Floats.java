@@ -17,6 +17,6 @@ final class Floats {
 
     /** A place that is seen from the origin, in the scene's own coordinates. */
     static Vector3 place(float[] array, int at, Vector3 origin) {
-        return new Vector3(array[at] + origin.x(), array[at + 1] + origin.y(), array[at + 2] + origin.z());
+        return vector(array, at).plus(origin);
     }
 }

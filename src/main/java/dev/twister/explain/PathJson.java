@@ -55,7 +55,7 @@ public final class PathJson {
         return list;
     }
 
-    private static Map<String, Object> surface(Shading shading) {
+    private static Map<String, Object> surface(ShadedSurface shading) {
         Map<String, Object> tree = new LinkedHashMap<>();
         tree.put("point", vector(shading.point()));
         tree.put("normal", vector(shading.normal()));
@@ -79,7 +79,7 @@ public final class PathJson {
         return tree;
     }
 
-    private static Map<String, Object> shadowRay(ShadowRay ray) {
+    private static Map<String, Object> shadowRay(LightSample ray) {
         Map<String, Object> tree = new LinkedHashMap<>();
         tree.put("target", vector(ray.target()));
         tree.put("light", number(ray.light()));

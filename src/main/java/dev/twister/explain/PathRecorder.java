@@ -106,7 +106,7 @@ final class PathRecorder {
         }
     }
 
-    private PathStep step(Source source, int bounce, int body, float[] ray, Optional<Shading> shading) {
+    private PathStep step(Source source, int bounce, int body, float[] ray, Optional<ShadedSurface> shading) {
         Vector3 origin = input.bodies().origin();
         Rgb adds = Floats.rgb(path, Layout.RADIANCE);
         return new PathStep(

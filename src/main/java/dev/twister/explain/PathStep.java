@@ -30,7 +30,7 @@ public record PathStep(
         Rgb throughput,
         int body,
         double distance,
-        Optional<Shading> shading,
+        Optional<ShadedSurface> shading,
         Rgb adds) {
     public static final int NO_PARENT = -1;
 

@@ -65,20 +65,20 @@ public final class PathText {
     }
 
     private static List<String> row(int number, PathStep step) {
-        Optional<Shading> shading = step.shading();
+        Optional<ShadedSurface> shading = step.shading();
         return List.of(
                 Integer.toString(number),
                 step.parent() == PathStep.NO_PARENT ? "-" : Integer.toString(step.parent()),
                 step.kind().id(),
                 PathStep.bodyName(step.body()),
                 step.body() == Layout.NOTHING ? "-" : number("%.3f m", step.distance()),
-                cell(shading.map(Shading::normalDotLight)),
-                cell(shading.map(Shading::visible)),
-                cell(shading.map(Shading::lit)),
-                cell(shading.map(Shading::specular)),
-                cell(shading.map(Shading::mirror)),
-                cell(shading.map(Shading::transmission)),
-                cell(shading.map(Shading::reflectance)),
+                cell(shading.map(ShadedSurface::normalDotLight)),
+                cell(shading.map(ShadedSurface::visible)),
+                cell(shading.map(ShadedSurface::lit)),
+                cell(shading.map(ShadedSurface::specular)),
+                cell(shading.map(ShadedSurface::mirror)),
+                cell(shading.map(ShadedSurface::transmission)),
+                cell(shading.map(ShadedSurface::reflectance)),
                 rgb(step.throughput()),
                 rgb(step.adds()));
     }
@@ -102,7 +102,7 @@ public final class PathText {
         return column < TEXTS ? text + spaces : spaces + text;
     }
 
-    private static String surface(int step, Shading shading) {
+    private static String surface(int step, ShadedSurface shading) {
         return String.format(
                 Locale.ROOT,
                 "step %d: point %s, N %s, C %s, p %s%s; %s%n",
@@ -115,14 +115,14 @@ public final class PathText {
                 shadow(shading.shadowRays()));
     }
 
-    private static String shadow(List<ShadowRay> rays) {
+    private static String shadow(List<LightSample> rays) {
         if (rays.isEmpty()) {
             return "no shadow rays, as S would change nothing";
         }
         long free = rays.stream().filter(ray -> ray.light() == 1).count();
         Map<Integer, Long> blockers = rays.stream()
                 .filter(ray -> ray.light() < 1)
-                .collect(Collectors.groupingBy(ShadowRay::blocker, TreeMap::new, Collectors.counting()));
+                .collect(Collectors.groupingBy(LightSample::blocker, TreeMap::new, Collectors.counting()));
         return rays.size() + (rays.size() == 1 ? " shadow ray, " : " shadow rays, ") + free + " free"
                 + blockers.entrySet().stream()
                         .map(entry -> ", " + entry.getValue() + " stopped or dimmed by " + blocker(entry.getKey()))

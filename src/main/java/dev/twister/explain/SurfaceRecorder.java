@@ -87,12 +87,12 @@ final class SurfaceRecorder {
         return cameFrom * goesTo > 0 ? RayKind.REFRACTED : RayKind.REFLECTED;
     }
 
-    Shading shading() {
+    ShadedSurface shading() {
         float[] properties = input.view().properties();
         float transmission =
                 Path.transmission(before, bounce, properties, input.bodies().materials());
         Vector3 origin = input.bodies().origin();
-        return new Shading(
+        return new ShadedSurface(
                 Floats.place(before, Layout.POINT, origin),
                 Floats.vector(before, Layout.NORMAL),
                 Floats.rgb(before, Layout.ALBEDO),
@@ -116,11 +116,11 @@ final class SurfaceRecorder {
         return Refraction.reflectance(cosine, before[Layout.FROM_INSIDE] > 0 ? ior : 1 / ior);
     }
 
-    private List<ShadowRay> shadowRays() {
+    private List<LightSample> shadowRays() {
         float[] properties = input.view().properties();
         int traced = Path.isShaded(before, bounce, properties, input.bodies().materials())
                 & Shadow.matters(before, properties);
-        return traced == 0 ? List.of() : ShadowRays.of(input, before, body);
+        return traced == 0 ? List.of() : LightSamples.of(input, before, body);
     }
 
     private static float dot(float[] a, int atA, float[] b, int atB) {

@@ -17,9 +17,9 @@ final class GltfTransform {
         double[] scale = node.at("scale").numbersOr(1, 1, 1);
         Affine turn = rotation(node.at("rotation").numbersOr(0, 0, 0, 1));
         return new Affine(
-                scaled(turn.axisX(), scale[0]),
-                scaled(turn.axisY(), scale[1]),
-                scaled(turn.axisZ(), scale[2]),
+                turn.axisX().times(scale[0]),
+                turn.axisY().times(scale[1]),
+                turn.axisZ().times(scale[2]),
                 column(node.at("translation").numbersOr(0, 0, 0), 0));
     }
 
@@ -28,7 +28,7 @@ final class GltfTransform {
         return new Affine(
                 turned(placement.axisX()),
                 turned(placement.axisY()),
-                scaled(turned(placement.axisZ()), -1),
+                turned(placement.axisZ()).times(-1),
                 turned(placement.origin()));
     }
 
@@ -38,28 +38,17 @@ final class GltfTransform {
 
     /** Whether the transform preserves volume other than 0 and stays within the range of coordinates. */
     static boolean isUsable(Affine placement) {
-        Vector3 x = placement.axisX();
-        Vector3 y = placement.axisY();
-        Vector3 z = placement.axisZ();
-        double volume = x.x() * (y.y() * z.z() - y.z() * z.y())
-                + x.y() * (y.z() * z.x() - y.x() * z.z())
-                + x.z() * (y.x() * z.y() - y.y() * z.x());
-        double lengths = length(x) * length(y) * length(z);
-        return Math.abs(volume) > FLAT * lengths
-                && MeshLimits.isCoordinate(Math.max(length(x), Math.max(length(y), length(z))))
-                && MeshLimits.isCoordinate(length(placement.origin()));
-    }
-
-    private static double length(Vector3 vector) {
-        return Math.sqrt(vector.x() * vector.x() + vector.y() * vector.y() + vector.z() * vector.z());
+        double volume = placement.axisX().dot(placement.axisY().cross(placement.axisZ()));
+        double x = placement.axisX().length();
+        double y = placement.axisY().length();
+        double z = placement.axisZ().length();
+        return Math.abs(volume) > FLAT * (x * y * z)
+                && MeshLimits.isCoordinate(Math.max(x, Math.max(y, z)))
+                && MeshLimits.isCoordinate(placement.origin().length());
     }
 
     private static Vector3 column(double[] numbers, int at) {
         return new Vector3(numbers[at], numbers[at + 1], numbers[at + 2]);
-    }
-
-    private static Vector3 scaled(Vector3 vector, double factor) {
-        return new Vector3(factor * vector.x(), factor * vector.y(), factor * vector.z());
     }
 
     /** The rotation of a quaternion (x, y, z, w) of any length; the identity if that is 0. */
@@ -79,6 +68,6 @@ final class GltfTransform {
                 new Vector3(1 - yy - zz, xy + wz, xz - wy),
                 new Vector3(xy - wz, 1 - xx - zz, yz + wx),
                 new Vector3(xz + wy, yz - wx, 1 - xx - yy),
-                new Vector3(0, 0, 0));
+                Vector3.ZERO);
     }
 }

@@ -95,7 +95,7 @@ final class MeshAssembly {
     /** Creates a vertex for each distinct combination of position, normal and texture coordinates. */
     private int[] unified(int[] triangles, int from, int to, boolean smooth, boolean textured) {
         int[] corners = new int[3 * (to - from)];
-        int[] table = new int[Hash.tableSize(corners.length)];
+        int[] table = new int[TableHash.tableSize(corners.length)];
         int mask = table.length - 1;
         IntList keys = new IntList(corners.length);
         for (int i = 0; i < corners.length; i++) {
@@ -103,7 +103,7 @@ final class MeshAssembly {
             int position = soup.positionOf.get(corner);
             int normal = smooth ? soup.normalAt(corner) : TriangleSoup.NONE;
             int texture = textured ? soup.textureAt(corner) : TriangleSoup.NONE;
-            int slot = Hash.of(position, normal, texture) & mask;
+            int slot = TableHash.of(position, normal, texture) & mask;
             while (table[slot] > 0 && !isKey(keys, 3 * (table[slot] - 1), position, normal, texture)) {
                 slot = slot + 1 & mask;
             }

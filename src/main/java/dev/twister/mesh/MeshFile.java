@@ -23,8 +23,8 @@ public record MeshFile(
     }
 
     /** The box around all parts. */
-    public Bounds bounds() {
-        Bounds bounds = Bounds.NONE;
+    public Box bounds() {
+        Box bounds = Box.NONE;
         for (MeshPart part : parts) {
             float[] positions = meshes.get(part.mesh()).positions();
             for (int at = 0; at < positions.length; at += 3) {

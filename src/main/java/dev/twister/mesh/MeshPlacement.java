@@ -15,24 +15,24 @@ public final class MeshPlacement {
         double pitch = Math.toRadians(mesh.rotation().x());
         double yaw = Math.toRadians(mesh.rotation().y());
         double roll = Math.toRadians(mesh.rotation().z());
-        Vector3 zero = new Vector3(0, 0, 0);
         Affine rolled = new Affine(
                 new Vector3(Math.cos(roll), Math.sin(roll), 0),
                 new Vector3(-Math.sin(roll), Math.cos(roll), 0),
                 new Vector3(0, 0, 1),
-                zero);
+                Vector3.ZERO);
         Affine pitched = new Affine(
                 new Vector3(1, 0, 0),
                 new Vector3(0, Math.cos(pitch), Math.sin(pitch)),
                 new Vector3(0, -Math.sin(pitch), Math.cos(pitch)),
-                zero);
+                Vector3.ZERO);
         Affine turned = new Affine(
                 new Vector3(Math.cos(yaw), 0, -Math.sin(yaw)),
                 new Vector3(0, 1, 0),
                 new Vector3(Math.sin(yaw), 0, Math.cos(yaw)),
                 mesh.position());
         double scale = mesh.scale();
-        Affine scaled = new Affine(new Vector3(scale, 0, 0), new Vector3(0, scale, 0), new Vector3(0, 0, scale), zero);
+        Affine scaled =
+                new Affine(new Vector3(scale, 0, 0), new Vector3(0, scale, 0), new Vector3(0, 0, scale), Vector3.ZERO);
         return turned.of(pitched).of(rolled).of(scaled);
     }
 }

@@ -1,13 +1,15 @@
 package dev.twister.mesh;
 
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Mesh;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Title;
 import dev.twister.scene.Vector3;
 import java.nio.file.Path;
 import java.util.List;
@@ -52,7 +54,7 @@ public final class MeshStage {
      * @throws MeshException if the mesh cannot be scaled so far
      */
     public static Scene of(Path file, MeshFile held, Path skybox) {
-        Bounds bounds = held.bounds();
+        Box bounds = held.bounds();
         Vector3 half = bounds.half();
         double largest = 2 * Math.max(half.x(), Math.max(half.y(), half.z()));
         double scale = LARGEST_SIDE / largest;
@@ -62,8 +64,8 @@ public final class MeshStage {
                     + " m; scale it in a scene file or in the program that made it");
         }
         Vector3 center = bounds.center();
-        Vector3 place = new Vector3(-scale * center.x(), -scale * bounds.least().y(), -scale * center.z());
-        double radius = scale * Math.sqrt(half.x() * half.x() + half.y() * half.y() + half.z() * half.z());
+        Vector3 place = new Vector3(center.x(), bounds.least().y(), center.z()).times(-scale);
+        double radius = scale * half.length();
         double distance = ROOM * radius / Math.sin(Math.toRadians(FIELD_OF_VIEW_DEGREES / 2));
         double yaw = Math.toRadians(YAW_DEGREES);
         double pitch = Math.toRadians(PITCH_DEGREES);
@@ -72,11 +74,11 @@ public final class MeshStage {
                 scale * half.y() + distance * Math.sin(pitch),
                 -distance * Math.cos(yaw) * Math.cos(pitch));
         return Scene.under(skybox)
-                .withName(file.getFileName().toString())
+                .withTitle(Title.NONE.withName(file.getFileName().toString()))
                 .withCamera(Camera.of(eye, YAW_DEGREES, PITCH_DEGREES, FIELD_OF_VIEW_DEGREES))
-                .withLight(LIGHT)
-                .withSettings(RenderSettings.DEFAULT.withShadows(SHADOW_SAMPLES))
-                .withPlane(Plane.of(PLANE_SIZE, 0, BRIGHT, DARK, 0))
+                .withLights(Lights.of(LIGHT))
+                .withRendering(Rendering.DEFAULT.withShadows(SHADOW_SAMPLES))
+                .withGround(Ground.of(PLANE_SIZE, 0, BRIGHT, DARK, 0))
                 .withMeshes(List.of(
                         Mesh.of(file).withScale(scale).withPosition(place).withSmooth(SMOOTH_DEGREES)));
     }

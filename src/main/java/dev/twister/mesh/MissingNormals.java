@@ -61,12 +61,12 @@ final class MissingNormals {
 
     private void joinAcrossEdges() {
         int[] places = weldedPositions();
-        int[] table = new int[Hash.tableSize(cornerCount)];
+        int[] table = new int[TableHash.tableSize(cornerCount)];
         int mask = table.length - 1;
         for (int corner = 0; corner < cornerCount; corner++) {
             int from = places[corner];
             int to = places[next(corner)];
-            int slot = Hash.of(Math.min(from, to), Math.max(from, to), 0) & mask;
+            int slot = TableHash.of(Math.min(from, to), Math.max(from, to), 0) & mask;
             while (table[slot] > 0 && !isSameEdge(places, table[slot] - 1, from, to)) {
                 slot = slot + 1 & mask;
             }

@@ -40,7 +40,7 @@ final class PositionIndex {
 
     private int slot(float x, float y, float z) {
         int mask = table.length - 1;
-        int slot = Hash.of(bits(x), bits(y), bits(z)) & mask;
+        int slot = TableHash.of(bits(x), bits(y), bits(z)) & mask;
         while (table[slot] >= 0 && !isAt(table[slot], x, y, z)) {
             slot = slot + 1 & mask;
         }

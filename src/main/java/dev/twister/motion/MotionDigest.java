@@ -1,48 +1,75 @@
 package dev.twister.motion;
 
+import dev.twister.scene.Camera;
+import dev.twister.scene.CameraView;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
+import dev.twister.scene.Palette;
+import dev.twister.scene.Rendering;
+import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
-import dev.twister.scene.Sphere;
+import dev.twister.scene.Shading;
+import dev.twister.scene.Sky;
+import dev.twister.scene.Title;
+import dev.twister.world.RecordParts;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
-import java.util.Objects;
+import java.util.Collection;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 
-/**
- * A digest of everything in a scene that affects the motion of its bodies. Colors, cameras, skies and settings do not.
- */
+/** A digest of everything in a scene that affects the motion of its bodies: all of it but what is only seen. */
 final class MotionDigest {
     static final int BYTES = 32;
+
+    private static final Set<Class<?>> ONLY_SEEN = Set.of(
+            Title.class,
+            Camera.class,
+            CameraView.class,
+            Material.class,
+            Rgb.class,
+            Palette.class,
+            Sky.class,
+            Shading.class,
+            Rendering.class);
+
+    private final MessageDigest digest = sha256();
+    private final RecordParts parts = new RecordParts();
 
     private MotionDigest() {}
 
     /** SHA-256 of the data that the motion depends on. */
     static byte[] of(Scene scene) {
-        MessageDigest digest = sha256();
-        add(digest, scene.physics());
-        add(digest, scene.plane().size());
-        add(digest, scene.plane().height());
-        add(digest, scene.light().position());
-        add(digest, scene.light().radius());
-        add(digest, scene.pour().map(pour -> pour.withMaterial(Material.DEFAULT)));
-        for (Sphere sphere : scene.spheres()) {
-            add(digest, sphere.position());
-            add(digest, sphere.radius());
-        }
-        for (Mesh mesh : scene.meshes()) {
-            // Only the file's name: the folder may differ between the machines of a farm.
-            add(digest, mesh.file().getFileName());
-            add(digest, mesh.position());
-            add(digest, mesh.rotation());
-            add(digest, mesh.scale());
-        }
-        return digest.digest();
+        MotionDigest motion = new MotionDigest();
+        motion.add(scene);
+        return motion.digest.digest();
     }
 
-    // The text of records and numbers is exact.
-    private static void add(MessageDigest digest, Object part) {
-        digest.update(Objects.toString(part).getBytes(StandardCharsets.UTF_8));
+    private void add(Object part) {
+        if (ONLY_SEEN.contains(part.getClass())) {
+            return;
+        }
+        switch (part) {
+            case Mesh mesh when mesh.smoothDegrees() != 0 -> add(mesh.withSmooth(0));
+            case Record record -> {
+                addText(record.getClass().getSimpleName());
+                parts.of(record).forEach(this::add);
+            }
+            case Collection<?> items -> items.forEach(this::add);
+            case Map<?, ?> named -> named.values().forEach(this::add);
+            case Optional<?> some -> some.ifPresent(this::add);
+            // Only the file's name: the folder may differ between the machines of a farm.
+            case Path file -> addText(file.getFileName());
+            // The text of numbers is exact.
+            default -> addText(part);
+        }
+    }
+
+    private void addText(Object text) {
+        digest.update(text.toString().getBytes(StandardCharsets.UTF_8));
         digest.update((byte) '\n');
     }
 

@@ -148,7 +148,8 @@ public final class MotionFile implements AutoCloseable {
         Vector3 from = header.origin();
         Vector3 to = world.origin();
         if (!from.equals(to)) {
-            double[] shift = {from.x() - to.x(), from.y() - to.y(), from.z() - to.z()};
+            Vector3 way = from.minus(to);
+            double[] shift = {way.x(), way.y(), way.z()};
             for (int i = 0; i < positions.length; i++) {
                 positions[i] = (float) (positions[i] + shift[i % 3]);
             }

@@ -1,8 +1,8 @@
 package dev.twister.physics;
 
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
 import dev.twister.scene.Physics;
-import dev.twister.scene.Plane;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
@@ -99,13 +99,13 @@ final class BodyStore {
         walled = new boolean[room];
         calmSteps = new int[room];
         sphere = new int[room];
-        Plane plane = scene.plane();
+        Ground plane = scene.ground();
         halfSide = plane.size() / 2;
         planeHeight = plane.height();
         Physics physics = scene.physics();
         walls = physics.walls();
         largestRadius = spheres.stream().mapToDouble(Sphere::radius).max().orElse(1);
-        Light light = scene.light();
+        Light light = scene.lights().first();
         putLight(light);
         sphere[LIGHT] = -1;
         // Nothing moves the light, so it never wakes and never searches for pairs.

@@ -134,7 +134,7 @@ public final class Simulation implements AutoCloseable {
         if (sameMeshes && movesAlike(scene, edited)) {
             scene = edited;
             // A light that is not solid may have moved, without effect on the motion.
-            bodies.putLight(edited.light());
+            bodies.putLight(edited.lights().first());
             return this;
         }
         MeshCollider mesh = sameMeshes ? surroundings.mesh() : MeshCollider.of(edited, meshes);
@@ -156,13 +156,13 @@ public final class Simulation implements AutoCloseable {
     }
 
     private static boolean movesAlike(Scene one, Scene other) {
-        Light light = one.light();
-        boolean sameLight = light.position().equals(other.light().position())
-                && light.radius() == other.light().radius();
+        Light light = one.lights().first();
+        boolean sameLight = light.position().equals(other.lights().first().position())
+                && light.radius() == other.lights().first().radius();
         return one.physics().equals(other.physics())
                 && (sameLight || !one.physics().solidLight())
-                && one.plane().size() == other.plane().size()
-                && one.plane().height() == other.plane().height()
+                && one.ground().size() == other.ground().size()
+                && one.ground().height() == other.ground().height()
                 && one.pour().equals(other.pour())
                 && moveAlike(one.spheres(), other.spheres());
     }
@@ -275,7 +275,7 @@ public final class Simulation implements AutoCloseable {
      * @return {@code float[3 * room]}, as {@link World#setBodyPositions} takes it, for a world with the scene's origin
      */
     public float[] positions() {
-        return positions(new Vector3(0, 0, 0));
+        return positions(Vector3.ZERO);
     }
 
     /**
@@ -413,7 +413,7 @@ public final class Simulation implements AutoCloseable {
 
     private static double largestCoordinate(Scene scene, List<Sphere> spheres) {
         double largest =
-                Math.max(scene.plane().size() / 2, Math.abs(scene.plane().height()));
+                Math.max(scene.ground().size() / 2, Math.abs(scene.ground().height()));
         for (Sphere sphere : spheres) {
             Vector3 place = sphere.position();
             largest = Math.max(

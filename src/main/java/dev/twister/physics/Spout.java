@@ -44,10 +44,8 @@ final class Spout {
             Sphere sphere = spheres.get(out);
             double vx = sideways[2 * out];
             double vz = sideways[2 * out + 1];
-            Vector3 place = sphere.position();
-            bodies.add(
-                    new Vector3(place.x() - vx * early, place.y() + speed * early, place.z() - vz * early),
-                    sphere.radius());
+            Vector3 speeds = new Vector3(vx, -speed, vz);
+            bodies.add(sphere.position().minus(speeds.times(early)), sphere.radius());
             bodies.setMove(
                     bodies.count - 1,
                     integrator.moveBefore(vx, gravity.x()),

@@ -1,7 +1,7 @@
 package dev.twister.physics;
 
+import dev.twister.scene.Ground;
 import dev.twister.scene.Physics;
-import dev.twister.scene.Plane;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
 
@@ -31,7 +31,7 @@ record Surroundings(
     static final int FIRST_TRIANGLE = FIRST_WALL + WALLS;
 
     static Surroundings of(Scene scene, MeshCollider mesh) {
-        Plane plane = scene.plane();
+        Ground plane = scene.ground();
         Physics physics = scene.physics();
         return new Surroundings(
                 plane.size() / 2,
@@ -44,15 +44,12 @@ record Surroundings(
     }
 
     double gravityStrength() {
-        return Math.sqrt(gravity.x() * gravity.x() + gravity.y() * gravity.y() + gravity.z() * gravity.z());
+        return gravity.length();
     }
 
     /** The unit vector against gravity; zero without gravity. */
     Vector3 up() {
-        double strength = gravityStrength();
-        return strength == 0
-                ? new Vector3(0, 0, 0)
-                : new Vector3(-gravity.x() / strength, -gravity.y() / strength, -gravity.z() / strength);
+        return gravityStrength() == 0 ? Vector3.ZERO : gravity.times(-1).normalized();
     }
 
     boolean isOver(double x, double z) {

@@ -40,12 +40,12 @@ final class PictureDrawing implements AutoCloseable {
     }
 
     /** Renders the order's pictures of a frame, or the part of them that it asks for. */
-    List<DrawnPicture> draw(FrameInput whole, RenderProgress progress) {
+    List<DrawnAspect> draw(FrameInput whole, RenderProgress progress) {
         FrameInput input = order.part().of(whole);
-        List<DrawnPicture> drawn = new ArrayList<>();
+        List<DrawnAspect> drawn = new ArrayList<>();
         for (Picture wanted : order.pictures()) {
             boolean asRadiance = order.output().isLinear() || !wanted.isColor();
-            drawn.add(new DrawnPicture(
+            drawn.add(new DrawnAspect(
                     wanted,
                     BandedDrawing.draw(engine(), input.showing(wanted), order.sampling(), asRadiance, progress)));
         }

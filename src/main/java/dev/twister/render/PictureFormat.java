@@ -56,7 +56,7 @@ public enum PictureFormat {
     }
 
     /** Whether 8-bit pixels are sRGB-encoded: numbers are shown as they are, which no viewer is to encode. */
-    static boolean isEncoded(DrawnPicture drawn, FrameInput input) {
+    static boolean isEncoded(DrawnAspect drawn, FrameInput input) {
         return input.srgb() || !drawn.picture().isColor();
     }
 
@@ -66,7 +66,7 @@ public enum PictureFormat {
      * @param part what was drawn
      * @param made told in the file
      */
-    public static void writePng(OutputStream out, DrawnPicture drawn, FrameInput part, Provenance made)
+    public static void writePng(OutputStream out, DrawnAspect drawn, FrameInput part, Provenance made)
             throws IOException {
         Frame frame = drawn.frame();
         PngWriter.write(out, frame.width(), frame.height(), drawn.pixels(), isEncoded(drawn, part), made);
@@ -80,8 +80,8 @@ public enum PictureFormat {
      * @param made told in the file
      * @throws IOException as {@link dev.twister.files.WholeFile#write}
      */
-    public void write(Path file, List<DrawnPicture> drawn, FrameInput input, Provenance made) throws IOException {
-        DrawnPicture first = drawn.getFirst();
+    public void write(Path file, List<DrawnAspect> drawn, FrameInput input, Provenance made) throws IOException {
+        DrawnAspect first = drawn.getFirst();
         int width = first.frame().width();
         int height = first.frame().height();
         switch (this) {

@@ -7,7 +7,7 @@ import dev.twister.world.Picture;
 import java.util.List;
 
 /**
- * Everything that the files of a rendering depend on; {@link Rendering} carries it out.
+ * Everything that the files of a rendering depend on; {@link Renderer} carries it out.
  *
  * @param scene with the camera and the settings to render with
  * @param engine is opened for the first picture and closed after the last one
@@ -27,6 +27,6 @@ public record RenderOrder(
         RenderOutput output) {
     /** The size of each picture. */
     public PictureSize size() {
-        return new PictureSize(scene.settings().width(), scene.settings().height());
+        return new PictureSize(scene.rendering().width(), scene.rendering().height());
     }
 }

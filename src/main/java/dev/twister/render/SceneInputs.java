@@ -16,7 +16,7 @@ public final class SceneInputs {
     /** The scene's own file, its sky, textures and meshes. */
     public static List<Path> of(Path sceneFile, Scene scene) {
         return Stream.of(
-                        Stream.of(sceneFile, scene.skybox()),
+                        Stream.of(sceneFile, scene.sky().file()),
                         TexturePlaces.of(scene).keySet().stream(),
                         scene.meshes().stream().map(Mesh::file))
                 .flatMap(files -> files)

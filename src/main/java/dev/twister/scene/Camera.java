@@ -22,7 +22,7 @@ public record Camera(
         double focusDistance,
         List<CameraKeyframe> keyframes) {
     /** A pinhole at the origin, level, along z, with a field of view of 60 degrees. */
-    public static final Camera DEFAULT = new Camera(new Vector3(0, 0, 0), 0, 0, 60, 0, 10, List.of());
+    public static final Camera DEFAULT = new Camera(Vector3.ZERO, 0, 0, 60, 0, 10, List.of());
 
     public Camera {
         keyframes = List.copyOf(keyframes);

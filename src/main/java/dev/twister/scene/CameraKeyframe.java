@@ -20,7 +20,7 @@ public record CameraKeyframe(
         Optional<Double> fieldOfViewDegrees,
         Optional<Double> focusDistance) {
     public static final CameraKeyframe DEFAULT =
-            new CameraKeyframe(0, new Vector3(0, 0, 0), 0, 0, Optional.empty(), Optional.empty());
+            new CameraKeyframe(0, Vector3.ZERO, 0, 0, Optional.empty(), Optional.empty());
 
     /** The camera as it is, at a time in seconds. */
     public static CameraKeyframe of(double seconds, Camera camera) {

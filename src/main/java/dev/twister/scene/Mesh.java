@@ -16,19 +16,19 @@ import java.util.Optional;
  * @param material what it is made of, in place of what the file says
  */
 public record Mesh(
-        Path file,
-        Vector3 position,
-        Vector3 rotation,
-        double scale,
-        double smoothDegrees,
-        Optional<Material> material) {
+        Path file, Vector3 position, Vector3 rotation, double scale, double smoothDegrees, Optional<Material> material)
+        implements Body {
     /** As its file has it; has the values of the fields that a scene file leaves out. */
-    public static final Mesh DEFAULT =
-            new Mesh(Path.of(""), new Vector3(0, 0, 0), new Vector3(0, 0, 0), 1, 0, Optional.empty());
+    public static final Mesh DEFAULT = new Mesh(Path.of(""), Vector3.ZERO, Vector3.ZERO, 1, 0, Optional.empty());
 
     /** As the file has it, at the origin. */
     public static Mesh of(Path file) {
         return DEFAULT.withFile(file);
+    }
+
+    @Override
+    public String kind() {
+        return "mesh";
     }
 
     /** The material that it has in place of the file's, or the default one to begin with. */
@@ -40,6 +40,7 @@ public record Mesh(
         return new Mesh(newFile, position, rotation, scale, smoothDegrees, material);
     }
 
+    @Override
     public Mesh withPosition(Vector3 newPosition) {
         return new Mesh(file, newPosition, rotation, scale, smoothDegrees, material);
     }

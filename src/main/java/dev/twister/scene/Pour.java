@@ -30,7 +30,7 @@ public record Pour(
         int seed) {
     /** One sphere of radius 0.1 m at the origin; to be changed by {@code with...} methods. */
     public static final Pour DEFAULT =
-            new Pour(1, 1, new Vector3(0, 0, 0), 1, 1, 0.1, 0.1, Palette.DUSK, Material.DEFAULT.withReflectivity(8), 1);
+            new Pour(1, 1, Vector3.ZERO, 1, 1, 0.1, 0.1, Palette.DUSK, Material.DEFAULT.withReflectivity(8), 1);
 
     public double reflectivity() {
         return material.reflectivity();

@@ -21,6 +21,11 @@ public record Range(double min, double max, String unit) {
         return Math.min(max, Math.max(min, number));
     }
 
+    /** Each coordinate clamped. */
+    public Vector3 clamp(Vector3 vector) {
+        return vector.map(this::clamp);
+    }
+
     /** {@code from -90 to 90 degrees}. */
     @Override
     public String toString() {

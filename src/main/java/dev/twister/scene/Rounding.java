@@ -13,7 +13,7 @@ final class Rounding {
     }
 
     static Vector3 of(Vector3 vector) {
-        return new Vector3(of(vector.x()), of(vector.y()), of(vector.z()));
+        return vector.map(Rounding::of);
     }
 
     static Rgb of(Rgb color) {

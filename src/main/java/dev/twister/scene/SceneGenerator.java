@@ -33,26 +33,28 @@ public final class SceneGenerator {
     private static Scene meadow(int count, long seed, Path skybox) {
         double reach = SphereMeadow.discRadius(count);
         return Scene.under(skybox)
-                .withName("Meadow of " + count + (count == 1 ? " sphere" : " spheres"))
-                .withDescription("Spheres strewn about three large ones; made by Twister, seed " + seed + ".")
+                .withTitle(new Title(
+                        "Meadow of " + count + (count == 1 ? " sphere" : " spheres"),
+                        "Spheres strewn about three large ones; made by Twister, seed " + seed + "."))
                 .withCamera(lookingAtCenter(2.15 * reach, 0.5 * reach, 0.06 * reach, 29))
-                .withLight(light(new Vector3(-0.8 * reach, 1.6 * reach, -1.3 * reach), 0.12 * reach))
-                .withPlane(plane(4 * reach, new Rgb(0.62, 0.6, 0.56), new Rgb(0.4, 0.39, 0.38)))
+                .withLights(Lights.of(light(new Vector3(-0.8 * reach, 1.6 * reach, -1.3 * reach), 0.12 * reach)))
+                .withGround(plane(4 * reach, new Rgb(0.62, 0.6, 0.56), new Rgb(0.4, 0.39, 0.38)))
                 .withSpheres(SphereMeadow.spheres(count, seed))
-                .withSettings(RenderSettings.DEFAULT.withShadows(32).withBounces(4));
+                .withRendering(Rendering.DEFAULT.withShadows(32).withBounces(4));
     }
 
     private static Scene vortex(int count, long seed, Path skybox) {
         double reach = SphereVortex.DISC_RADIUS;
         List<Sphere> spheres = SphereVortex.spheres(count, seed);
         return Scene.under(skybox)
-                .withName("Vortex of " + count + " spheres")
-                .withDescription("Spiral waves of spheres about a mirror; made by Twister, seed " + seed + ".")
+                .withTitle(new Title(
+                        "Vortex of " + count + " spheres",
+                        "Spiral waves of spheres about a mirror; made by Twister, seed " + seed + "."))
                 .withCamera(lookingAtCenter(1.45 * reach, 0.75 * reach, 0, 40))
-                .withLight(light(new Vector3(-0.7 * reach, 0.9 * reach, -0.5 * reach), 0.06 * reach))
-                .withPlane(plane(2.6 * reach, new Rgb(0.42, 0.42, 0.44), new Rgb(0.24, 0.24, 0.26)))
+                .withLights(Lights.of(light(new Vector3(-0.7 * reach, 0.9 * reach, -0.5 * reach), 0.06 * reach)))
+                .withGround(plane(2.6 * reach, new Rgb(0.42, 0.42, 0.44), new Rgb(0.24, 0.24, 0.26)))
                 .withSpheres(spheres)
-                .withSettings(RenderSettings.DEFAULT.withShadows(16).withBounces(2));
+                .withRendering(Rendering.DEFAULT.withShadows(16).withBounces(2));
     }
 
     // From in front of the spheres, so that the point at a height on the y axis is in the picture's middle.
@@ -66,8 +68,8 @@ public final class SceneGenerator {
         return Light.of(Rounding.of(position), Rounding.of(radius), new Rgb(1, 1, 1));
     }
 
-    private static Plane plane(double size, Rgb evenColor, Rgb oddColor) {
+    private static Ground plane(double size, Rgb evenColor, Rgb oddColor) {
         // A whole number of checks on either side of the axis.
-        return Plane.of(2 * Math.ceil(size / 2), 0, evenColor, oddColor, 28);
+        return Ground.of(2 * Math.ceil(size / 2), 0, evenColor, oddColor, 28);
     }
 }

@@ -26,12 +26,12 @@ public final class SceneLimits {
     public static final Range AMBIENT = new Range(0, 1);
     public static final Range SKY_ROTATION = YAW;
     public static final Range SKY_STRENGTH = new Range(0, 1e6);
-    public static final Range SIDE = new Range(1, RenderSettings.MAX_SIDE, "pixels");
-    public static final Range SHADOW_SAMPLES = new Range(1, RenderSettings.MAX_SHADOW_SAMPLES);
-    public static final Range BOUNCES = new Range(0, RenderSettings.MAX_BOUNCES);
-    public static final Range SAMPLES_PER_PIXEL = new Range(1, RenderSettings.MAX_SAMPLES_PER_PIXEL);
+    public static final Range SIDE = new Range(1, Rendering.MAX_SIDE, "pixels");
+    public static final Range SHADOW_SAMPLES = new Range(1, Rendering.MAX_SHADOW_SAMPLES);
+    public static final Range BOUNCES = new Range(0, Rendering.MAX_BOUNCES);
+    public static final Range SAMPLES_PER_PIXEL = new Range(1, Rendering.MAX_SAMPLES_PER_PIXEL);
     public static final Range EXPOSURE =
-            new Range(-RenderSettings.MAX_EXPOSURE_STOPS, RenderSettings.MAX_EXPOSURE_STOPS, "stops");
+            new Range(-Rendering.MAX_EXPOSURE_STOPS, Rendering.MAX_EXPOSURE_STOPS, "stops");
 
     public static final Range GRAVITY = new Range(-1000, 1000, "m/s^2");
     public static final Range ELASTICITY = new Range(0, 1);

@@ -6,9 +6,9 @@ package dev.twister.scene;
  * @param position its center, in meters
  * @param radius in meters, above 0
  */
-public record Sphere(Vector3 position, double radius, Material material) {
+public record Sphere(Vector3 position, double radius, Material material) implements Body {
     /** A matte white ball of radius 1 at the origin; has the values of the fields that {@link #of} leaves out. */
-    public static final Sphere DEFAULT = new Sphere(new Vector3(0, 0, 0), 1, Material.DEFAULT);
+    public static final Sphere DEFAULT = new Sphere(Vector3.ZERO, 1, Material.DEFAULT);
 
     /** A smooth, opaque sphere; color and reflectivity are {@link Material}'s. */
     public static Sphere of(Vector3 position, double radius, Rgb color, double reflectivity) {
@@ -19,6 +19,11 @@ public record Sphere(Vector3 position, double radius, Material material) {
         return DEFAULT.withPosition(position).withRadius(radius).withMaterial(material);
     }
 
+    @Override
+    public String kind() {
+        return "sphere";
+    }
+
     public Rgb color() {
         return material.color();
     }
@@ -27,6 +32,7 @@ public record Sphere(Vector3 position, double radius, Material material) {
         return material.reflectivity();
     }
 
+    @Override
     public Sphere withPosition(Vector3 newPosition) {
         return new Sphere(newPosition, radius, material);
     }

@@ -67,11 +67,9 @@ final class SphereMeadow {
 
     private boolean isClear(Sphere dart) {
         return spheres.stream().allMatch(sphere -> {
-            double x = sphere.position().x() - dart.position().x();
-            double y = sphere.position().y() - dart.position().y();
-            double z = sphere.position().z() - dart.position().z();
+            Vector3 apart = sphere.position().minus(dart.position());
             double least = sphere.radius() + dart.radius() + GAP;
-            return x * x + y * y + z * z > least * least;
+            return apart.dot(apart) > least * least;
         });
     }
 

@@ -1,7 +1,7 @@
 package dev.twister.world;
 
 import dev.twister.kernel.Tone;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import java.util.OptionalDouble;
 
 /**
@@ -62,7 +62,7 @@ public final class AutoExposure {
         float key = srgb ? MIDDLE_GRAY : Tone.srgbEncoded(MIDDLE_GRAY);
         double stops = StrictMath.log(key) / LOG_2 - logAverage;
         double rounded = Math.round(stops * STEPS_PER_STOP) / STEPS_PER_STOP;
-        return Math.clamp(rounded, -RenderSettings.MAX_EXPOSURE_STOPS, RenderSettings.MAX_EXPOSURE_STOPS);
+        return Math.clamp(rounded, -Rendering.MAX_EXPOSURE_STOPS, Rendering.MAX_EXPOSURE_STOPS);
     }
 
     /** A bin that is cut counts by its mean. */

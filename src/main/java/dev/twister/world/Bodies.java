@@ -55,12 +55,12 @@ public record Bodies(
 
     /** A body's center in the scene's coordinates, in meters. */
     public Vector3 centerInScene(int body) {
-        return new Vector3(origin.x() + center(body, 0), origin.y() + center(body, 1), origin.z() + center(body, 2));
+        return origin.plus(new Vector3(center(body, 0), center(body, 1), center(body, 2)));
     }
 
     /** A point of the scene relative to the origin. */
     public Vector3 seen(Vector3 place) {
-        return new Vector3(place.x() - origin.x(), place.y() - origin.y(), place.z() - origin.z());
+        return place.minus(origin);
     }
 
     Bodies withHierarchy(float[] newHierarchy) {

@@ -1,7 +1,7 @@
 package dev.twister.world;
 
 import dev.twister.scene.Camera;
-import dev.twister.scene.Plane;
+import dev.twister.scene.Ground;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Vector3;
 
@@ -29,7 +29,7 @@ public final class CameraMotion {
      *
      * @param seconds time since the last step, at least 0
      */
-    public static Camera walk(Camera camera, Walk walk, double seconds, Plane plane) {
+    public static Camera walk(Camera camera, Walk walk, double seconds, Ground plane) {
         if (walk.isStill()) {
             return camera;
         }
@@ -37,12 +37,11 @@ public final class CameraMotion {
         double meters = (walk.running() ? RUN_METERS_PER_SECOND : WALK_METERS_PER_SECOND) * seconds;
         double scale = meters / Math.max(1, length);
         double yaw = Math.toRadians(camera.yawDegrees());
-        Vector3 from = camera.position();
-        Vector3 to = new Vector3(
-                from.x() + scale * (walk.right() * Math.cos(yaw) + walk.forward() * Math.sin(yaw)),
-                from.y() + scale * walk.up(),
-                from.z() + scale * (walk.forward() * Math.cos(yaw) - walk.right() * Math.sin(yaw)));
-        return above(at(camera, to), plane);
+        Vector3 direction = new Vector3(
+                walk.right() * Math.cos(yaw) + walk.forward() * Math.sin(yaw),
+                walk.up(),
+                walk.forward() * Math.cos(yaw) - walk.right() * Math.sin(yaw));
+        return above(at(camera, camera.position().plus(direction.times(scale))), plane);
     }
 
     /**
@@ -75,16 +74,13 @@ public final class CameraMotion {
     }
 
     /** The camera, raised above the plane if it is below. */
-    public static Camera above(Camera camera, Plane plane) {
+    public static Camera above(Camera camera, Ground plane) {
         double lowest = plane.height() + CLEARANCE_METERS;
         Vector3 position = camera.position();
         return position.y() >= lowest ? camera : at(camera, new Vector3(position.x(), lowest, position.z()));
     }
 
     private static Camera at(Camera camera, Vector3 position) {
-        return camera.withPosition(new Vector3(
-                SceneLimits.POSITION.clamp(position.x()),
-                SceneLimits.POSITION.clamp(position.y()),
-                SceneLimits.POSITION.clamp(position.z())));
+        return camera.withPosition(SceneLimits.POSITION.clamp(position));
     }
 }

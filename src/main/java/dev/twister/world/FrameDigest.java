@@ -1,7 +1,5 @@
 package dev.twister.world;
 
-import java.lang.reflect.InvocationTargetException;
-import java.lang.reflect.RecordComponent;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
@@ -21,6 +19,7 @@ public final class FrameDigest {
     private static final int FLOATS_AT_ONCE = 1 << 14;
 
     private final Map<float[], byte[]> large = new WeakHashMap<>();
+    private final RecordParts parts = new RecordParts();
 
     /**
      * SHA-256 of a snapshot, in hexadecimal.
@@ -44,12 +43,7 @@ public final class FrameDigest {
                     addText(digest, number);
                 }
             }
-            case Record record -> {
-                for (RecordComponent component : record.getClass().getRecordComponents()) {
-                    addText(digest, component.getName());
-                    add(digest, value(record, component));
-                }
-            }
+            case Record record -> parts.of(record).forEach(value -> add(digest, value));
             case Number number -> addText(digest, number);
             case Enum<?> constant -> addText(digest, constant);
             case Boolean flag -> addText(digest, flag);
@@ -76,14 +70,6 @@ public final class FrameDigest {
     private static void addText(MessageDigest digest, Object value) {
         digest.update(String.valueOf(value).getBytes(StandardCharsets.UTF_8));
         digest.update((byte) '\n');
-    }
-
-    private static Object value(Record record, RecordComponent component) {
-        try {
-            return component.getAccessor().invoke(record);
-        } catch (IllegalAccessException | InvocationTargetException impossible) {
-            throw new IllegalStateException(impossible);
-        }
     }
 
     private static MessageDigest sha256() {

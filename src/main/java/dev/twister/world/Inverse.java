@@ -12,21 +12,17 @@ final class Inverse {
         Vector3 x = placement.axisX();
         Vector3 y = placement.axisY();
         Vector3 z = placement.axisZ();
-        Vector3 first = cross(y, z);
-        double scale = 1 / (x.x() * first.x() + x.y() * first.y() + x.z() * first.z());
-        Vector3 second = cross(z, x);
-        Vector3 third = cross(x, y);
+        Vector3 first = y.cross(z);
+        double scale = 1 / x.dot(first);
+        Vector3 second = z.cross(x);
+        Vector3 third = x.cross(y);
         Affine turned = new Affine(
-                new Vector3(scale * first.x(), scale * second.x(), scale * third.x()),
-                new Vector3(scale * first.y(), scale * second.y(), scale * third.y()),
-                new Vector3(scale * first.z(), scale * second.z(), scale * third.z()),
-                new Vector3(0, 0, 0));
+                new Vector3(first.x(), second.x(), third.x()).times(scale),
+                new Vector3(first.y(), second.y(), third.y()).times(scale),
+                new Vector3(first.z(), second.z(), third.z()).times(scale),
+                Vector3.ZERO);
         Vector3 back = turned.direction(placement.origin());
-        return new Affine(turned.axisX(), turned.axisY(), turned.axisZ(), new Vector3(-back.x(), -back.y(), -back.z()));
-    }
-
-    private static Vector3 cross(Vector3 a, Vector3 b) {
-        return new Vector3(a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x());
+        return new Affine(turned.axisX(), turned.axisY(), turned.axisZ(), back.times(-1));
     }
 
     /** Whether all components are finite as floats. */

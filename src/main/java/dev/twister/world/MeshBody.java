@@ -21,9 +21,8 @@ record MeshBody(Affine placement, Material material, MeshPlace place) {
     static List<MeshBody> of(Scene scene, SceneMeshes meshes, Vector3 origin) {
         List<MeshBody> bodies = new ArrayList<>();
         for (Mesh mesh : scene.meshes()) {
-            Vector3 position = mesh.position();
-            Affine placement = MeshPlacement.of(mesh.withPosition(
-                    new Vector3(position.x() - origin.x(), position.y() - origin.y(), position.z() - origin.z())));
+            Affine placement =
+                    MeshPlacement.of(mesh.withPosition(mesh.position().minus(origin)));
             for (MeshPart part : meshes.file(mesh).parts()) {
                 MeshPlace place = meshes.place(mesh, part.mesh());
                 Material material = mesh.material().orElse(part.material());

@@ -18,9 +18,8 @@ record MeshBox(Vector3 low, Vector3 high) {
                             side(meshes, root, 0, corner & 1),
                             side(meshes, root, 1, corner & 2),
                             side(meshes, root, 2, corner & 4)));
-            low = new Vector3(Math.min(low.x(), point.x()), Math.min(low.y(), point.y()), Math.min(low.z(), point.z()));
-            high = new Vector3(
-                    Math.max(high.x(), point.x()), Math.max(high.y(), point.y()), Math.max(high.z(), point.z()));
+            low = low.map(point, Math::min);
+            high = high.map(point, Math::max);
         }
         return new MeshBox(low, high);
     }
@@ -40,15 +39,11 @@ record MeshBox(Vector3 low, Vector3 high) {
     }
 
     Vector3 center() {
-        return new Vector3((low.x() + high.x()) / 2, (low.y() + high.y()) / 2, (low.z() + high.z()) / 2);
+        return low.plus(high).times(0.5);
     }
 
     /** Radius of the sphere around the box. */
     double radius() {
-        return Math.sqrt(square(high.x() - low.x()) + square(high.y() - low.y()) + square(high.z() - low.z())) / 2;
-    }
-
-    private static double square(double x) {
-        return x * x;
+        return high.minus(low).length() / 2;
     }
 }

@@ -14,8 +14,7 @@ final class Origin {
      * the checker keeps its colors.
      */
     static Vector3 near(Vector3 place) {
-        Vector3 own = new Vector3(0, 0, 0);
-        return isNear(own, place) ? own : new Vector3(even(place.x()), even(place.y()), even(place.z()));
+        return isNear(Vector3.ZERO, place) ? Vector3.ZERO : place.map(Origin::even);
     }
 
     static boolean isNear(Vector3 origin, Vector3 place) {

@@ -1,13 +1,15 @@
 package dev.twister.world;
 
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Lights;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneGenerator;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.Title;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
 import java.nio.file.Path;
@@ -27,15 +29,14 @@ public final class SampleWorld {
 
     /** Five spheres with the default shadow samples and bounces, in the given size in pixels. */
     public static World ofSize(int width, int height) {
-        RenderSettings settings = RenderSettings.DEFAULT.withSize(width, height);
+        Rendering settings = Rendering.DEFAULT.withSize(width, height);
         Scene scene = Scene.under(Path.of(""))
-                .withName("Sample")
-                .withDescription("Five spheres in a row.")
+                .withTitle(new Title("Sample", "Five spheres in a row."))
                 .withCamera(Camera.of(new Vector3(0, -5, -15), 0, 7, 50))
-                .withLight(Light.of(new Vector3(0, 0, 0), 1.2, new Rgb(1, 1, 1)))
-                .withPlane(Plane.of(48, -9.75, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32))
+                .withLights(Lights.of(Light.of(Vector3.ZERO, 1.2, new Rgb(1, 1, 1))))
+                .withGround(Ground.of(48, -9.75, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32))
                 .withSpheres(spheres())
-                .withSettings(settings);
+                .withRendering(settings);
         return World.of(scene, new Skybox(SKY_WIDTH, SKY_HEIGHT, gradient()));
     }
 

@@ -30,7 +30,7 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
      */
     public static SceneImages read(Scene scene, Consumer<String> warnings) {
         return new SceneImages(
-                SkyboxReader.read(scene.skybox(), warnings),
+                SkyboxReader.read(scene.sky().file(), warnings),
                 textures(scene, file -> TextureReader.read(file, warnings)));
     }
 
@@ -40,7 +40,7 @@ public record SceneImages(Skybox sky, Map<Path, Skybox> textureByFile) {
      * @throws SkyException as for {@link SkyboxReader#read} and {@link #textures}
      */
     public static SceneImages read(Scene scene, SceneMeshes meshes, Consumer<String> warnings) {
-        return read(scene, SkyboxReader.read(scene.skybox(), warnings), meshes, warnings);
+        return read(scene, SkyboxReader.read(scene.sky().file(), warnings), meshes, warnings);
     }
 
     /**

@@ -2,7 +2,7 @@ package dev.twister.world;
 
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 
 /** Converts stored radiance to pixels, like the kernel. */
 public final class TonedPixels {
@@ -16,7 +16,7 @@ public final class TonedPixels {
      * @param radiance three floats per pixel: linear red, green and blue
      * @param settings exposure, tone map and transfer function
      */
-    public static int[] of(float[] radiance, RenderSettings settings) {
+    public static int[] of(float[] radiance, Rendering settings) {
         float[] properties = new float[Layout.PROPERTIES_LENGTH];
         World.putTone(properties, settings);
         float[] path = new float[Layout.PATH_LENGTH];

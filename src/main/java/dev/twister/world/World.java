@@ -3,10 +3,10 @@ package dev.twister.world;
 import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
 import dev.twister.scene.Material;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
@@ -36,7 +36,7 @@ public final class World {
     private float[] hierarchy = {};
     private boolean hierarchyHolds;
     private Camera camera;
-    private RenderSettings settings;
+    private Rendering settings;
     private float[] shadowDisc;
     private float[] pixelSamples;
 
@@ -52,9 +52,9 @@ public final class World {
         instances = InstanceTable.of(meshBodies, meshes, room);
         places = new float[Layout.PLACE_STRIDE * (room + meshBodies.size())];
         looks = new float[Layout.LOOK_STRIDE * (room + meshBodies.size())];
-        Light light = scene.light();
+        Light light = scene.lights().first();
         put(Layout.LIGHT, light.position(), light.radius(), Material.DEFAULT.withColor(light.color()), 0);
-        Plane plane = scene.plane();
+        Ground plane = scene.ground();
         TexelTable texels = new TexelTable(images);
         Vector3 middle = new Vector3(0, plane.height(), 0);
         put(Layout.PLANE, middle, plane.size(), plane.material(), texels.number(plane.material()));
@@ -71,12 +71,12 @@ public final class World {
         }
         materials = Bodies.materials(looks);
         planeOddColor = plane.oddColor();
-        ambient = scene.ambient();
-        skyTurn = scene.skyRotationDegrees() / DEGREES_PER_TURN;
-        skyStrength = scene.skyStrength();
+        ambient = scene.shading().ambient();
+        skyTurn = scene.sky().rotationDegrees() / DEGREES_PER_TURN;
+        skyStrength = scene.sky().strength();
         panorama = texels.panorama();
         camera = scene.camera();
-        settings = scene.settings();
+        settings = scene.rendering();
         shadowDisc = SunflowerDisc.points(settings.shadowSamples());
         pixelSamples = PixelSamples.of(settings.samplesPerPixel());
     }
@@ -135,11 +135,11 @@ public final class World {
         camera = newCamera;
     }
 
-    public RenderSettings settings() {
+    public Rendering settings() {
         return settings;
     }
 
-    public void setSettings(RenderSettings newSettings) {
+    public void setSettings(Rendering newSettings) {
         if (newSettings.shadowSamples() != settings.shadowSamples()) {
             shadowDisc = SunflowerDisc.points(newSettings.shadowSamples());
         }
@@ -200,7 +200,7 @@ public final class World {
     }
 
     @SuppressWarnings("EnumOrdinal") // a test checks that the kernel's numbers match the constants' order
-    static void putTone(float[] properties, RenderSettings settings) {
+    static void putTone(float[] properties, Rendering settings) {
         properties[Layout.EXPOSURE_SCALE] = (float) Math.pow(2, settings.exposure());
         properties[Layout.TONE_MAP] = settings.toneMap().ordinal();
         properties[Layout.SRGB] = settings.srgb() ? 1 : 0;
@@ -220,10 +220,7 @@ public final class World {
     }
 
     private void put(int body, Vector3 position, double size, Material material, int texture) {
-        putPlace(
-                body,
-                new Vector3(position.x() - origin.x(), position.y() - origin.y(), position.z() - origin.z()),
-                size);
+        putPlace(body, position.minus(origin), size);
         putLooks(body, material, texture);
     }
 

@@ -165,6 +165,6 @@ class BenchmarkLineTest {
 
     private static World world() {
         Scene scene = SceneReader.read(SceneFiles.find("benchmark"));
-        return World.of(scene, SkyboxReader.read(scene.skybox()));
+        return World.of(scene, SkyboxReader.read(scene.sky().file()));
     }
 }

@@ -117,9 +117,9 @@ class CommandsTest {
 
         assertThat(made.err()).isEmpty();
         Scene scene = SceneReader.read(file);
-        assertThat(scene.skyRotationDegrees()).isEqualTo(-30);
-        assertThat(scene.skyStrength()).isEqualTo(0.5);
-        assertThat(scene.skybox()).hasFileName("day.hdr");
+        assertThat(scene.sky().rotationDegrees()).isEqualTo(-30);
+        assertThat(scene.sky().strength()).isEqualTo(0.5);
+        assertThat(scene.sky().file()).hasFileName("day.hdr");
     }
 
     @Test

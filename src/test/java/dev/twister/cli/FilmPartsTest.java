@@ -47,7 +47,7 @@ class FilmPartsTest {
     void drawTheWhole() {
         Scene scene = SceneReader.read(Path.of("scenes", "glass.json"));
         World world = World.of(scene, SceneImages.read(scene, _ -> {}));
-        world.setSettings(scene.settings()
+        world.setSettings(scene.rendering()
                 .withSize(34, HEIGHT)
                 .withShadows(2)
                 .withBounces(2)

@@ -218,7 +218,7 @@ class RenderCommandTest {
     void anExposureOfAutoIsThatOfTheMeter() throws IOException {
         Scene scene = SceneReader.read(Path.of("scenes", "benchmark.json"));
         World world = SkyFiles.world(scene, new PrintWriter(Writer.nullWriter()));
-        world.setSettings(scene.settings().withSize(32, 18));
+        world.setSettings(scene.rendering().withSize(32, 18));
         double stops = ExposureMeter.stops(world.snapshot()).orElseThrow();
 
         byte[] metered = bytes("auto.png", "--exposure", "auto");

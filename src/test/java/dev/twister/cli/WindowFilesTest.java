@@ -108,8 +108,8 @@ class WindowFilesTest {
 
     private static Scene scene(String name) {
         Scene scene = SceneReader.read(Path.of("scenes", name + ".json").toAbsolutePath());
-        return scene.withSettings(
-                scene.settings().withSize(32, 18).withShadows(2).withSamplesPerPixel(3));
+        return scene.withRendering(
+                scene.rendering().withSize(32, 18).withShadows(2).withSamplesPerPixel(3));
     }
 
     private static Scene withPath(Scene scene) {

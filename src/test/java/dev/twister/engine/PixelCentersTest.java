@@ -5,11 +5,13 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.oracle.Pictures;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Lights;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
@@ -52,11 +54,11 @@ class PixelCentersTest {
     private static Scene scene(double fieldOfView, int side, int samples) {
         return Scene.under(Path.of("none.hdr"))
                 .withCamera(Camera.of(new Vector3(0, 0, 0), 0, 0, fieldOfView))
-                .withLight(Light.of(new Vector3(0, 0, -50), 0.5, WHITE))
-                .withPlane(Plane.of(0.001, -1000, WHITE, WHITE, 0))
+                .withLights(Lights.of(Light.of(new Vector3(0, 0, -50), 0.5, WHITE)))
+                .withGround(Ground.of(0.001, -1000, WHITE, WHITE, 0))
                 .withSpheres(List.of(Sphere.of(new Vector3(0, 0, 5), 1, WHITE, 0)))
-                .withAmbient(1)
-                .withSettings(RenderSettings.DEFAULT
+                .withShading(new Shading(1))
+                .withRendering(Rendering.DEFAULT
                         .withSize(side, side)
                         .withShadows(1)
                         .withBounces(1)

@@ -5,11 +5,13 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.oracle.Pictures;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Lights;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.SceneReader;
@@ -151,14 +153,12 @@ class ViewsTest {
             Camera camera, int bounces, double groundReflectivity, Picture picture, Sphere... spheres) {
         Scene scene = Scene.under(Path.of("none.hdr"))
                 .withCamera(camera)
-                .withLight(Light.of(new Vector3(0, 10, 0), 0.5, new Rgb(0.9, 1, 1)))
-                .withPlane(Plane.of(20, 0, new Rgb(0.8, 0.8, 0.8), new Rgb(0.3, 0.3, 0.3), groundReflectivity))
+                .withLights(Lights.of(Light.of(new Vector3(0, 10, 0), 0.5, new Rgb(0.9, 1, 1))))
+                .withGround(Ground.of(20, 0, new Rgb(0.8, 0.8, 0.8), new Rgb(0.3, 0.3, 0.3), groundReflectivity))
                 .withSpheres(List.of(spheres))
-                .withAmbient(0.1)
-                .withSettings(RenderSettings.DEFAULT
-                        .withSize(1, 1)
-                        .withBounces(bounces)
-                        .withShadows(SHADOW_SAMPLES));
+                .withShading(new Shading(0.1))
+                .withRendering(
+                        Rendering.DEFAULT.withSize(1, 1).withBounces(bounces).withShadows(SHADOW_SAMPLES));
         return Pictures.radiance(
                 JvmEngines.SEQUENTIAL, World.of(scene, SKY).snapshot().showing(picture))[0];
     }
@@ -177,12 +177,12 @@ class ViewsTest {
     private static FrameInput crowd(int samples) {
         Scene scene = SceneReader.read(Path.of("scenes/spheres-100.json"));
         return World.of(
-                        scene.withSettings(scene.settings()
+                        scene.withRendering(scene.rendering()
                                 .withSize(64, 33)
                                 .withShadows(5)
                                 .withBounces(2)
                                 .withSamplesPerPixel(samples)),
-                        SkyboxReader.read(scene.skybox()))
+                        SkyboxReader.read(scene.sky().file()))
                 .snapshot();
     }
 }

@@ -11,9 +11,10 @@ import dev.twister.oracle.Pictures;
 import dev.twister.oracle.RandomMaterials;
 import dev.twister.oracle.ShippedScenes;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Lights;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
@@ -44,7 +45,7 @@ class PixelPathTest {
     @MethodSource("shipped")
     void shippedScenesAddUp(String name) {
         LitScene scene = ShippedScenes.quick(name);
-        RenderSettings settings = scene.scene().settings();
+        Rendering settings = scene.scene().rendering();
         pathsAddUp(input(scene, settings.withSize(48, 27).withSamplesPerPixel(1)));
     }
 
@@ -53,7 +54,7 @@ class PixelPathTest {
     void randomGlassAndRoughSurfacesAddUp(int bounces) {
         for (int seed = 0; seed < 8; seed++) {
             LitScene scene = RandomMaterials.scene(new Random(seed), bounces);
-            pathsAddUp(input(scene, scene.scene().settings()));
+            pathsAddUp(input(scene, scene.scene().rendering()));
         }
     }
 
@@ -85,10 +86,10 @@ class PixelPathTest {
     }
 
     /** The kernel counts by other methods, which may differ where a ray grazes a sphere. */
-    private static void shadowIsTheMeanOfItsRays(Shading shading) {
-        List<ShadowRay> rays = shading.shadowRays();
+    private static void shadowIsTheMeanOfItsRays(ShadedSurface shading) {
+        List<LightSample> rays = shading.shadowRays();
         // Without rays, a mesh face turned away from the light has visibility 0, everything else 1.
-        double mean = rays.stream().mapToDouble(ShadowRay::light).average().orElse(shading.visible() == 0 ? 0 : 1);
+        double mean = rays.stream().mapToDouble(LightSample::light).average().orElse(shading.visible() == 0 ? 0 : 1);
         double ray = rays.size() > 1 ? 1.0 / rays.size() : 0;
         assertThat(mean).isCloseTo(shading.visible(), within(ray + 1e-5));
     }
@@ -112,7 +113,7 @@ class PixelPathTest {
                 PixelPath.of(one(64, 1, new Vector3(5, 4, 5)), 0, 0, 0).steps();
 
         assertThat(steps).hasSize(2);
-        Shading shading = steps.getFirst().shading().orElseThrow();
+        ShadedSurface shading = steps.getFirst().shading().orElseThrow();
         assertThat(steps.getFirst().body()).isEqualTo(Layout.PLANE);
         assertThat(steps.getFirst().distance()).isCloseTo(4, within(1e-6));
         assertThat(shading.mirror()).isEqualTo(0.5);
@@ -126,7 +127,7 @@ class PixelPathTest {
     @ParameterizedTest
     @CsvSource({"0, 0, 0", "0.9, 1, 2", "5, 1, -1"})
     void shadowRaysNameWhatBlocksThem(double x, double light, int blocker) {
-        Shading shading = PixelPath.of(one(0, 0, new Vector3(x, 1, 0)), 0, 0, 0)
+        ShadedSurface shading = PixelPath.of(one(0, 0, new Vector3(x, 1, 0)), 0, 0, 0)
                 .steps()
                 .getFirst()
                 .shading()
@@ -191,18 +192,18 @@ class PixelPathTest {
 
     private static Scene scene(double groundReflectivity, int bounces) {
         return Scene.under(Path.of("none.hdr"))
-                .withLight(Light.of(new Vector3(0, 10, 0), 0.5, new Rgb(1, 1, 1)))
-                .withPlane(Plane.of(40, 0, new Rgb(0.5, 0.5, 0.5), new Rgb(0.5, 0.5, 0.5), groundReflectivity))
+                .withLights(Lights.of(Light.of(new Vector3(0, 10, 0), 0.5, new Rgb(1, 1, 1))))
+                .withGround(Ground.of(40, 0, new Rgb(0.5, 0.5, 0.5), new Rgb(0.5, 0.5, 0.5), groundReflectivity))
                 .withSpheres(List.of(Sphere.of(new Vector3(0, 5, 0), 0.75, new Rgb(0.5, 0.5, 0.5), 0)))
-                .withSettings(RenderSettings.DEFAULT
+                .withRendering(Rendering.DEFAULT
                         .withSize(1, 1)
                         .withBounces(bounces)
                         .withSamplesPerPixel(1)
                         .withShadows(8));
     }
 
-    private static FrameInput input(LitScene lit, RenderSettings settings) {
-        return World.of(lit.scene().withSettings(settings), lit.images(), lit.meshes())
+    private static FrameInput input(LitScene lit, Rendering settings) {
+        return World.of(lit.scene().withRendering(settings), lit.images(), lit.meshes())
                 .snapshot();
     }
 }

@@ -38,7 +38,8 @@ class AutosaveTest {
     }
 
     private static Scene changed(Scene scene) {
-        return scene.withSettings(scene.settings().withBounces(scene.settings().bounces() + 1));
+        return scene.withRendering(
+                scene.rendering().withBounces(scene.rendering().bounces() + 1));
     }
 
     private List<Path> kept() throws IOException {
@@ -139,7 +140,7 @@ class AutosaveTest {
     void editsWhoseSkyIsGoneAreRestoredUnderThePresentOne() throws IOException {
         Path sky = Files.copy(Path.of("skyboxes", "sunset.hdr"), parent.resolve("gone.hdr"));
         try (Autosave autosave = folder.begin(new EditedFile(file, FileMark.of(file)))) {
-            autosave.write(edited.withSkybox(sky));
+            autosave.write(edited.withSky(edited.sky().withFile(sky)));
         }
         Files.delete(sky);
         try (WindowDriver driver = open()) {

@@ -10,7 +10,6 @@ import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.model.SelectedBodies;
-import dev.twister.gui.model.Solid;
 import dev.twister.gui.model.SphereOutline;
 import dev.twister.gui.picture.PathPick;
 import dev.twister.gui.picture.PictureView;
@@ -21,6 +20,7 @@ import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import java.nio.file.Path;
+import java.util.List;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.event.Event;
 import javafx.event.EventType;
@@ -342,7 +342,8 @@ class BodiesTest {
         driver.run(() -> {
             driver.studio.edit("delete sphere", scene -> BodyEdits.deleted(scene, Layout.FIRST_SPHERE));
             Sphere elsewhere = Sphere.of(new Vector3(0, 20, 0), 1, new Rgb(1, 1, 1), 0);
-            driver.studio.edit("insert sphere", new Solid.OfSphere(elsewhere)::insertedInto);
+            driver.studio.edit(
+                    "insert sphere", scene -> scene.withBodies(scene.bodies().with(List.of(elsewhere))));
             fire(MouseEvent.MOUSE_CLICKED, middle, view());
             assertThat(selected()).isEqualTo(MIDDLE - 1);
             fire(MouseEvent.MOUSE_CLICKED, first, view());
@@ -398,7 +399,7 @@ class BodiesTest {
         click(seenAt(Layout.LIGHT));
         assertThat(selected()).isEqualTo(Layout.LIGHT);
         drag(seenAt(Layout.LIGHT), 40, 0);
-        assertThat(scene().light().position().x()).isGreaterThan(-1.1);
+        assertThat(scene().lights().first().position().x()).isGreaterThan(-1.1);
     }
 
     @Test

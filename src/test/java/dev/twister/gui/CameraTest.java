@@ -68,7 +68,7 @@ class CameraTest {
     @Test
     void theCameraStopsAboveThePlane() {
         try (WindowDriver driver = WindowDriver.open()) {
-            double lowest = driver.studio.scene().plane().height() + CameraMotion.CLEARANCE_METERS;
+            double lowest = driver.studio.scene().ground().height() + CameraMotion.CLEARANCE_METERS;
 
             driver.press(KeyCode.Q, KeyCode.SHIFT);
             driver.await(() -> driver.studio.scene().camera().position().y() == lowest);

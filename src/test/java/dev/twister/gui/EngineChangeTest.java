@@ -107,7 +107,7 @@ class EngineChangeTest {
 
             assertThat(driver.text("facts"))
                     .contains(
-                            scene.name(),
+                            scene.title().name(),
                             JvmEngines.PARALLEL,
                             picture.frame().width() + " × " + picture.frame().height(),
                             RefinementGoal.SHARP + " samples per pixel",
@@ -144,8 +144,12 @@ class EngineChangeTest {
         try (WindowDriver driver = WindowDriver.open()) {
             Scene before = WindowDriver.call(driver.studio::scene);
             driver.run(() -> driver.studio.edit(
-                    "bounces", scene -> scene.withSettings(scene.settings().withBounces(5))));
-            assertThat(driver.awaitCurrentPicture().request().scene().settings().bounces())
+                    "bounces", scene -> scene.withRendering(scene.rendering().withBounces(5))));
+            assertThat(driver.awaitCurrentPicture()
+                            .request()
+                            .scene()
+                            .rendering()
+                            .bounces())
                     .isEqualTo(5);
             assertThat(driver.studio.editsProperty().get().changed()).isTrue();
 
@@ -154,7 +158,11 @@ class EngineChangeTest {
             assertThat(driver.studio.editsProperty().get().redoable()).contains("bounces");
 
             driver.run(driver.studio::redo);
-            assertThat(driver.awaitCurrentPicture().request().scene().settings().bounces())
+            assertThat(driver.awaitCurrentPicture()
+                            .request()
+                            .scene()
+                            .rendering()
+                            .bounces())
                     .isEqualTo(5);
         }
     }

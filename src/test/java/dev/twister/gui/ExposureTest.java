@@ -95,18 +95,18 @@ class ExposureTest {
         driver.run(auto()::fire);
         driver.await(() -> driver.notice().startsWith("Exposure: "));
 
-        double set = WindowDriver.call(driver.studio::scene).settings().exposure();
+        double set = WindowDriver.call(driver.studio::scene).rendering().exposure();
         assertThat(set).isCloseTo(measured, Offset.offset(0.1));
         assertThat(driver.notice()).isEqualTo("Exposure: " + SceneNumbers.EXPOSURE.text(set) + " stops");
         driver.type(Command.UNDO.keys());
-        assertThat(WindowDriver.call(driver.studio::scene).settings().exposure())
+        assertThat(WindowDriver.call(driver.studio::scene).rendering().exposure())
                 .isEqualTo(6);
     }
 
     @Test
     void aBlackPictureHasNoExposure() {
         driver.run(() -> {
-            driver.studio.edit("dark", scene -> scene.withSkyStrength(0));
+            driver.studio.edit("dark", scene -> scene.withSky(scene.sky().withStrength(0)));
             driver.studio.moveCamera(camera -> camera.withPitch(-90));
         });
         driver.awaitCurrentPicture();

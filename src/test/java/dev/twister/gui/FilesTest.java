@@ -67,7 +67,8 @@ class FilesTest {
         driver.run(() -> {
             driver.studio.show(driver.studio.assets().readScene(scene));
             driver.files.chooseNothing();
-            driver.studio.edit("shadows", now -> now.withSettings(now.settings().withShadows(1)));
+            driver.studio.edit(
+                    "shadows", now -> now.withRendering(now.rendering().withShadows(1)));
             SceneHistory.Version saved = driver.studio.toSave();
             SceneWriter.write(saved.scene(), scene);
             driver.studio.saved(saved, new EditedFile(scene, FileMark.of(scene)));
@@ -90,8 +91,8 @@ class FilesTest {
         driver.run(() -> {
             driver.studio.edit(
                     "bounces",
-                    now -> now.withSettings(
-                            now.settings().withBounces(now.settings().bounces() + 1)));
+                    now -> now.withRendering(
+                            now.rendering().withBounces(now.rendering().bounces() + 1)));
             driver.studio.endGesture();
         });
     }
@@ -161,7 +162,7 @@ class FilesTest {
                 MeshReader.read(file, 0, _ -> {});
             } else if (file.toString().endsWith(".json")) {
                 Scene scene = SceneReader.read(file);
-                SkyboxReader.read(scene.skybox());
+                SkyboxReader.read(scene.sky().file());
             } else {
                 SkyboxReader.read(file);
             }
@@ -236,8 +237,8 @@ class FilesTest {
         drop(start);
         answer(awaitDialog("save-question"), "Don't save");
         driver.await(() -> driver.studio.fileProperty().get().path().equals(start));
-        assertThat(SceneReader.read(other).settings().bounces())
-                .isEqualTo(changed.settings().bounces() - 1);
+        assertThat(SceneReader.read(other).rendering().bounces())
+                .isEqualTo(changed.rendering().bounces() - 1);
     }
 
     @Test
@@ -363,13 +364,13 @@ class FilesTest {
                 folder.resolve("scenes").resolve("no-sky.json"),
                 Files.readString(Path.of("scenes", "teaching.json")).replace("day.hdr", "night.hdr"));
         Path sky = Files.copy(Path.of("skyboxes", "sunset.hdr"), folder.resolve("evening.hdr"));
-        Path before = scene().skybox();
+        Path before = scene().sky().file();
         drop(file);
         DialogPane question = awaitDialog("sky-question");
         assertThat(question.getContentText()).isEqualTo(commandLinesMessage(file));
         answer(question, "Use the present sky");
         driver.await(() -> driver.studio.fileProperty().get().path().equals(file));
-        assertThat(scene().skybox()).isEqualTo(before);
+        assertThat(scene().sky().file()).isEqualTo(before);
         assertThat(WindowDriver.call(driver.studio.editsProperty()::get).changed())
                 .isTrue();
 
@@ -377,7 +378,7 @@ class FilesTest {
         drop(file);
         answer(awaitDialog("sky-question"), "Choose a sky…");
         answer(awaitDialog("save-question"), "Don't save");
-        driver.await(() -> driver.studio.scene().skybox().equals(sky));
+        driver.await(() -> driver.studio.scene().sky().file().equals(sky));
     }
 
     @Test
@@ -411,11 +412,11 @@ class FilesTest {
         typeExposure("2.5");
         driver.typeWith(KeyCode.S, KeyCode.CONTROL);
         driver.await(() -> driver.notice().equals("Saved " + start));
-        assertThat(SceneReader.read(start).settings().exposure()).isEqualTo(2.5);
+        assertThat(SceneReader.read(start).rendering().exposure()).isEqualTo(2.5);
         typeExposure("1.5");
         driver.run(() -> driver.stage.fireEvent(new WindowEvent(driver.stage, WindowEvent.WINDOW_CLOSE_REQUEST)));
         answer(awaitDialog("save-question"), "Cancel");
-        assertThat(scene().settings().exposure()).isEqualTo(1.5);
+        assertThat(scene().rendering().exposure()).isEqualTo(1.5);
         driver.type(Command.PANEL.keys());
     }
 
@@ -460,10 +461,10 @@ class FilesTest {
         Path sunset = Files.copy(Path.of("skyboxes", "sunset.hdr"), folder.resolve("evening.hdr"));
         int[] before = driver.awaitCurrentPicture().frame().argb().clone();
         drop(sunset);
-        driver.await(() -> driver.studio.scene().skybox().equals(sunset));
+        driver.await(() -> driver.studio.scene().sky().file().equals(sunset));
         assertThat(driver.awaitCurrentPicture().frame().argb()).isNotEqualTo(before);
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
-        assertThat(scene().skybox().getFileName()).hasToString("day.hdr");
+        assertThat(scene().sky().file().getFileName()).hasToString("day.hdr");
     }
 
     @Test
@@ -480,7 +481,8 @@ class FilesTest {
         });
         driver.run(() -> box.getSelectionModel().select(box.getItems().indexOf(broken)));
         answer(awaitDialog("complaint"), "OK");
-        assertThat((Path) WindowDriver.call(box::getValue)).isEqualTo(scene().skybox());
+        assertThat((Path) WindowDriver.call(box::getValue))
+                .isEqualTo(scene().sky().file());
     }
 
     @Test

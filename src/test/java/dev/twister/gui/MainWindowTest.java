@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.panel.Panel;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicInteger;
 import javafx.geometry.Bounds;
@@ -74,8 +74,8 @@ class MainWindowTest {
 
     private static void expose(WindowDriver driver, double exposure) {
         driver.run(() -> driver.studio.edit("exposure", scene -> {
-            RenderSettings settings = scene.settings();
-            return scene.withSettings(settings.withTone(exposure, settings.toneMap(), settings.srgb()));
+            Rendering settings = scene.rendering();
+            return scene.withRendering(settings.withTone(exposure, settings.toneMap(), settings.srgb()));
         }));
     }
 

@@ -159,7 +159,7 @@ class MaterialTest {
     void thePlaneHasAMaterialAndTwoColors() {
         select(Layout.PLANE);
         type("Reflectivity", "50");
-        assertThat(now().plane().reflectivity()).isEqualTo(64);
+        assertThat(now().ground().reflectivity()).isEqualTo(64);
         assertThat(unit()).isEqualTo("% (p 64)");
         assertThat(row("First color")).isNotNull();
         assertThat(row("Second color")).isNotNull();

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.panel.PanelRow;
 import dev.twister.kernel.Layout;
+import dev.twister.scene.Shading;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -73,7 +74,7 @@ class MenuTest {
     void whatCanBeUndoneLeavesTheLetter() {
         try (WindowDriver driver = WindowDriver.open()) {
             String before = WindowDriver.call(() -> item(driver, "menu-undo").getText());
-            driver.run(() -> driver.studio.edit("sky_of a_scene", scene -> scene.withAmbient(0.5)));
+            driver.run(() -> driver.studio.edit("sky_of a_scene", scene -> scene.withShading(new Shading(0.5))));
             String after = WindowDriver.call(() -> item(driver, "menu-undo").getText());
 
             assertThat(after).isEqualTo(before + ": sky__of a__scene");

@@ -138,21 +138,21 @@ class PanelTest {
         Scene before = scene();
         TextField field = in(row("Shadow samples"), ".text-field", TextField.class);
         typeText(field, "50");
-        assertThat(scene().settings().shadowSamples()).isEqualTo(50);
+        assertThat(scene().rendering().shadowSamples()).isEqualTo(50);
 
         driver.type(Command.UNDO.keys());
         assertThat(scene()).isEqualTo(before);
         String shown = WindowDriver.call(field::getText);
-        assertThat(shown).isEqualTo(String.valueOf(before.settings().shadowSamples()));
+        assertThat(shown).isEqualTo(String.valueOf(before.rendering().shadowSamples()));
         driver.type(Command.REDO.keys());
-        assertThat(scene().settings().shadowSamples()).isEqualTo(50);
+        assertThat(scene().rendering().shadowSamples()).isEqualTo(50);
 
         // What is still being typed is the field's own.
         driver.run(field::requestFocus);
         driver.typeWith(KeyCode.A, KeyCode.CONTROL);
         driver.run(() -> field.replaceSelection("7"));
         driver.type(Command.UNDO.keys());
-        assertThat(scene().settings().shadowSamples()).isEqualTo(50);
+        assertThat(scene().rendering().shadowSamples()).isEqualTo(50);
         driver.type(KeyCode.ESCAPE);
     }
 
@@ -266,15 +266,15 @@ class PanelTest {
             driver.withRobot(hand -> hand.mouseMove(x, y));
         }
         driver.withRobot(hand -> hand.mouseRelease(MouseButton.PRIMARY));
-        assertThat(scene().settings().exposure()).isBetween(0.5, 6.0);
+        assertThat(scene().rendering().exposure()).isBetween(0.5, 6.0);
         assertThat(brightness(driver.awaitCurrentPicture())).isGreaterThan(darkness);
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
-        assertThat(scene().settings().exposure()).isZero();
+        assertThat(scene().rendering().exposure()).isZero();
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL, KeyCode.SHIFT);
-        assertThat(scene().settings().exposure()).isGreaterThan(0.5);
+        assertThat(scene().rendering().exposure()).isGreaterThan(0.5);
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
         driver.typeWith(KeyCode.Y, KeyCode.CONTROL);
-        assertThat(scene().settings().exposure()).isGreaterThan(0.5);
+        assertThat(scene().rendering().exposure()).isGreaterThan(0.5);
     }
 
     @Test
@@ -480,12 +480,12 @@ class PanelTest {
         long clamped = brightness(driver.awaitCurrentPicture());
         driver.type(row("Tone map").keys());
         driver.type(KeyCode.DOWN);
-        assertThat(scene().settings().toneMap()).isEqualTo(ToneMap.REINHARD);
+        assertThat(scene().rendering().toneMap()).isEqualTo(ToneMap.REINHARD);
         long mapped = brightness(driver.awaitCurrentPicture());
         assertThat(mapped).isLessThan(clamped);
         driver.type(row("sRGB curve").keys());
         driver.type(KeyCode.SPACE);
-        assertThat(scene().settings().srgb()).isFalse();
+        assertThat(scene().rendering().srgb()).isFalse();
         assertThat(brightness(driver.awaitCurrentPicture())).isLessThan(mapped);
         driver.click(in(row("sRGB curve"), ".reset", Button.class));
         driver.click(in(row("Tone map"), ".reset", Button.class));
@@ -595,12 +595,18 @@ class PanelTest {
         long before = brightness(driver.awaitCurrentPicture());
         driver.type(row("Sky").keys());
         driver.type(KeyCode.DOWN);
-        driver.await(() ->
-                !driver.studio.scene().skybox().equals(driver.studio.original().skybox()));
+        driver.await(() -> !driver.studio
+                .scene()
+                .sky()
+                .file()
+                .equals(driver.studio.original().sky().file()));
         assertThat(brightness(driver.awaitCurrentPicture())).isNotEqualTo(before);
         driver.click(in(row("Sky"), ".reset", Button.class));
-        driver.await(() ->
-                driver.studio.scene().skybox().equals(driver.studio.original().skybox()));
+        driver.await(() -> driver.studio
+                .scene()
+                .sky()
+                .file()
+                .equals(driver.studio.original().sky().file()));
     }
 
     @Test

@@ -9,7 +9,6 @@ import dev.twister.gui.drawing.Motion;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyMaterials;
 import dev.twister.gui.model.BodyNumbers;
-import dev.twister.gui.model.Solid;
 import dev.twister.gui.panel.PanelRow;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.kernel.Layout;
@@ -312,7 +311,7 @@ class PhysicsTest {
     void aPouredSphereIsSelectedAndFollowed() {
         driver.run(() -> driver.studio.edit(
                 "pour",
-                scene -> WindowScenes.quick(WindowScenes.shipped("pour-1000")).withSettings(scene.settings())));
+                scene -> WindowScenes.quick(WindowScenes.shipped("pour-1000")).withRendering(scene.rendering())));
         driver.type(KeyCode.F5);
         int first = Layout.FIRST_SPHERE + scene().spheres().size();
         driver.awaitPicture(
@@ -359,7 +358,8 @@ class PhysicsTest {
     void spheresThatWereEditedWhileTheyWereThrownAreThrownAgain() {
         Scene before = editWhileSpheresAreThrown(scene -> {
             Scene larger = BodyNumbers.ofSphere(Layout.FIRST_SPHERE).radius().write(scene, 2);
-            return new Solid.OfSphere(larger.spheres().getFirst()).insertedInto(larger);
+            return larger.withBodies(
+                    larger.bodies().with(List.of(larger.spheres().getFirst())));
         });
         assertThat(before.spheres()).hasSize(2);
 

@@ -104,7 +104,7 @@ class RenderWindowTest {
     @Test
     void neverReplacesAFileOfTheScene() {
         try (WindowDriver driver = open()) {
-            Path sky = WindowDriver.call(driver.studio::scene).skybox();
+            Path sky = WindowDriver.call(driver.studio::scene).sky().file();
             driver.files.choose(sky);
 
             press(driver, "render-start");

@@ -19,6 +19,7 @@ public final class WindowScenes {
 
     /** The same with hard shadows, one reflection and one sample. */
     public static Scene quick(Scene scene) {
-        return scene.withSettings(scene.settings().withShadows(1).withBounces(1).withSamplesPerPixel(1));
+        return scene.withRendering(
+                scene.rendering().withShadows(1).withBounces(1).withSamplesPerPixel(1));
     }
 }

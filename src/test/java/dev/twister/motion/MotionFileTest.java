@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatIOException;
 
 import dev.twister.physics.Simulation;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Shading;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.world.SceneMeshes;
@@ -102,7 +103,7 @@ class MotionFileTest {
     @Test
     void takesTheSceneWithAnotherCameraAndLight() throws IOException {
         record(0, 1);
-        Scene edited = SCENE.withCamera(SCENE.camera().withYaw(50)).withAmbient(0.9);
+        Scene edited = SCENE.withCamera(SCENE.camera().withYaw(50)).withShading(new Shading(0.9));
 
         try (MotionFile motion = MotionFile.open(file, edited)) {
             assertThat(motion.lastFrame()).isZero();

@@ -4,10 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.JvmEngines;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
@@ -59,7 +60,7 @@ class ConvergenceTest {
 
     private static float[] radiance(Scene scene, int samples) {
         return Pictures.radiance(
-                JvmEngines.PARALLEL, scene.withSettings(scene.settings().withSamplesPerPixel(samples)), SKY);
+                JvmEngines.PARALLEL, scene.withRendering(scene.rendering().withSamplesPerPixel(samples)), SKY);
     }
 
     private static double error(float[] actual, float[] expected) {
@@ -73,12 +74,11 @@ class ConvergenceTest {
     private static Scene scene(Material material) {
         return Scene.under(Path.of("none.hdr"))
                 .withCamera(Camera.of(new Vector3(0, 1.5, -4), 0, 8, 50))
-                .withLight(Light.of(new Vector3(3, 5, -3), 0.5, new Rgb(1, 1, 1)))
-                .withPlane(Plane.of(20, 0, new Rgb(0.8, 0.8, 0.8), new Rgb(0.3, 0.3, 0.3), 0))
+                .withLights(Lights.of(Light.of(new Vector3(3, 5, -3), 0.5, new Rgb(1, 1, 1))))
+                .withGround(Ground.of(20, 0, new Rgb(0.8, 0.8, 0.8), new Rgb(0.3, 0.3, 0.3), 0))
                 .withSpheres(List.of(
                         Sphere.of(new Vector3(-0.9, 1, 0), 1, material),
                         Sphere.of(new Vector3(1.1, 0.8, 0.5), 0.8, material)))
-                .withSettings(
-                        RenderSettings.DEFAULT.withSize(32, 24).withShadows(1).withBounces(3));
+                .withRendering(Rendering.DEFAULT.withSize(32, 24).withShadows(1).withBounces(3));
     }
 }

@@ -1,6 +1,6 @@
 package dev.twister.oracle;
 
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneGenerator;
 import dev.twister.sky.Skybox;
@@ -18,7 +18,7 @@ public final class Crowds {
         Skybox sky = RandomSkies.sky(new Random(11));
         World world = World.of(scene, sky);
         world.setSettings(
-                RenderSettings.DEFAULT.withSize(width, height).withShadows(16).withBounces(3));
+                Rendering.DEFAULT.withSize(width, height).withShadows(16).withBounces(3));
         return world;
     }
 }

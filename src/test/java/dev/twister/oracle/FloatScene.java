@@ -1,11 +1,13 @@
 package dev.twister.oracle;
 
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
-import dev.twister.scene.Plane;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 
@@ -18,10 +20,10 @@ final class FloatScene {
 
     static Scene of(Scene scene) {
         return scene.withCamera(rounded(scene.camera()))
-                .withLight(rounded(scene.light()))
-                .withPlane(rounded(scene.plane()))
+                .withLights(Lights.of(rounded(scene.lights().first())))
+                .withGround(rounded(scene.ground()))
                 .withSpheres(scene.spheres().stream().map(FloatScene::rounded).toList())
-                .withAmbient((float) scene.ambient());
+                .withShading(new Shading((float) scene.shading().ambient()));
     }
 
     /** Rounds as well, and scales all spheres by a factor. */
@@ -51,7 +53,7 @@ final class FloatScene {
                 .withColor(rounded(light.color()));
     }
 
-    private static Plane rounded(Plane plane) {
+    private static Ground rounded(Ground plane) {
         return plane.withSize((float) plane.size())
                 .withHeight((float) plane.height())
                 .withMaterial(rounded(plane.material()))

@@ -5,12 +5,14 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.engine.JvmEngines;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
@@ -67,15 +69,15 @@ class FurnaceTest {
         for (int i = 0; i < 20; i++) {
             LitScene lit = RandomScenes.scene(random, 2 + random.nextInt(3));
             Scene scene = lit.scene();
-            RenderSettings settings = scene.settings().withBounces(32);
+            Rendering settings = scene.rendering().withBounces(32);
             Material invisible = GLASS.withIor(1);
             List<Sphere> spheres =
                     new ArrayList<>(scene.spheres().stream().limit(8).toList());
-            Scene without = scene.withSettings(settings).withSpheres(List.copyOf(spheres));
+            Scene without = scene.withRendering(settings).withSpheres(List.copyOf(spheres));
             spheres.add(Sphere.of(new Vector3(0, 1, 0), 3, invisible));
             spheres.add(Sphere.of(new Vector3(0.5, 1.5, 0), 1, invisible));
             spheres.add(Sphere.of(new Vector3(-2, 3, 2), 2, invisible));
-            Scene with = without.withSpheres(spheres).withPlane(scene.plane());
+            Scene with = without.withSpheres(spheres).withGround(scene.ground());
             PictureDifference difference = PictureDifference.between(
                     Pictures.argb(JvmEngines.SEQUENTIAL, with, lit.sky()),
                     Pictures.argb(JvmEngines.SEQUENTIAL, without, lit.sky()));
@@ -87,13 +89,13 @@ class FurnaceTest {
     private static float[] furnace(Material material, int bounces) {
         Scene scene = Scene.under(Path.of("none.hdr"))
                 .withCamera(Camera.of(new Vector3(0, 1.5, -4), 0, 5, 60))
-                .withLight(Light.of(new Vector3(0, 50, 0), 0.1, BLACK))
-                .withPlane(Plane.of(20, 0, WHITE, WHITE, 0))
+                .withLights(Lights.of(Light.of(new Vector3(0, 50, 0), 0.1, BLACK)))
+                .withGround(Ground.of(20, 0, WHITE, WHITE, 0))
                 .withSpheres(List.of(
                         Sphere.of(new Vector3(0, 1, 0), 1, material),
                         Sphere.of(new Vector3(1.5, 0.5, 1), 0.5, material)))
-                .withAmbient(1)
-                .withSettings(RenderSettings.DEFAULT.withSize(48, 36).withBounces(bounces));
+                .withShading(new Shading(1))
+                .withRendering(Rendering.DEFAULT.withSize(48, 36).withBounces(bounces));
         return Pictures.radiance(JvmEngines.SEQUENTIAL, scene, WHITE_SKY);
     }
 }

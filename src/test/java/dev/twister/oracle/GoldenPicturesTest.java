@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.JvmEngines;
 import dev.twister.image.PngWriter;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -37,7 +37,7 @@ class GoldenPicturesTest {
     @MethodSource("names")
     void pictureIsAsItWas(String name) throws IOException {
         LitScene small = ShippedScenes.small(name);
-        RenderSettings settings = small.scene().settings();
+        Rendering settings = small.scene().rendering();
         int[] actual = Pictures.argb(JvmEngines.PARALLEL, small);
         Path golden = GOLDEN.resolve(name + ".png");
         if (Boolean.getBoolean("twister.golden.update")) {
@@ -67,7 +67,7 @@ class GoldenPicturesTest {
         return differences;
     }
 
-    private static void write(Path file, RenderSettings settings, int[] argb) throws IOException {
+    private static void write(Path file, Rendering settings, int[] argb) throws IOException {
         Files.createDirectories(file.getParent());
         PngWriter.write(file, settings.width(), settings.height(), argb, settings.srgb());
     }

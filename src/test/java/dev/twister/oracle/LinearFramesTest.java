@@ -35,7 +35,7 @@ class LinearFramesTest {
         LitScene quick = ShippedScenes.quick(name);
         float[] actual = Pictures.radiance(JvmEngines.SEQUENTIAL, quick);
         Oracle oracle = new Oracle(quick);
-        int width = quick.scene().settings().width();
+        int width = quick.scene().rendering().width();
         int pixels = actual.length / 3;
         long differing = IntStream.range(0, pixels)
                 .parallel()

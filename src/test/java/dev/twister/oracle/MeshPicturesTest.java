@@ -8,11 +8,12 @@ import dev.twister.mesh.MeshFile;
 import dev.twister.mesh.MeshPart;
 import dev.twister.mesh.TriangleMesh;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
@@ -42,9 +43,9 @@ class MeshPicturesTest {
     private static Scene scene() {
         return Scene.under(Path.of("none.hdr"))
                 .withCamera(Camera.of(new Vector3(0.3, 1.2, -5), 3, 8, 40))
-                .withLight(Light.of(new Vector3(-3, 5, -4), 0.5, new Rgb(1, 1, 1)))
-                .withPlane(Plane.of(20, -1, new Rgb(0.7, 0.7, 0.7), new Rgb(0.3, 0.3, 0.3), 0))
-                .withSettings(RenderSettings.DEFAULT
+                .withLights(Lights.of(Light.of(new Vector3(-3, 5, -4), 0.5, new Rgb(1, 1, 1))))
+                .withGround(Ground.of(20, -1, new Rgb(0.7, 0.7, 0.7), new Rgb(0.3, 0.3, 0.3), 0))
+                .withRendering(Rendering.DEFAULT
                         .withSize(WIDTH, HEIGHT)
                         .withShadows(12)
                         .withBounces(4));
@@ -80,9 +81,9 @@ class MeshPicturesTest {
 
     @Test
     void twoTrianglesEqualThePlane() {
-        Scene plane = scene().withPlane(Plane.of(6, -1, MATTE.color(), MATTE.color(), 40))
+        Scene plane = scene().withGround(Ground.of(6, -1, MATTE.color(), MATTE.color(), 40))
                 .withSpheres(List.of(Sphere.of(new Vector3(0, 0, 0), 1, new Rgb(0.2, 0.8, 0.4), 30)));
-        Scene square = plane.withPlane(Plane.of(1e-3, -900, MATTE.color(), MATTE.color(), 40))
+        Scene square = plane.withGround(Ground.of(1e-3, -900, MATTE.color(), MATTE.color(), 40))
                 .withMeshes(List.of(Mesh.of(FILE)
                         .withPosition(new Vector3(0, -1, 0))
                         .withScale(3)
@@ -130,10 +131,10 @@ class MeshPicturesTest {
                         Mesh.of(FILE)
                                 .withPosition(new Vector3(-2, 0, 1))
                                 .withMaterial(Optional.of(MATTE.withReflectivity(50)))));
-        RenderSettings settings = scene.settings();
+        Rendering settings = scene.rendering();
         Scene stage = switch (picture) {
-            case HARD_SHADOWS -> scene.withSettings(settings.withBounces(0).withShadows(1));
-            case SOFT_SHADOWS -> scene.withSettings(settings.withBounces(0));
+            case HARD_SHADOWS -> scene.withRendering(settings.withBounces(0).withShadows(1));
+            case SOFT_SHADOWS -> scene.withRendering(settings.withBounces(0));
             default -> scene;
         };
         LitScene lit = with(scene, MeshShapes.icosphere(0));

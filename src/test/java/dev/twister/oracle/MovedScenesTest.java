@@ -5,10 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.twister.engine.JvmEngines;
 import dev.twister.physics.Simulation;
 import dev.twister.scene.Camera;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Ground;
+import dev.twister.scene.Lights;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Shading;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.sky.Skybox;
@@ -34,10 +36,10 @@ class MovedScenesTest {
     })
     void looksAsItDid(String engine, double x, double y, double z) {
         Scene scene = SceneReader.read(Path.of("scenes", "teaching.json"));
-        Scene near = scene.withPlane(scene.plane().withSize(LARGEST_PLANE))
-                .withSettings(
-                        scene.settings().withSize(320, 180).withShadows(64).withBounces(1));
-        Skybox sky = SkyboxReader.read(scene.skybox());
+        Scene near = scene.withGround(scene.ground().withSize(LARGEST_PLANE))
+                .withRendering(
+                        scene.rendering().withSize(320, 180).withShadows(64).withBounces(1));
+        Skybox sky = SkyboxReader.read(scene.sky().file());
         int[] moved = Pictures.argb(engine, moved(near, new Vector3(x, y, z)), sky);
         assertThat(PictureDifference.between(moved, Pictures.argb(JvmEngines.SEQUENTIAL, near, sky)))
                 .matches(PictureDifference::isWithinBound, "is within the design's bound");
@@ -51,9 +53,9 @@ class MovedScenesTest {
         double border = LARGEST_PLANE * (0.5 + 0x1p-17);
         Scene scene = Scene.under(Path.of("none.hdr"))
                 .withCamera(Camera.of(new Vector3(border, 4, -400_000), 0, 90, 90))
-                .withPlane(Plane.of(LARGEST_PLANE, 0, white, white, 0))
-                .withAmbient(1)
-                .withSettings(RenderSettings.DEFAULT.withSize(40, 40).withShadows(1));
+                .withGround(Ground.of(LARGEST_PLANE, 0, white, white, 0))
+                .withShading(new Shading(1))
+                .withRendering(Rendering.DEFAULT.withSize(40, 40).withShadows(1));
         int[] argb = Pictures.argb(engine, scene, new Skybox(1, 1, new float[3]));
         assertThat(Arrays.stream(argb).filter(pixel -> pixel == BLACK)).hasSizeBetween(40 * 19, 40 * 21);
     }
@@ -73,8 +75,10 @@ class MovedScenesTest {
 
     private static Scene moved(Scene scene, Vector3 by) {
         return scene.withCamera(scene.camera().withPosition(sum(scene.camera().position(), by)))
-                .withLight(scene.light().withPosition(sum(scene.light().position(), by)))
-                .withPlane(scene.plane().withHeight(scene.plane().height() + by.y()))
+                .withLights(Lights.of(scene.lights()
+                        .first()
+                        .withPosition(sum(scene.lights().first().position(), by))))
+                .withGround(scene.ground().withHeight(scene.ground().height() + by.y()))
                 .withSpheres(scene.spheres().stream()
                         .map(sphere -> sphere.withPosition(sum(sphere.position(), by)))
                         .toList());

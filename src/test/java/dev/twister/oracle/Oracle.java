@@ -50,12 +50,12 @@ public final class Oracle {
         rounded = FloatScene.of(scene);
         images = litScene.images();
         meshes = litScene.meshes();
-        width = scene.settings().width();
-        height = scene.settings().height();
-        samplesPerPixel = scene.settings().samplesPerPixel();
+        width = scene.rendering().width();
+        height = scene.rendering().height();
+        samplesPerPixel = scene.rendering().samplesPerPixel();
         tracer = new OracleTracer(rounded, images, meshes, Rounding.NONE);
         camera = new OracleCamera(rounded.camera(), width, height);
-        tone = new OracleTone(scene.settings());
+        tone = new OracleTone(scene.rendering());
         moves = new RayMoves();
     }
 

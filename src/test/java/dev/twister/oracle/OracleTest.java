@@ -4,12 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
@@ -72,7 +74,7 @@ class OracleTest {
                 .isCloseTo(0.5 * 0.1, within(1e-7));
         assertThat(new Oracle(
                                 scene(down.withPosition(new Vector3(0, -0.5, 0)), 0, MATTE, sphere)
-                                        .withPlane(Plane.of(20, -10, new Rgb(0, 0, 0), new Rgb(0, 0, 0), MATTE)),
+                                        .withGround(Ground.of(20, -10, new Rgb(0, 0, 0), new Rgb(0, 0, 0), MATTE)),
                                 SKY)
                         .radiance(0, 0)
                         .red())
@@ -111,8 +113,8 @@ class OracleTest {
     @Test
     void planeOfGlassIsASheet() {
         Scene scene = scene(DOWN, 1, MATTE);
-        Material glass = scene.plane().material().withTransmission(1);
-        assertThat(new Oracle(scene.withPlane(scene.plane().withMaterial(glass)), SKY)
+        Material glass = scene.ground().material().withTransmission(1);
+        assertThat(new Oracle(scene.withGround(scene.ground().withMaterial(glass)), SKY)
                         .radiance(0, 0)
                         .blue())
                 .isCloseTo(0.75 * (1.0 / 25 + 24.0 / 25 * 0.8), within(1e-7));
@@ -129,7 +131,7 @@ class OracleTest {
         Camera camera = AHEAD.withPosition(new Vector3(0, 5, -5));
         for (double x : new double[] {-1.5, 0, 1.5}) {
             Scene scene = scene(camera.withPosition(new Vector3(x, 5, -5)), 0, MATTE, textured)
-                    .withAmbient(1);
+                    .withShading(new Shading(1));
             assertThat(new Oracle(new LitScene(scene, images)).radiance(0, 0).red())
                     .isCloseTo(x < 0 ? 0 : x > 0 ? 0.5 : 0.25, within(1e-7));
         }
@@ -163,11 +165,11 @@ class OracleTest {
     private static Scene scene(Camera camera, int bounces, double groundReflectivity, Sphere... spheres) {
         return Scene.under(Path.of("none.hdr"))
                 .withCamera(camera)
-                .withLight(Light.of(new Vector3(0, 10, 0), 0.5, new Rgb(1, 1, 1)))
-                .withPlane(Plane.of(20, 0, new Rgb(0.8, 0.8, 0.8), new Rgb(0.3, 0.3, 0.3), groundReflectivity))
+                .withLights(Lights.of(Light.of(new Vector3(0, 10, 0), 0.5, new Rgb(1, 1, 1))))
+                .withGround(Ground.of(20, 0, new Rgb(0.8, 0.8, 0.8), new Rgb(0.3, 0.3, 0.3), groundReflectivity))
                 .withSpheres(List.of(spheres))
-                .withAmbient(0.1)
-                .withSettings(RenderSettings.DEFAULT.withSize(1, 1).withBounces(bounces));
+                .withShading(new Shading(0.1))
+                .withRendering(Rendering.DEFAULT.withSize(1, 1).withBounces(bounces));
     }
 
     private static Sphere glass(Sphere sphere, double transmission) {

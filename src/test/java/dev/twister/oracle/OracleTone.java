@@ -1,12 +1,12 @@
 package dev.twister.oracle;
 
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 
 /** Converts linear colors to pixels. */
 final class OracleTone {
-    private final RenderSettings settings;
+    private final Rendering settings;
 
-    OracleTone(RenderSettings settings) {
+    OracleTone(Rendering settings) {
         this.settings = settings;
     }
 

@@ -4,10 +4,10 @@ import dev.twister.mesh.Affine;
 import dev.twister.mesh.MeshPart;
 import dev.twister.mesh.MeshPlacement;
 import dev.twister.mesh.TriangleMesh;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
-import dev.twister.scene.Plane;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
@@ -51,12 +51,12 @@ final class OracleTracer {
 
     OracleTracer(Scene scene, SceneImages images, SceneMeshes meshes, Rounding rounding) {
         this.rounding = rounding;
-        Light sceneLight = scene.light();
+        Light sceneLight = scene.lights().first();
         light = new SphereBody(
                 vector(sceneLight.position()),
                 sceneLight.radius(),
                 OracleMaterial.of(Material.DEFAULT.withColor(sceneLight.color()), images));
-        Plane plane = scene.plane();
+        Ground plane = scene.ground();
         bodies.add(light);
         bodies.add(new PlaneBody(
                 plane.size(), plane.height(), Color.of(plane.oddColor()), OracleMaterial.of(plane.material(), images)));
@@ -79,10 +79,11 @@ final class OracleTracer {
                 number++;
             }
         }
-        shadow = new OracleShadow(bodies, light, scene.settings().shadowSamples());
-        sky = new OracleSky(images.sky(), scene.skyRotationDegrees(), scene.skyStrength());
-        ambient = scene.ambient();
-        bounceLimit = scene.settings().bounces();
+        shadow = new OracleShadow(bodies, light, scene.rendering().shadowSamples());
+        sky = new OracleSky(
+                images.sky(), scene.sky().rotationDegrees(), scene.sky().strength());
+        ambient = scene.shading().ambient();
+        bounceLimit = scene.rendering().bounces();
     }
 
     /** Traces a view ray. */

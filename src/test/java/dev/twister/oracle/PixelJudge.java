@@ -44,7 +44,7 @@ public final class PixelJudge {
     private void judgeAgainst(int[] expected, int[] actual, Scene scene, Oracle oracle) {
         PictureDifference difference = PictureDifference.between(actual, expected);
         List<String> faults = new ArrayList<>();
-        int width = scene.settings().width();
+        int width = scene.rendering().width();
         for (int pixel : difference.differing()) {
             PixelSpan span = oracle.span(pixel % width, pixel / width);
             if (span.holds(actual[pixel])) {

@@ -2,7 +2,7 @@ package dev.twister.oracle;
 
 import dev.twister.scene.Camera;
 import dev.twister.scene.Material;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
@@ -54,10 +54,10 @@ public final class RandomMaterials {
         TEXTURES.forEach(file -> textures.put(file, texture(random)));
         return new LitScene(
                 scene.withSpheres(spheres)
-                        .withPlane(scene.plane()
-                                .withMaterial(material(random, scene.plane().material())))
+                        .withGround(scene.ground()
+                                .withMaterial(material(random, scene.ground().material())))
                         .withCamera(camera(random, scene.camera(), spheres))
-                        .withSettings(settings(scene.settings(), spheres.size())),
+                        .withRendering(settings(scene.rendering(), spheres.size())),
                 new SceneImages(plain.sky(), textures));
     }
 
@@ -121,7 +121,7 @@ public final class RandomMaterials {
     }
 
     /** Reduces the number of pixels where there are many spheres or triangles. */
-    static RenderSettings settings(RenderSettings plain, int spheres) {
+    static Rendering settings(Rendering plain, int spheres) {
         int shadowSamples = Math.min(plain.shadowSamples(), 40);
         double branches = Math.min(1 << plain.bounces(), 60);
         double testsAPixel = plain.samplesPerPixel() * branches * (2 + spheres) * (shadowSamples + 1);

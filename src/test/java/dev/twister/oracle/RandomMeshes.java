@@ -42,8 +42,8 @@ public final class RandomMeshes {
         }
         Scene scene = plain.scene().withMeshes(meshes);
         return new LitScene(
-                scene.withSettings(RandomMaterials.settings(
-                        scene.settings(), scene.spheres().size() + triangles)),
+                scene.withRendering(RandomMaterials.settings(
+                        scene.rendering(), scene.spheres().size() + triangles)),
                 plain.images(),
                 SceneMeshes.of(scene, source -> files.get(source.file())));
     }

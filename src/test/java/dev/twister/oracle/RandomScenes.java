@@ -1,11 +1,13 @@
 package dev.twister.oracle;
 
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Lights;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
@@ -43,25 +45,26 @@ public final class RandomScenes {
 
     /** Any scene, from one source of randomness; for tests without jqwik. */
     public static LitScene scene(Random random, int bounces) {
-        Plane plane = plane(random);
+        Ground plane = plane(random);
         List<Sphere> spheres = RandomSpheres.spheres(random, plane);
         Light light = light(random, plane, spheres);
         Scene scene = Scene.under(Path.of("none.hdr"))
                 .withCamera(camera(random, plane, spheres))
-                .withLight(light)
-                .withPlane(plane)
+                .withLights(Lights.of(light))
+                .withGround(plane)
                 .withSpheres(spheres)
-                .withAmbient(extremeOr(random, 0, 1, random.nextDouble()))
-                .withSettings(settings(random, bounces, spheres.size()));
+                .withShading(new Shading(extremeOr(random, 0, 1, random.nextDouble())))
+                .withRendering(settings(random, bounces, spheres.size()));
         Skybox sky = RandomSkies.sky(random);
         return new LitScene(
-                scene.withSkyRotation(extremeOr(random, 0, -90, between(random, -400, 400)))
-                        .withSkyStrength(extremeOr(random, 0, 1, between(random, 0, 3))),
+                scene.withSky(scene.sky()
+                        .withRotation(extremeOr(random, 0, -90, between(random, -400, 400)))
+                        .withStrength(extremeOr(random, 0, 1, between(random, 0, 3)))),
                 sky);
     }
 
-    private static Plane plane(Random random) {
-        return Plane.of(
+    private static Ground plane(Random random) {
+        return Ground.of(
                 extremeOr(random, 0.5, 60, between(random, 1, 60)),
                 between(random, -3, 1),
                 albedo(random),
@@ -69,7 +72,7 @@ public final class RandomScenes {
                 reflectivity(random));
     }
 
-    private static Light light(Random random, Plane plane, List<Sphere> spheres) {
+    private static Light light(Random random, Ground plane, List<Sphere> spheres) {
         double radius = extremeOr(random, 0.01, 4, between(random, 0.1, 2));
         Vector3 above = new Vector3(between(random, -8, 8), between(random, 2, 12), between(random, -8, 8));
         Vector3 position = switch (random.nextInt(8)) {
@@ -84,7 +87,7 @@ public final class RandomScenes {
                 position, radius, new Rgb(strength * tint.red(), strength * tint.green(), strength * tint.blue()));
     }
 
-    private static Camera camera(Random random, Plane plane, List<Sphere> spheres) {
+    private static Camera camera(Random random, Ground plane, List<Sphere> spheres) {
         Vector3 about = new Vector3(between(random, -8, 8), between(random, -1, 8), between(random, -12, 12));
         Vector3 position = switch (random.nextInt(8)) {
             case 0 -> new Vector3(about.x(), plane.height() - between(random, 0.01, 5), about.z());
@@ -99,7 +102,7 @@ public final class RandomScenes {
                 extremeOr(random, 1, 179, between(random, 15, 120)));
     }
 
-    private static RenderSettings settings(Random random, int bounces, int spheres) {
+    private static Rendering settings(Random random, int bounces, int spheres) {
         int shadowSamples = extremeOr(random, 1, 500, 1 + random.nextInt(60));
         int samplesPerPixel = Math.max(1, random.nextInt(9) - 3);
         double testsAPixel = samplesPerPixel * (bounces + 1.0) * (2 + spheres) * (shadowSamples + 1);
@@ -110,7 +113,7 @@ public final class RandomScenes {
             case 2 -> Math.max(1, pixels / 3);
             default -> Math.max(1, (int) (Math.sqrt(pixels) * between(random, 0.5, 2)));
         };
-        return RenderSettings.DEFAULT
+        return Rendering.DEFAULT
                 .withSize(width, random.nextInt(20) == 0 ? 1 : Math.max(1, pixels / width))
                 .withShadows(shadowSamples)
                 .withBounces(bounces)

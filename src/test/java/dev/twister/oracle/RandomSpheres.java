@@ -2,7 +2,7 @@ package dev.twister.oracle;
 
 import static dev.twister.oracle.RandomScenes.between;
 
-import dev.twister.scene.Plane;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import java.util.ArrayList;
@@ -13,7 +13,7 @@ import java.util.Random;
 final class RandomSpheres {
     private RandomSpheres() {}
 
-    static List<Sphere> spheres(Random random, Plane plane) {
+    static List<Sphere> spheres(Random random, Ground plane) {
         int count = switch (random.nextInt(8)) {
             case 0 -> 0;
             case 1 -> 1;
@@ -41,7 +41,7 @@ final class RandomSpheres {
         return spheres;
     }
 
-    private static Vector3 position(Random random, Plane plane, List<Sphere> others, double radius) {
+    private static Vector3 position(Random random, Ground plane, List<Sphere> others, double radius) {
         Vector3 anywhere = new Vector3(between(random, -5, 5), between(random, -1, 6), between(random, -5, 5));
         return switch (random.nextInt(5)) {
             case 0 -> new Vector3(anywhere.x(), plane.height() + radius, anywhere.z());

@@ -1,6 +1,6 @@
 package dev.twister.oracle;
 
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.world.SceneImages;
@@ -37,7 +37,7 @@ public final class ShippedScenes {
     /** The shipped scene in a picture of 320 x 180. */
     public static LitScene small(String name) {
         LitScene shipped = read(name);
-        return with(shipped, shipped.scene().settings().withSize(320, 180));
+        return with(shipped, shipped.scene().rendering().withSize(320, 180));
     }
 
     /**
@@ -46,7 +46,7 @@ public final class ShippedScenes {
      */
     public static LitScene quick(String name) {
         LitScene small = small(name);
-        RenderSettings settings = small.scene().settings();
+        Rendering settings = small.scene().rendering();
         if (!small.scene().meshes().isEmpty()) {
             return with(small, settings.withSize(32, 18).withShadows(1).withBounces(2));
         }
@@ -61,7 +61,7 @@ public final class ShippedScenes {
         return new LitScene(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
     }
 
-    private static LitScene with(LitScene shipped, RenderSettings settings) {
-        return new LitScene(shipped.scene().withSettings(settings), shipped.images(), shipped.meshes());
+    private static LitScene with(LitScene shipped, Rendering settings) {
+        return new LitScene(shipped.scene().withRendering(settings), shipped.images(), shipped.meshes());
     }
 }

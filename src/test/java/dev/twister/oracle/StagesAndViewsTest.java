@@ -3,7 +3,7 @@ package dev.twister.oracle;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.JvmEngines;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.world.FrameInput;
 import dev.twister.world.Picture;
@@ -40,9 +40,9 @@ class StagesAndViewsTest {
     @MethodSource("picturesOfScenes")
     void isTheOracles(String name, Picture picture) {
         LitScene shipped = ShippedScenes.small(name);
-        RenderSettings settings = shipped.scene().settings();
+        Rendering settings = shipped.scene().rendering();
         Scene scene = shipped.scene()
-                .withSettings(settings.withSize(160, 90)
+                .withRendering(settings.withSize(160, 90)
                         .withShadows(Math.min(settings.shadowSamples(), 16))
                         .withSamplesPerPixel(2));
         FrameInput input =
@@ -64,10 +64,10 @@ class StagesAndViewsTest {
 
     /** A stage equals the picture of a reduced scene. */
     private static Scene sceneOf(Picture picture, Scene scene) {
-        RenderSettings settings = scene.settings();
+        Rendering settings = scene.rendering();
         return switch (picture) {
-            case HARD_SHADOWS -> scene.withSettings(settings.withBounces(0).withShadows(1));
-            case SOFT_SHADOWS -> scene.withSettings(settings.withBounces(0));
+            case HARD_SHADOWS -> scene.withRendering(settings.withBounces(0).withShadows(1));
+            case SOFT_SHADOWS -> scene.withRendering(settings.withBounces(0));
             default -> scene;
         };
     }

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.kernel.Tone;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.ToneMap;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -15,7 +15,7 @@ class ToneMapsTest {
     @ParameterizedTest
     @EnumSource
     void kernelMapsAsTheOracleDoes(ToneMap toneMap) {
-        OracleTone oracle = new OracleTone(RenderSettings.DEFAULT.withTone(0, toneMap, false));
+        OracleTone oracle = new OracleTone(Rendering.DEFAULT.withTone(0, toneMap, false));
         for (int step = 0; step < 400; step++) {
             float gray = step * 0.01f;
             int level = oracle.argb(new Color(gray, gray, gray)) & 0xFF;

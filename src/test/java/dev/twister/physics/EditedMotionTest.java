@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Physics;
 import dev.twister.scene.Pour;
 import dev.twister.scene.Rgb;
@@ -57,7 +58,7 @@ class EditedMotionTest {
         float[] edited = positions(
                 poured,
                 scene -> scene.withSpheres(recolored(scene.spheres()))
-                        .withLight(Light.of(new Vector3(1, 2, 3), 0.5, new Rgb(1, 0, 0))));
+                        .withLights(Lights.of(Light.of(new Vector3(1, 2, 3), 0.5, new Rgb(1, 0, 0)))));
         assertThat(edited).startsWith(1, 2, 3);
         System.arraycopy(unedited, 0, edited, 0, 3);
         assertThat(edited).containsExactly(unedited);

@@ -3,12 +3,14 @@ package dev.twister.physics;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Physics;
-import dev.twister.scene.Plane;
 import dev.twister.scene.Pour;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.SceneReader;
@@ -31,10 +33,10 @@ final class Motion {
         Rgb white = new Rgb(1, 1, 1);
         return Scene.under(Path.of("none.hdr"))
                 .withCamera(Camera.of(new Vector3(0, 5, -15), 0, 7, 50))
-                .withLight(Light.of(new Vector3(0, 50, 0), 1, white))
-                .withPlane(Plane.of(planeSize, 0, white, white, 32))
+                .withLights(Lights.of(Light.of(new Vector3(0, 50, 0), 1, white)))
+                .withGround(Ground.of(planeSize, 0, white, white, 32))
                 .withSpheres(spheres)
-                .withAmbient(0.2)
+                .withShading(new Shading(0.2))
                 .withPhysics(physics);
     }
 

@@ -42,14 +42,14 @@ class ShippedMotionTest {
     @ValueSource(strings = {"benchmark", "mirrors", "teaching", "spheres-100", "spheres-10000", "pour-1000"})
     void movesAsItShouldAndComesToRestForGood(String name) {
         Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
-        double height = scene.plane().height();
+        double height = scene.ground().height();
         try (Simulation simulation = Simulation.of(scene)) {
             double most = 0;
             float[] resting = {};
             long restSeconds = 0;
             for (long second = 0; second < SECONDS; second++) {
                 most = Motion.runWithoutGain(simulation, STEPS_A_SECOND, height, most, MOST_GAIN);
-                keepsWithinItsBounds(simulation, scene.plane().size() / 2, height);
+                keepsWithinItsBounds(simulation, scene.ground().size() / 2, height);
                 float[] now = simulation.positions();
                 if (Motion.sleepers(simulation) == simulation.store().count - 1) {
                     assertThat(deepestOverlap(simulation)).isLessThan(DEEPEST_AT_REST);

@@ -19,10 +19,10 @@ class ConstructorsTest {
                 Scene.class,
                 Camera.class,
                 Light.class,
-                Plane.class,
+                Ground.class,
                 Sphere.class,
                 Material.class,
-                RenderSettings.class,
+                Rendering.class,
                 Physics.class,
                 Pour.class
             })

@@ -19,10 +19,10 @@ class SceneGeneratorTest {
         Scene scene = SceneGenerator.spheres(count, seed, SKYBOX);
 
         assertThat(scene.spheres()).hasSize(count);
-        double half = scene.plane().size() / 2;
+        double half = scene.ground().size() / 2;
         assertThat(scene.spheres()).allSatisfy(sphere -> {
             assertThat(sphere.position().y() - sphere.radius())
-                    .isGreaterThanOrEqualTo(scene.plane().height());
+                    .isGreaterThanOrEqualTo(scene.ground().height());
             assertThat(Math.hypot(sphere.position().x(), sphere.position().z()) + sphere.radius())
                     .isLessThan(half);
         });

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
-import dev.twister.scene.Plane;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Vector3;
 import net.jqwik.api.ForAll;
@@ -15,7 +15,7 @@ import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
 class CameraMotionTest {
-    private static final Plane PLANE = Plane.of(48, -10, new Rgb(1, 1, 1), new Rgb(0, 0, 0), 0);
+    private static final Ground PLANE = Ground.of(48, -10, new Rgb(1, 1, 1), new Rgb(0, 0, 0), 0);
     private static final Camera CAMERA = Camera.of(new Vector3(1, 2, 3), 0, 20, 60);
     private static final Walk FORWARD = new Walk(0, 0, 1, false);
 

@@ -7,9 +7,9 @@ import static org.assertj.core.api.Assertions.within;
 import dev.twister.image.HdrWriter;
 import dev.twister.image.PngWriter;
 import dev.twister.oracle.MeshShapes;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
-import dev.twister.scene.Plane;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
@@ -50,7 +50,7 @@ class SceneImagesTest {
         Path other = folder.resolve("other.png");
         PngWriter.write(other, 2, 1, new int[] {0xff0000, 0x00ff00}, true);
         Scene scene = Scene.under(sky)
-                .withPlane(plane(file))
+                .withGround(plane(file))
                 .withSpheres(List.of(BALL, BALL.withMaterial(textured(file)), BALL.withMaterial(textured(other))));
 
         SceneImages images = SceneImages.read(scene, warnings::add);
@@ -71,7 +71,7 @@ class SceneImagesTest {
                 .isInstanceOf(SkyException.class)
                 .hasMessage(
                         "$.spheres[1].texture: " + file + ": not a texture by its first bytes; PNG and JPEG are read");
-        assertThatThrownBy(() -> SceneImages.read(scene.withPlane(plane(folder.resolve("none.png"))), warnings::add))
+        assertThatThrownBy(() -> SceneImages.read(scene.withGround(plane(folder.resolve("none.png"))), warnings::add))
                 .isInstanceOf(SkyException.class)
                 .hasMessage("$.plane.texture: " + folder.resolve("none.png") + ": file not found");
     }
@@ -91,15 +91,15 @@ class SceneImagesTest {
 
     @Test
     void refusesRadianceAsATexture() {
-        Scene scene = Scene.under(sky).withPlane(plane(sky));
+        Scene scene = Scene.under(sky).withGround(plane(sky));
 
         assertThatThrownBy(() -> SceneImages.read(scene, warnings::add))
                 .isInstanceOf(SkyException.class)
                 .hasMessage("$.plane.texture: " + sky + ": a Radiance picture, but a texture must be PNG or JPEG");
     }
 
-    private static Plane plane(Path texture) {
-        return Plane.of(1, 0, new Rgb(1, 1, 1), new Rgb(1, 1, 1), 0).withMaterial(textured(texture));
+    private static Ground plane(Path texture) {
+        return Ground.of(1, 0, new Rgb(1, 1, 1), new Rgb(1, 1, 1), 0).withMaterial(textured(texture));
     }
 
     private static Material textured(Path file) {

@@ -8,6 +8,7 @@ import dev.twister.engine.Engines;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Rgb;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -33,8 +34,10 @@ class DeviceInWindowTest {
                 assertThat(rest.isWhole()).isTrue();
 
                 Rgb color = new Rgb(0.1 * turn, 1, 1);
-                driver.run(() ->
-                        driver.studio.edit("light", scene -> scene.withLight(withColor(scene.light(), color))));
+                driver.run(() -> driver.studio.edit(
+                        "light",
+                        scene -> scene.withLights(
+                                Lights.of(withColor(scene.lights().first(), color)))));
                 assertThat(driver.awaitCurrentPicture().engine()).isEqualTo(offer.id());
 
                 driver.run(() -> driver.studio.chooseEngine(JvmEngines.parallel()));

@@ -6,7 +6,6 @@ import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.NewSphere;
 import dev.twister.gui.model.Orbit;
 import dev.twister.gui.model.SelectedBodies;
-import dev.twister.gui.model.Solid;
 import dev.twister.gui.studio.Selection;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
@@ -26,8 +25,7 @@ public final class BodyActions {
 
     public void insert() {
         studio.pictureProperty().get().ifPresent(shown -> {
-            Solid sphere = new Solid.OfSphere(NewSphere.inFrontOf(shown.input(), studio.scene()));
-            studio.insert("insert sphere", List.of(sphere));
+            studio.insert("insert sphere", List.of(NewSphere.inFrontOf(shown.input(), studio.scene())));
         });
     }
 

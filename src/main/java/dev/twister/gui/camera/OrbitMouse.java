@@ -108,11 +108,7 @@ public final class OrbitMouse {
     /** What a pixel of the view is at the pivot's distance. */
     private double metersAPixel(Vector3 pivot) {
         Camera camera = studio.scene().camera();
-        double distance = Math.hypot(
-                Math.hypot(
-                        pivot.x() - camera.position().x(),
-                        pivot.y() - camera.position().y()),
-                pivot.z() - camera.position().z());
+        double distance = pivot.minus(camera.position()).length();
         double side = Math.max(1, Math.min(view.getWidth(), view.getHeight()));
         return 2 * distance * Math.tan(Math.toRadians(camera.fieldOfViewDegrees()) / 2) / side;
     }

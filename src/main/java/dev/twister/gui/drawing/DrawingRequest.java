@@ -1,6 +1,6 @@
 package dev.twister.gui.drawing;
 
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.world.Picture;
 
@@ -49,9 +49,9 @@ public record DrawingRequest(
 
     /** Whether the other one asks for the same but for another exposure, tone map or sRGB curve. */
     boolean asksForAnotherToneOf(DrawingRequest other) {
-        RenderSettings tone = scene.settings();
+        Rendering tone = scene.rendering();
         Scene toned = other.scene()
-                .withSettings(other.scene().settings().withTone(tone.exposure(), tone.toneMap(), tone.srgb()));
+                .withRendering(other.scene().rendering().withTone(tone.exposure(), tone.toneMap(), tone.srgb()));
         return !scene.equals(other.scene())
                 && equals(new DrawingRequest(
                         number,
@@ -73,10 +73,10 @@ public record DrawingRequest(
         return document == other.document()
                 && shown == other.shown()
                 && motion.start() == other.motion().start()
-                && scene.skybox().equals(other.scene().skybox())
-                && scene.skyRotationDegrees() == other.scene().skyRotationDegrees()
-                && scene.skyStrength() == other.scene().skyStrength()
-                && scene.settings().equals(other.scene().settings());
+                && scene.sky().file().equals(other.scene().sky().file())
+                && scene.sky().rotationDegrees() == other.scene().sky().rotationDegrees()
+                && scene.sky().strength() == other.scene().sky().strength()
+                && scene.rendering().equals(other.scene().rendering());
     }
 
     /** Whether one picture follows the other, though nothing is asked for. */

@@ -54,7 +54,7 @@ final class LivingWorld implements AutoCloseable {
         Scene wanted = request.scene();
         Motion wantedMotion = request.motion();
         SceneMeshes atHand = meshes.of(wanted, request.document());
-        boolean sameImages = !chooseSky(wanted.skybox()) && !textures.areOld() && atHand.equals(shownMeshes);
+        boolean sameImages = !chooseSky(wanted.sky().file()) && !textures.areOld() && atHand.equals(shownMeshes);
         shownMeshes = atHand;
         // A world whose bodies have moved is not one in which they stand.
         boolean sameKind = motion.isOn() == wantedMotion.isOn();
@@ -65,7 +65,7 @@ final class LivingWorld implements AutoCloseable {
                         && scene.filter(old -> hasSameBodies(old, wanted)).isPresent())
                 .orElseGet(() -> world(wanted));
         now.setCamera(wanted.camera());
-        now.setSettings(wanted.settings().withSize(request.width(), request.height()));
+        now.setSettings(wanted.rendering().withSize(request.width(), request.height()));
         moving.place(wanted, wantedMotion, now, nanos);
         scene = Optional.of(wanted);
         world = Optional.of(now);
@@ -100,13 +100,13 @@ final class LivingWorld implements AutoCloseable {
     private static boolean hasSameBodies(Scene one, Scene other) {
         return one.spheres().equals(other.spheres())
                 && one.meshes().equals(other.meshes())
-                && one.light().equals(other.light())
-                && one.plane().equals(other.plane())
-                && one.skybox().equals(other.skybox())
-                && one.skyRotationDegrees() == other.skyRotationDegrees()
-                && one.skyStrength() == other.skyStrength()
+                && one.lights().first().equals(other.lights().first())
+                && one.ground().equals(other.ground())
+                && one.sky().file().equals(other.sky().file())
+                && one.sky().rotationDegrees() == other.sky().rotationDegrees()
+                && one.sky().strength() == other.sky().strength()
                 && one.pour().equals(other.pour())
-                && one.ambient() == other.ambient();
+                && one.shading().ambient() == other.shading().ambient();
     }
 
     /** Takes the sky of that file; where it cannot be read, the one before it stays. Whether it is another one now. */
@@ -120,7 +120,9 @@ final class LivingWorld implements AutoCloseable {
         try {
             sky = skies.find(
                     file,
-                    () -> newest.get().filter(now -> now.skybox().equals(file)).isPresent());
+                    () -> newest.get()
+                            .filter(now -> now.sky().file().equals(file))
+                            .isPresent());
             complaint = Optional.empty();
             return true;
         } catch (SkyException problem) {

@@ -163,7 +163,8 @@ final class PictureWork implements AutoCloseable {
     Optional<float[]> radiance(DrawnPicture picture) {
         return refined.filter(held -> isAtWork(picture.request())
                         && held.fits(picture.frame().width(), picture.frame().height())
-                        && held.samples() > picture.request().scene().settings().samplesPerPixel()
+                        && held.samples()
+                                > picture.request().scene().rendering().samplesPerPixel()
                         && held.samples() >= picture.samples())
                 .map(RefinedPicture::radiance);
     }

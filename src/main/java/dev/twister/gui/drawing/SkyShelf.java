@@ -143,7 +143,7 @@ public final class SkyShelf {
      *     hand stay then
      */
     public void refresh(Scene scene) {
-        refresh(scene.skybox());
+        refresh(scene.sky().file());
         refreshTextures(scene);
     }
 
@@ -200,7 +200,8 @@ public final class SkyShelf {
     public SceneImages images(Scene scene, SceneMeshes meshes) {
         // Each once: an edit of the scene asks for its images again.
         HiddenTextures.of(scene, meshes).stream().filter(hiddenTextures::add).forEach(warnings::add);
-        Skybox sky = kept(scene.skybox()).orElseGet(() -> reader.apply(scene.skybox(), warnings::add));
+        Skybox sky = kept(scene.sky().file())
+                .orElseGet(() -> reader.apply(scene.sky().file(), warnings::add));
         return new SceneImages(
                 sky,
                 SceneImages.textures(

@@ -8,11 +8,10 @@ import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.model.FileMark;
 import dev.twister.gui.model.NewMesh;
 import dev.twister.gui.model.SceneHistory;
-import dev.twister.gui.model.Solid;
 import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.gui.studio.Studio;
-import dev.twister.mesh.Bounds;
+import dev.twister.mesh.Box;
 import dev.twister.mesh.MeshException;
 import dev.twister.mesh.MeshFile;
 import dev.twister.mesh.MeshStage;
@@ -121,12 +120,11 @@ public final class FileActions {
 
     private void insert(Mesh mesh, MeshFile held) {
         studio.pictureProperty().get().ifPresent(shown -> {
-            Bounds bounds = held.bounds();
+            Box bounds = held.bounds();
             studio.assets().keepMesh(mesh, held);
             studio.insert(
                     "insert mesh",
-                    List.of(new Solid.OfMesh(
-                            NewMesh.inFrontOf(shown.input(), studio.scene(), mesh, bounds.center(), bounds.half()))));
+                    List.of(NewMesh.inFrontOf(shown.input(), studio.scene(), mesh, bounds.center(), bounds.half())));
         });
     }
 
@@ -162,7 +160,8 @@ public final class FileActions {
 
     /** Asks which panorama, and makes it the sky. */
     public void chooseSky() {
-        choice.panorama(Optional.ofNullable(studio.scene().skybox().getParent()).orElse(folder()))
+        choice.panorama(Optional.ofNullable(studio.scene().sky().file().getParent())
+                        .orElse(folder()))
                 .ifPresent(this::useSky);
     }
 
@@ -284,7 +283,7 @@ public final class FileActions {
 
     /** Where only the sky is at fault, the scene can be had with another. */
     private void offerAnotherSky(Path file, Throwable problem) {
-        Path present = studio.scene().skybox();
+        Path present = studio.scene().sky().file();
         reading.begin(
                 name(file),
                 () -> {
@@ -326,7 +325,7 @@ public final class FileActions {
      * @param failed called when they cannot be
      */
     void restore(Autosave autosave, Runnable then, Runnable failed) {
-        Path present = studio.scene().skybox();
+        Path present = studio.scene().sky().file();
         reading.begin(
                 name(autosave.edited().path()),
                 () -> {
@@ -350,7 +349,9 @@ public final class FileActions {
             return studio.assets().readScene(autosaved).scene();
         } catch (SceneException | SkyException _) {
             Scene edits = SceneReader.readWithoutPictures(autosaved);
-            return isReadable(edits.skybox()) ? edits : edits.withSkybox(present);
+            return isReadable(edits.sky().file())
+                    ? edits
+                    : edits.withSky(edits.sky().withFile(present));
         }
     }
 

@@ -23,14 +23,11 @@ public enum Axis {
 
     /** The point that number of meters along from another one. */
     public Vector3 from(Vector3 place, double meters) {
-        return new Vector3(
-                place.x() + meters * direction.x(),
-                place.y() + meters * direction.y(),
-                place.z() + meters * direction.z());
+        return place.plus(direction.times(meters));
     }
 
     /** A vector's part along this axis. */
     double of(Vector3 vector) {
-        return vector.x() * direction.x() + vector.y() * direction.y() + vector.z() * direction.z();
+        return vector.dot(direction);
     }
 }

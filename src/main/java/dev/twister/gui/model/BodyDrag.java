@@ -40,27 +40,27 @@ public final class BodyDrag {
                 + (seen.y() - camera[Layout.CAMERA_POSITION + 1]) * camera[Layout.CAMERA_FORWARD + 1]
                 + (seen.z() - camera[Layout.CAMERA_POSITION + 2]) * camera[Layout.CAMERA_FORWARD + 2];
         Vector3 held = pointAt(input, depth, x, y);
-        return new BodyDrag(depth, place, minus(place, held));
+        return new BodyDrag(depth, place, place.minus(held));
     }
 
     /** The body's position once the pointer is there; the camera may have moved meanwhile. */
     public Vector3 placeAt(FrameInput input, double x, double y) {
         Vector3 held = pointAt(input, depth, x, y);
-        return clamped(new Vector3(held.x() + grip.x(), held.y() + grip.y(), held.z() + grip.z()));
+        return SceneLimits.POSITION.clamp(held.plus(grip));
     }
 
     /** The same along an axis: where it comes nearest to the pointer's ray. The start where the axis is seen end on. */
     public Vector3 placeAlong(Axis axis, FrameInput input, double x, double y) {
         PointerRay ray = PointerRay.through(input, x, y);
         Vector3 direction = new Vector3(ray.direction(0), ray.direction(1), ray.direction(2));
-        Vector3 away = minus(minus(place, grip), ray.along(0));
+        Vector3 away = place.minus(grip).minus(ray.along(0));
         double cosine = axis.of(direction);
         double across = 1 - cosine * cosine;
-        double forward = away.x() * direction.x() + away.y() * direction.y() + away.z() * direction.z();
+        double forward = away.dot(direction);
         double meters = (cosine * forward - axis.of(away)) / across;
         // Behind the camera, the lines come nearest where nobody points.
         boolean seen = across > LEAST_ACROSS && forward + meters * cosine > 0;
-        return seen ? clamped(axis.from(place, meters)) : place;
+        return seen ? SceneLimits.POSITION.clamp(axis.from(place, meters)) : place;
     }
 
     /** The nearest place whose coordinates are halves of a meter; along an axis, that coordinate alone. */
@@ -72,17 +72,6 @@ public final class BodyDrag {
     private static double snapped(double coordinate, Optional<Axis> axis, Axis own) {
         // Not the negative zero.
         return axis.orElse(own) == own ? SNAP * Math.rint(coordinate / SNAP) + 0.0 : coordinate;
-    }
-
-    private static Vector3 clamped(Vector3 wanted) {
-        return new Vector3(
-                SceneLimits.POSITION.clamp(wanted.x()),
-                SceneLimits.POSITION.clamp(wanted.y()),
-                SceneLimits.POSITION.clamp(wanted.z()));
-    }
-
-    private static Vector3 minus(Vector3 one, Vector3 other) {
-        return new Vector3(one.x() - other.x(), one.y() - other.y(), one.z() - other.z());
     }
 
     private static Vector3 pointAt(FrameInput input, double depth, double x, double y) {

@@ -1,5 +1,7 @@
 package dev.twister.gui.model;
 
+import dev.twister.scene.Body;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Pour;
 import dev.twister.scene.Scene;
@@ -107,14 +109,14 @@ public final class BodyEdits {
     }
 
     /** The body that {@link #isSolid} is asked about. */
-    public static Solid solid(Scene scene, int body) {
-        return isMesh(scene, body) ? new Solid.OfMesh(mesh(scene, body)) : new Solid.OfSphere(sphere(scene, body));
+    public static Body solid(Scene scene, int body) {
+        return isMesh(scene, body) ? mesh(scene, body) : sphere(scene, body);
     }
 
     /** The place of a movable body: the center of the light or a sphere, the origin of a mesh's file. */
     public static Vector3 position(Scene scene, int body) {
         return body == BodyNumber.LIGHT
-                ? scene.light().position()
+                ? scene.lights().first().position()
                 : solid(scene, body).position();
     }
 
@@ -131,8 +133,23 @@ public final class BodyEdits {
                 (body, sphere) -> sphere.withPosition(positions.get(body)),
                 (body, mesh) -> mesh.withPosition(positions.get(body)));
         return positions.containsKey(BodyNumber.LIGHT)
-                ? moved.withLight(scene.light().withPosition(positions.get(BodyNumber.LIGHT)))
+                ? moved.withLights(Lights.of(scene.lights().first().withPosition(positions.get(BodyNumber.LIGHT))))
                 : moved;
+    }
+
+    /** The numbers of the last bodies of a scene, which were added in this order. */
+    public static List<Integer> numbersOfLast(Scene scene, List<Body> added) {
+        int meshes = (int) added.stream().filter(Mesh.class::isInstance).count();
+        int sphere = scene.spheres().size() - (added.size() - meshes);
+        int mesh = scene.meshes().size() - meshes;
+        List<Integer> numbers = new ArrayList<>();
+        for (Body body : added) {
+            switch (body) {
+                case Sphere _ -> numbers.add(BodyNumber.ofSphere(sphere++));
+                case Mesh _ -> numbers.add(BodyNumber.ofMesh(mesh++));
+            }
+        }
+        return numbers;
     }
 
     /** The scene without a sphere or a mesh. */

@@ -25,7 +25,7 @@ public record BodyExtent(Vector3 middle, double radius, double halfWidth) {
     public static BodyExtent of(Scene scene, SceneMeshes meshes, int body) {
         if (!BodyEdits.isMesh(scene, body)) {
             double radius = body == BodyNumber.LIGHT
-                    ? scene.light().radius()
+                    ? scene.lights().first().radius()
                     : BodyEdits.sphere(scene, body).radius();
             return new BodyExtent(BodyEdits.position(scene, body), radius, radius);
         }
@@ -40,7 +40,7 @@ public record BodyExtent(Vector3 middle, double radius, double halfWidth) {
         double[] z = ends(bodies, body -> body.middle().z(), BodyExtent::radius);
         Vector3 middle = new Vector3((x[0] + x[1]) / 2, (y[0] + y[1]) / 2, (z[0] + z[1]) / 2);
         double radius = bodies.stream()
-                .mapToDouble(body -> distance(body.middle(), middle) + body.radius())
+                .mapToDouble(body -> body.middle().minus(middle).length() + body.radius())
                 .max()
                 .orElseThrow();
         return new BodyExtent(middle, radius, (x[1] - x[0]) / 2);
@@ -52,8 +52,8 @@ public record BodyExtent(Vector3 middle, double radius, double halfWidth) {
     }
 
     /** The same, so far away. */
-    public BodyExtent movedBy(double x, double y, double z) {
-        return new BodyExtent(new Vector3(middle.x() + x, middle.y() + y, middle.z() + z), radius, halfWidth);
+    public BodyExtent movedBy(Vector3 way) {
+        return new BodyExtent(middle.plus(way), radius, halfWidth);
     }
 
     private static BodyExtent around(List<Vector3> points) {
@@ -62,7 +62,7 @@ public record BodyExtent(Vector3 middle, double radius, double halfWidth) {
         double[] z = ends(points, Vector3::z, _ -> 0);
         Vector3 middle = new Vector3((x[0] + x[1]) / 2, (y[0] + y[1]) / 2, (z[0] + z[1]) / 2);
         double radius = points.stream()
-                .mapToDouble(point -> distance(point, middle))
+                .mapToDouble(point -> point.minus(middle).length())
                 .max()
                 .orElseThrow();
         return new BodyExtent(middle, radius, (x[1] - x[0]) / 2);
@@ -79,9 +79,5 @@ public record BodyExtent(Vector3 middle, double radius, double halfWidth) {
                     .max()
                     .orElseThrow()
         };
-    }
-
-    private static double distance(Vector3 one, Vector3 other) {
-        return Math.hypot(Math.hypot(one.x() - other.x(), one.y() - other.y()), one.z() - other.z());
     }
 }

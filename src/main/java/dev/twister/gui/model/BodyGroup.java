@@ -1,6 +1,8 @@
 package dev.twister.gui.model;
 
+import dev.twister.scene.Body;
 import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Vector3;
 import java.util.List;
 
 /**
@@ -9,7 +11,7 @@ import java.util.List;
  * @param bodies at least one
  * @param apart so far to the right, in meters, another group like it does not touch it
  */
-public record BodyGroup(List<Solid> bodies, double apart) {
+public record BodyGroup(List<Body> bodies, double apart) {
     public BodyGroup {
         bodies = List.copyOf(bodies);
     }
@@ -24,6 +26,12 @@ public record BodyGroup(List<Solid> bodies, double apart) {
         double right =
                 bodies.stream().mapToDouble(body -> body.position().x()).max().orElseThrow();
         double room = Math.min(apart, SceneLimits.POSITION.max() - right);
-        return new BodyGroup(bodies.stream().map(body -> body.beside(room)).toList(), apart);
+        Vector3 way = new Vector3(room, 0, 0);
+        return new BodyGroup(
+                bodies.stream()
+                        .map(body -> body.withPosition(
+                                SceneLimits.POSITION.clamp(body.position().plus(way))))
+                        .toList(),
+                apart);
     }
 }

@@ -23,7 +23,7 @@ public final class BodyMaterials {
             return BodyEdits.mesh(scene, body).material().orElseThrow();
         }
         return body == BodyNumber.PLANE
-                ? scene.plane().material()
+                ? scene.ground().material()
                 : BodyEdits.sphere(scene, body).material();
     }
 
@@ -40,8 +40,8 @@ public final class BodyMaterials {
                 (_, sphere) -> sphere.withMaterial(edit.apply(sphere.material())),
                 (_, mesh) -> mesh.withMaterial(mesh.material().map(edit)));
         return bodies.contains(BodyNumber.PLANE)
-                ? edited.withPlane(
-                        scene.plane().withMaterial(edit.apply(scene.plane().material())))
+                ? edited.withGround(
+                        scene.ground().withMaterial(edit.apply(scene.ground().material())))
                 : edited;
     }
 
@@ -51,7 +51,7 @@ public final class BodyMaterials {
             return BodyEdits.editedMesh(scene, body, mesh -> mesh.withMaterial(Optional.of(material)));
         }
         return body == BodyNumber.PLANE
-                ? scene.withPlane(scene.plane().withMaterial(material))
+                ? scene.withGround(scene.ground().withMaterial(material))
                 : BodyEdits.editedSphere(scene, body, sphere -> sphere.withMaterial(material));
     }
 
@@ -64,7 +64,7 @@ public final class BodyMaterials {
     public static boolean areSame(Scene one, Scene other) {
         return one.spheres().equals(other.spheres())
                 && one.meshes().equals(other.meshes())
-                && one.plane().equals(other.plane())
+                && one.ground().equals(other.ground())
                 && one.materials().equals(other.materials());
     }
 }

@@ -11,7 +11,7 @@ public enum FilmMotion {
     PHYSICS("Physics", false, true),
     CAMERA_AND_PHYSICS("Camera keyframes and physics", true, true);
 
-    private static final Vector3 NONE = new Vector3(0, 0, 0);
+    private static final Vector3 NONE = Vector3.ZERO;
 
     /** One keyframe is no way. */
     private static final int FEWEST_KEYFRAMES = 2;

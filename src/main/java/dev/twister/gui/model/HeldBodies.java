@@ -41,20 +41,14 @@ public final class HeldBodies {
 
     /** The scene with that body there, and all others moved as far. */
     public Scene moved(Scene scene, Vector3 wanted) {
-        Vector3 to = new Vector3(
-                Math.clamp(wanted.x(), least.x(), most.x()),
-                Math.clamp(wanted.y(), least.y(), most.y()),
-                Math.clamp(wanted.z(), least.z(), most.z()));
+        Vector3 to = wanted.map(least, Math::max).map(most, Math::min);
         Map<Integer, Vector3> moved = new LinkedHashMap<>();
         places.forEach((body, place) -> moved.put(body, body == active ? to : movedAsFar(place, to)));
         return BodyEdits.moved(scene, moved);
     }
 
     private Vector3 movedAsFar(Vector3 place, Vector3 to) {
-        return new Vector3(
-                SceneLimits.POSITION.clamp(place.x() + (to.x() - held.x())),
-                SceneLimits.POSITION.clamp(place.y() + (to.y() - held.y())),
-                SceneLimits.POSITION.clamp(place.z() + (to.z() - held.z())));
+        return SceneLimits.POSITION.clamp(place.plus(to.minus(held)));
     }
 
     private double least(ToDoubleFunction<Vector3> axis) {

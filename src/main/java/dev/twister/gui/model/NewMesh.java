@@ -21,13 +21,9 @@ public final class NewMesh {
         Sphere room = NewSphere.inFrontOf(input, scene);
         double largest = Math.max(half.x(), Math.max(half.y(), half.z()));
         double scale = SceneLimits.SCALE.clamp(largest > 0 ? room.radius() / largest : 1);
-        Vector3 middle = room.position();
         // What is flat lies where the sphere would, rather than in its middle.
-        double ground = middle.y() - room.radius();
-        return mesh.withScale(scale)
-                .withPosition(new Vector3(
-                        SceneLimits.POSITION.clamp(middle.x() - scale * center.x()),
-                        SceneLimits.POSITION.clamp(ground - scale * (center.y() - half.y())),
-                        SceneLimits.POSITION.clamp(middle.z() - scale * center.z())));
+        Vector3 bottom = new Vector3(center.x(), center.y() - half.y(), center.z());
+        Vector3 ground = room.position().minus(new Vector3(0, room.radius(), 0));
+        return mesh.withScale(scale).withPosition(SceneLimits.POSITION.clamp(ground.minus(bottom.times(scale))));
     }
 }

@@ -29,12 +29,10 @@ public final class NewSphere {
         PointerRay ray = PointerRay.through(input, centerX, centerY);
         Vector3 free = ray.along(distance(ray));
         double y = free.y();
-        double ground = scene.plane().height();
+        double ground = scene.ground().height();
         boolean above = scene.camera().position().y() >= ground;
-        Vector3 center = new Vector3(
-                SceneLimits.POSITION.clamp(free.x()),
-                SceneLimits.POSITION.clamp(above ? Math.max(y, ground + RADIUS) : Math.min(y, ground - RADIUS)),
-                SceneLimits.POSITION.clamp(free.z()));
+        Vector3 center = SceneLimits.POSITION.clamp(
+                new Vector3(free.x(), above ? Math.max(y, ground + RADIUS) : Math.min(y, ground - RADIUS), free.z()));
         return Sphere.of(
                 besideOthers(center, scene, above ? 2 * RADIUS : -2 * RADIUS),
                 RADIUS,

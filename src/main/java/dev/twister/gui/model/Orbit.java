@@ -28,22 +28,19 @@ public final class Orbit {
 
         /** The point that is so far to the right, up and forward of another one. */
         Vector3 from(Vector3 place, double toRight, double toUp, double toForward) {
-            return new Vector3(
-                    place.x() + toRight * right.x() + toUp * up.x() + toForward * forward.x(),
-                    place.y() + toRight * right.y() + toUp * up.y() + toForward * forward.y(),
-                    place.z() + toRight * right.z() + toUp * up.z() + toForward * forward.z());
+            return place.plus(right.times(toRight)).plus(up.times(toUp)).plus(forward.times(toForward));
         }
     }
 
     /** Turns about the pivot, which stays where it is in the picture. */
     public static Camera turned(Camera camera, Vector3 pivot, double rightDegrees, double downDegrees) {
         Axes before = Axes.of(camera);
-        Vector3 away = minus(pivot, camera.position());
+        Vector3 away = pivot.minus(camera.position());
         Camera turned = CameraMotion.look(camera, rightDegrees, downDegrees);
         Axes after = Axes.of(turned);
         return at(
                 turned,
-                after.from(pivot, -dot(away, before.right()), -dot(away, before.up()), -dot(away, before.forward())));
+                after.from(pivot, -away.dot(before.right()), -away.dot(before.up()), -away.dot(before.forward())));
     }
 
     /** Moves across the view, in meters. */
@@ -53,12 +50,10 @@ public final class Orbit {
 
     /** Moves to the pivot or away from it: the distance becomes that share of what it is. */
     public static Camera dollied(Camera camera, Vector3 pivot, double share) {
-        Vector3 away = minus(camera.position(), pivot);
-        double distance = Math.sqrt(dot(away, away));
+        Vector3 away = camera.position().minus(pivot);
+        double distance = away.length();
         double scale = distance == 0 ? 1 : Math.max(share, NEAREST / distance);
-        return at(
-                camera,
-                new Vector3(pivot.x() + scale * away.x(), pivot.y() + scale * away.y(), pivot.z() + scale * away.z()));
+        return at(camera, pivot.plus(away.times(scale)));
     }
 
     /** Looks the same way, from where a sphere fills most of the picture. */
@@ -73,17 +68,6 @@ public final class Orbit {
     }
 
     private static Camera at(Camera camera, Vector3 place) {
-        return camera.withPosition(new Vector3(
-                SceneLimits.POSITION.clamp(place.x()),
-                SceneLimits.POSITION.clamp(place.y()),
-                SceneLimits.POSITION.clamp(place.z())));
-    }
-
-    private static Vector3 minus(Vector3 one, Vector3 other) {
-        return new Vector3(one.x() - other.x(), one.y() - other.y(), one.z() - other.z());
-    }
-
-    private static double dot(Vector3 one, Vector3 other) {
-        return one.x() * other.x() + one.y() * other.y() + one.z() * other.z();
+        return camera.withPosition(SceneLimits.POSITION.clamp(place));
     }
 }

@@ -1,10 +1,10 @@
 package dev.twister.gui.model;
 
+import dev.twister.explain.LightSample;
 import dev.twister.explain.PathStep;
 import dev.twister.explain.PixelPath;
 import dev.twister.explain.RayKind;
-import dev.twister.explain.Shading;
-import dev.twister.explain.ShadowRay;
+import dev.twister.explain.ShadedSurface;
 import dev.twister.scene.Vector3;
 import java.util.ArrayList;
 import java.util.List;
@@ -51,7 +51,7 @@ public final class PathLines {
         return lines;
     }
 
-    private static Line shadow(Shading shading, ShadowRay ray) {
+    private static Line shadow(ShadedSurface shading, LightSample ray) {
         Kind kind = ray.light() == 0 ? Kind.BLOCKED : ray.light() < 1 ? Kind.DIMMED : Kind.LIT;
         return new Line(kind, shading.point(), ray.target());
     }
@@ -69,9 +69,6 @@ public final class PathLines {
     }
 
     private static Vector3 along(Vector3 from, Vector3 direction, double meters) {
-        return new Vector3(
-                from.x() + meters * direction.x(),
-                from.y() + meters * direction.y(),
-                from.z() + meters * direction.z());
+        return from.plus(direction.times(meters));
     }
 }

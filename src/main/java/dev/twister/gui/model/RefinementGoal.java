@@ -21,12 +21,12 @@ public final class RefinementGoal {
     }
 
     static int samples(Scene scene) {
-        return Math.max(isNoisy(scene) ? NOISY : SHARP, scene.settings().samplesPerPixel());
+        return Math.max(isNoisy(scene) ? NOISY : SHARP, scene.rendering().samplesPerPixel());
     }
 
     private static boolean isNoisy(Scene scene) {
         return scene.camera().aperture() > 0
-                || isRough(scene.plane().material())
+                || isRough(scene.ground().material())
                 || scene.pour().filter(pour -> isRough(pour.material())).isPresent()
                 || hasRoughSphere(scene)
                 || scene.meshes().stream()

@@ -1,7 +1,7 @@
 package dev.twister.gui.model;
 
 import dev.twister.render.RenderOrder;
-import dev.twister.render.Rendering;
+import dev.twister.render.Renderer;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -93,7 +93,7 @@ public final class RenderJob {
     private Path render() throws IOException {
         World world = reader.get();
         check();
-        Rendering.render(order, world, progress);
+        Renderer.render(order, world, progress);
         return order.output().firstFile();
     }
 }

@@ -2,6 +2,7 @@ package dev.twister.gui.model;
 
 import dev.twister.gui.model.NumberSetting.Scale;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Range;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
@@ -25,8 +26,8 @@ public final class SceneNumbers {
             Scale.LOGARITHMIC,
             0,
             "",
-            scene -> scene.settings().shadowSamples(),
-            (scene, count) -> scene.withSettings(scene.settings().withShadows(count.intValue())));
+            scene -> scene.rendering().shadowSamples(),
+            (scene, count) -> scene.withRendering(scene.rendering().withShadows(count.intValue())));
 
     public static final NumberSetting BOUNCES = new NumberSetting(
             "Reflection bounces",
@@ -36,8 +37,8 @@ public final class SceneNumbers {
             Scale.LINEAR,
             0,
             "",
-            scene -> scene.settings().bounces(),
-            (scene, count) -> scene.withSettings(scene.settings().withBounces(count.intValue())));
+            scene -> scene.rendering().bounces(),
+            (scene, count) -> scene.withRendering(scene.rendering().withBounces(count.intValue())));
 
     public static final NumberSetting SAMPLES_PER_PIXEL = new NumberSetting(
             "Samples per pixel",
@@ -47,8 +48,8 @@ public final class SceneNumbers {
             Scale.LOGARITHMIC,
             0,
             "",
-            scene -> scene.settings().samplesPerPixel(),
-            (scene, count) -> scene.withSettings(scene.settings().withSamplesPerPixel(count.intValue())));
+            scene -> scene.rendering().samplesPerPixel(),
+            (scene, count) -> scene.withRendering(scene.rendering().withSamplesPerPixel(count.intValue())));
 
     public static final NumberSetting EXPOSURE = new NumberSetting(
             "Exposure",
@@ -58,10 +59,12 @@ public final class SceneNumbers {
             Scale.LINEAR,
             2,
             "stops",
-            scene -> scene.settings().exposure(),
-            (scene, stops) -> scene.withSettings(scene.settings()
+            scene -> scene.rendering().exposure(),
+            (scene, stops) -> scene.withRendering(scene.rendering()
                     .withTone(
-                            stops, scene.settings().toneMap(), scene.settings().srgb())));
+                            stops,
+                            scene.rendering().toneMap(),
+                            scene.rendering().srgb())));
 
     public static final NumberSetting FIELD_OF_VIEW = new NumberSetting(
             "Field of view",
@@ -119,7 +122,7 @@ public final class SceneNumbers {
             Scale.LOGARITHMIC,
             2,
             "m",
-            scene -> scene.light().radius(),
+            scene -> scene.lights().first().radius(),
             (scene, radius) -> light(scene, light -> light.withRadius(radius)));
 
     public static final NumberSetting LIGHT_STRENGTH = new NumberSetting(
@@ -130,7 +133,7 @@ public final class SceneNumbers {
             Scale.LOGARITHMIC,
             2,
             "",
-            scene -> Radiance.of(scene.light().color()).strength(),
+            scene -> Radiance.of(scene.lights().first().color()).strength(),
             (scene, strength) -> light(
                     scene,
                     light -> light.withColor(
@@ -144,8 +147,8 @@ public final class SceneNumbers {
             Scale.LINEAR,
             1,
             "°",
-            Scene::skyRotationDegrees,
-            Scene::withSkyRotation);
+            scene -> scene.sky().rotationDegrees(),
+            (scene, degrees) -> scene.withSky(scene.sky().withRotation(degrees)));
 
     public static final NumberSetting SKY_STRENGTH = new NumberSetting(
             "Sky strength",
@@ -155,8 +158,8 @@ public final class SceneNumbers {
             Scale.LOGARITHMIC,
             2,
             "",
-            Scene::skyStrength,
-            Scene::withSkyStrength);
+            scene -> scene.sky().strength(),
+            (scene, strength) -> scene.withSky(scene.sky().withStrength(strength)));
 
     public static final NumberSetting GRAVITY = new NumberSetting(
             "Gravity",
@@ -185,11 +188,11 @@ public final class SceneNumbers {
         return place(
                 label,
                 hint,
-                scene -> reader.applyAsDouble(scene.light().position()),
+                scene -> reader.applyAsDouble(scene.lights().first().position()),
                 (scene, number) -> light(scene, light -> light.withPosition(writer.apply(light.position(), number))));
     }
 
     private static Scene light(Scene scene, UnaryOperator<Light> edit) {
-        return scene.withLight(edit.apply(scene.light()));
+        return scene.withLights(Lights.of(edit.apply(scene.lights().first())));
     }
 }

@@ -35,7 +35,7 @@ public record SharedMaterial(String name, List<Integer> bodies) {
 
     private static List<Integer> bodies(Scene scene, Material material) {
         List<Integer> bodies = new ArrayList<>();
-        if (scene.plane().material().equals(material)) {
+        if (scene.ground().material().equals(material)) {
             bodies.add(BodyNumber.PLANE);
         }
         for (int i = 0; i < scene.spheres().size(); i++) {
@@ -78,7 +78,7 @@ public record SharedMaterial(String name, List<Integer> bodies) {
         }
         Scene edited = scene.withMaterials(materials).withSpheres(spheres).withMeshes(meshes);
         return bodies.contains(BodyNumber.PLANE)
-                ? edited.withPlane(scene.plane().withMaterial(material))
+                ? edited.withGround(scene.ground().withMaterial(material))
                 : edited;
     }
 }

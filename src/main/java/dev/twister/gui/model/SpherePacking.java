@@ -56,8 +56,8 @@ final class SpherePacking {
 
         boolean touches(Vector3 center, double radius) {
             double reach = largest + radius;
-            Cell first = cellOf(new Vector3(center.x() - reach, center.y() - reach, center.z() - reach));
-            Cell last = cellOf(new Vector3(center.x() + reach, center.y() + reach, center.z() + reach));
+            Cell first = cellOf(center.map(place -> place - reach));
+            Cell last = cellOf(center.map(place -> place + reach));
             for (long x = first.x(); x <= last.x(); x++) {
                 for (long y = first.y(); y <= last.y(); y++) {
                     for (long z = first.z(); z <= last.z(); z++) {
@@ -82,10 +82,8 @@ final class SpherePacking {
     }
 
     private static boolean touches(Placed other, Vector3 center, double radius) {
-        double x = other.center().x() - center.x();
-        double y = other.center().y() - center.y();
-        double z = other.center().z() - center.z();
+        Vector3 apart = other.center().minus(center);
         double reach = other.radius() + radius;
-        return x * x + y * y + z * z <= reach * reach;
+        return apart.dot(apart) <= reach * reach;
     }
 }

@@ -3,6 +3,7 @@ package dev.twister.gui.model;
 import dev.twister.gui.model.NumberSetting.Scale;
 import dev.twister.scene.Range;
 import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Shading;
 
 /** The numbers of what is around the spheres: the plane, ambient light, and how bodies meet. */
 public final class SurroundingsNumbers {
@@ -16,8 +17,8 @@ public final class SurroundingsNumbers {
             Scale.LINEAR,
             2,
             "",
-            scene -> scene.ambient(),
-            (scene, ambient) -> scene.withAmbient(ambient));
+            scene -> scene.shading().ambient(),
+            (scene, ambient) -> scene.withShading(new Shading(ambient)));
 
     public static final NumberSetting PLANE_SIZE = new NumberSetting(
             "Plane size",
@@ -27,14 +28,14 @@ public final class SurroundingsNumbers {
             Scale.LOGARITHMIC,
             1,
             "m",
-            scene -> scene.plane().size(),
-            (scene, size) -> scene.withPlane(scene.plane().withSize(size)));
+            scene -> scene.ground().size(),
+            (scene, size) -> scene.withGround(scene.ground().withSize(size)));
 
     public static final NumberSetting PLANE_HEIGHT = SceneNumbers.place(
             "Plane height",
             "The plane's y. The camera stays above it.",
-            scene -> scene.plane().height(),
-            (scene, height) -> scene.withPlane(scene.plane().withHeight(height)));
+            scene -> scene.ground().height(),
+            (scene, height) -> scene.withGround(scene.ground().withHeight(height)));
 
     public static final NumberSetting ELASTICITY = new NumberSetting(
             "Elasticity",

@@ -33,15 +33,15 @@ public final class ThrownSpheres {
         SplittableRandom random = new SplittableRandom(seed);
         List<Sphere> spheres = scene.spheres();
         double largest = spheres.stream().mapToDouble(Sphere::radius).max().orElse(1);
-        SpherePacking packing =
-                new SpherePacking(scene.light().position(), scene.light().radius(), largest);
+        SpherePacking packing = new SpherePacking(
+                scene.lights().first().position(), scene.lights().first().radius(), largest);
         Sphere[] thrown = new Sphere[spheres.size()];
         double half = half(scene);
         double top = 0;
         // The large ones first: they find no room between small ones.
         for (int index : order(spheres)) {
             Sphere sphere = spheres.get(index);
-            double low = SceneLimits.POSITION.clamp(scene.plane().height() + sphere.radius());
+            double low = SceneLimits.POSITION.clamp(scene.ground().height() + sphere.radius());
             double highest = SceneLimits.POSITION.max() - low;
             // Where it was too crowded for the one before, all of it need not be tried again.
             top = Math.min(Math.max(4 * largest, top / GROWTH), highest);
@@ -63,8 +63,8 @@ public final class ThrownSpheres {
 
     /** Whether a scene that was edited while its spheres were thrown can have the places that were found. */
     public static boolean fit(Scene thrown, Scene edited) {
-        return thrown.plane().equals(edited.plane())
-                && thrown.light().equals(edited.light())
+        return thrown.ground().equals(edited.ground())
+                && thrown.lights().first().equals(edited.lights().first())
                 && Arrays.equals(radii(thrown), radii(edited));
     }
 
@@ -90,7 +90,7 @@ public final class ThrownSpheres {
                 .mapToDouble(sphere -> Math.pow(sphere.radius(), 3))
                 .sum();
         return SceneLimits.POSITION.clamp(
-                Math.max(SHARE_OF_PLANE * scene.plane().size() / 2, 2 * Math.cbrt(cubes)));
+                Math.max(SHARE_OF_PLANE * scene.ground().size() / 2, 2 * Math.cbrt(cubes)));
     }
 
     private static List<Integer> order(List<Sphere> spheres) {

@@ -54,7 +54,7 @@ public final class WindowOrder {
             Scene scene, Picture picture, EngineOffer engine, Movement movement, RenderOutput output) {
         // The last stage is the picture itself, which files and commands call by this name.
         Picture named = picture == Picture.REFLECTIONS ? Picture.BEAUTY : picture;
-        Sampling sampling = new Sampling(scene.settings().samplesPerPixel(), Optional.empty());
+        Sampling sampling = new Sampling(scene.rendering().samplesPerPixel(), Optional.empty());
         return new RenderOrder(scene, engine, List.of(named), sampling, PicturePart.WHOLE, movement, false, output);
     }
 }

@@ -1,7 +1,7 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Command;
-import dev.twister.gui.model.BodyList;
+import dev.twister.gui.model.BodyChoices;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.SelectedBodies;
 import dev.twister.gui.studio.Studio;
@@ -31,7 +31,7 @@ final class BodiesRow extends PanelRow {
     /** A body in the list. */
     private record Named(int body, String name) {
         static Named of(Scene scene, int body) {
-            return new Named(body, BodyList.name(scene, body));
+            return new Named(body, BodyChoices.name(scene, body));
         }
     }
 
@@ -55,7 +55,7 @@ final class BodiesRow extends PanelRow {
     /** Shows the scene's bodies, and marks those that are selected. */
     void show(Scene scene, SelectedBodies selected) {
         showing = true;
-        List<Named> names = BodyList.of(scene, selected).stream()
+        List<Named> names = BodyChoices.of(scene, selected).stream()
                 .map(body -> Named.of(scene, body))
                 .toList();
         MultipleSelectionModel<Named> marks = list.getSelectionModel();

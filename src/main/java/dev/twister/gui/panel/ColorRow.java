@@ -89,7 +89,7 @@ final class ColorRow extends PanelRow {
     }
 
     private static boolean isSrgb(Scene scene) {
-        return scene.settings().srgb();
+        return scene.rendering().srgb();
     }
 
     /** The dialog of custom colors has an opacity, which no color here has. */

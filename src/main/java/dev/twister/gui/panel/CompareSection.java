@@ -67,7 +67,7 @@ final class CompareSection {
     }
 
     private void keep(boolean on) {
-        comparison.settingsProperty().set(on ? Optional.of(studio.scene().settings()) : Optional.empty());
+        comparison.settingsProperty().set(on ? Optional.of(studio.scene().rendering()) : Optional.empty());
     }
 
     private void refresh() {

@@ -5,6 +5,7 @@ import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.model.SurroundingsNumbers;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import java.util.List;
@@ -30,7 +31,7 @@ final class LightSection {
                 "The light's color. Set brightness with Light strength.",
                 "Alt+C",
                 studio,
-                scene -> Radiance.of(scene.light().color()).hue(),
+                scene -> Radiance.of(scene.lights().first().color()).hue(),
                 LightSection::withHue);
         studio.sceneProperty().subscribe(_ -> refresh());
         studio.originalProperty().subscribe(_ -> refresh());
@@ -41,9 +42,9 @@ final class LightSection {
     }
 
     private static Scene withHue(Scene scene, Rgb hue) {
-        Light light = scene.light();
+        Light light = scene.lights().first();
         Rgb radiance = Radiance.of(light.color()).withHueOf(hue).color();
-        return scene.withLight(light.withColor(radiance));
+        return scene.withLights(Lights.of(light.withColor(radiance)));
     }
 
     private void refresh() {

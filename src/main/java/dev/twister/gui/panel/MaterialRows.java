@@ -2,8 +2,8 @@ package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.files.FileActions;
+import dev.twister.gui.model.BodyChoices;
 import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyList;
 import dev.twister.gui.model.BodyMaterials;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.MaterialNumbers;
@@ -109,7 +109,7 @@ final class MaterialRows {
 
     /** What the material is called, and who has it. */
     String hint() {
-        return (body == BodyNumber.PLANE ? "The plane" : BodyList.title(before, body))
+        return (body == BodyNumber.PLANE ? "The plane" : BodyChoices.title(before, body))
                 + shared.map(named -> " has the material \"" + named.name() + "\", "
                                 + (named.bodies().size() == 1
                                         ? "alone."
@@ -172,8 +172,8 @@ final class MaterialRows {
                 "The color of the other squares.",
                 "Alt+Shift+C",
                 studio,
-                scene -> scene.plane().oddColor(),
-                (scene, rgb) -> scene.withPlane(scene.plane().withOddColor(rgb)));
+                scene -> scene.ground().oddColor(),
+                (scene, rgb) -> scene.withGround(scene.ground().withOddColor(rgb)));
         return plane ? List.of(color, odd) : List.of(color);
     }
 

@@ -1,8 +1,8 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.files.FileActions;
+import dev.twister.gui.model.BodyChoices;
 import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyList;
 import dev.twister.gui.model.BodyMaterials;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.studio.Studio;
@@ -76,7 +76,7 @@ final class MaterialSection extends VBox {
             hint.setText(rows.hint());
         });
         if (mesh && !has) {
-            hint.setText(BodyList.title(studio.scene(), body) + " has the materials of its file.");
+            hint.setText(BodyChoices.title(studio.scene(), body) + " has the materials of its file.");
         }
     }
 

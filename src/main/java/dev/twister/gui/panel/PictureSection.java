@@ -4,7 +4,7 @@ import dev.twister.gui.controls.Command;
 import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.panel.ChoiceRow.Look;
 import dev.twister.gui.studio.Studio;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
 import java.util.List;
@@ -61,9 +61,9 @@ final class PictureSection {
         numbers.forEach(row -> row.show(scene, usual));
         toneMap.show(
                 List.of(ToneMap.values()),
-                scene.settings().toneMap(),
-                usual.settings().toneMap());
-        srgb.show(scene.settings().srgb(), usual.settings().srgb());
+                scene.rendering().toneMap(),
+                usual.rendering().toneMap());
+        srgb.show(scene.rendering().srgb(), usual.rendering().srgb());
     }
 
     private static String label(ToneMap map) {
@@ -82,8 +82,8 @@ final class PictureSection {
         edit("sRGB curve", settings -> settings.withTone(settings.exposure(), settings.toneMap(), on));
     }
 
-    private void edit(String what, UnaryOperator<RenderSettings> change) {
-        studio.edit(what, scene -> scene.withSettings(change.apply(scene.settings())));
+    private void edit(String what, UnaryOperator<Rendering> change) {
+        studio.edit(what, scene -> scene.withRendering(change.apply(scene.rendering())));
         studio.endGesture();
     }
 }

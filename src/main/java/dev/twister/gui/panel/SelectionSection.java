@@ -1,7 +1,7 @@
 package dev.twister.gui.panel;
 
+import dev.twister.gui.model.BodyChoices;
 import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyList;
 import dev.twister.gui.model.BodyMaterials;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.BodyNumbers;
@@ -102,7 +102,7 @@ final class SelectionSection extends VBox {
                         ? selected.count() + " bodies are selected. Drag one to move all, Delete deletes all. "
                                 + (selected.active() == BodyNumber.LIGHT
                                         ? "The light is the active one."
-                                        : "These numbers are of " + BodyList.title(studio.scene(), selected.active())
+                                        : "These numbers are of " + BodyChoices.title(studio.scene(), selected.active())
                                                 + ".")
                         : hint(studio.scene(), selected.active()));
     }
@@ -119,7 +119,7 @@ final class SelectionSection extends VBox {
                         + "sphere, mesh or light to move it.";
             case BodyNumber.LIGHT -> "The light is selected; its controls are above.";
             case BodyNumber.PLANE -> "The plane is selected; its material is below.";
-            default -> BodyList.title(scene, body) + of(scene, body) + ". Drag it to move it, Delete deletes it.";
+            default -> BodyChoices.title(scene, body) + of(scene, body) + ". Drag it to move it, Delete deletes it.";
         };
     }
 

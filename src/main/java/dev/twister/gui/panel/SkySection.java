@@ -50,8 +50,8 @@ final class SkySection {
     }
 
     private void refresh() {
-        Path used = studio.scene().skybox();
-        Path own = studio.original().skybox();
+        Path used = studio.scene().sky().file();
+        Path own = studio.original().sky().file();
         sky.show(SkyList.with(known, own, used), used, own);
         numbers.forEach(row -> row.show(studio.scene(), studio.original()));
     }

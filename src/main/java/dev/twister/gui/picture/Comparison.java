@@ -8,7 +8,7 @@ import dev.twister.gui.drawing.EngineChoice;
 import dev.twister.gui.model.PictureDifference;
 import dev.twister.gui.studio.Studio;
 import dev.twister.image.Frame;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.world.Picture;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
@@ -32,7 +32,7 @@ public final class Comparison implements AutoCloseable {
     private final ObjectProperty<Mode> mode = new SimpleObjectProperty<>(Mode.OFF);
     private final ObjectProperty<Optional<EngineOffer>> engine = new SimpleObjectProperty<>(Optional.empty());
     private final ObjectProperty<Optional<Picture>> shown = new SimpleObjectProperty<>(Optional.empty());
-    private final ObjectProperty<Optional<RenderSettings>> settings = new SimpleObjectProperty<>(Optional.empty());
+    private final ObjectProperty<Optional<Rendering>> settings = new SimpleObjectProperty<>(Optional.empty());
     private final ReadOnlyObjectWrapper<Optional<Other>> other = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ReadOnlyObjectWrapper<Optional<PictureDifference>> difference =
             new ReadOnlyObjectWrapper<>(Optional.empty());
@@ -86,7 +86,7 @@ public final class Comparison implements AutoCloseable {
     }
 
     /** The settings of the second picture; empty for those of the first. */
-    public ObjectProperty<Optional<RenderSettings>> settingsProperty() {
+    public ObjectProperty<Optional<Rendering>> settingsProperty() {
         return settings;
     }
 
@@ -145,7 +145,7 @@ public final class Comparison implements AutoCloseable {
             drawing.request(new DrawingRequest(
                     requests,
                     leading.document(),
-                    settings.get().map(leading.scene()::withSettings).orElse(leading.scene()),
+                    settings.get().map(leading.scene()::withRendering).orElse(leading.scene()),
                     leading.width(),
                     leading.height(),
                     choice,

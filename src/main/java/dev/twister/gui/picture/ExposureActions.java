@@ -33,7 +33,7 @@ public final class ExposureActions {
 
     private void measure(DrawnPicture picture) {
         long document = studio.document();
-        boolean srgb = studio.scene().settings().srgb();
+        boolean srgb = studio.scene().rendering().srgb();
         CompletableFuture<Optional<float[]>> gathered = studio.radiance(picture);
         errands.run(
                 // A picture that was not refined has kept no radiance.

@@ -2,7 +2,7 @@ package dev.twister.gui.picture;
 
 import dev.twister.explain.PathStep;
 import dev.twister.explain.PixelPath;
-import dev.twister.explain.Shading;
+import dev.twister.explain.ShadedSurface;
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.scene.Rgb;
 import java.util.List;
@@ -40,20 +40,20 @@ public final class PathTable extends VBox {
         column("Ray", 8.2, this::ray);
         column("Meets", 5.5, step -> InspectorText.bodyName(pick.sceneBody(step.body())));
         column("Distance", 6, step -> step.distance() == 0 ? "" : number(step.distance()) + " m");
-        shading("N·L", 3.9, Shading::normalDotLight);
-        shading("S", 3.6, Shading::visible);
-        shading("lit", 3.6, Shading::lit);
-        shading("spec", 3.8, Shading::specular);
+        shading("N·L", 3.9, ShadedSurface::normalDotLight);
+        shading("S", 3.6, ShadedSurface::visible);
+        shading("lit", 3.6, ShadedSurface::lit);
+        shading("spec", 3.8, ShadedSurface::specular);
         column(
                 "C",
                 9,
                 step -> step.shading()
-                        .map(Shading::albedo)
+                        .map(ShadedSurface::albedo)
                         .map(PathTable::color)
                         .orElse(""));
-        shading("m", 3.6, Shading::mirror);
-        shading("t", 3.6, Shading::transmission);
-        shading("F", 3.6, Shading::reflectance);
+        shading("m", 3.6, ShadedSurface::mirror);
+        shading("t", 3.6, ShadedSurface::transmission);
+        shading("F", 3.6, ShadedSurface::reflectance);
         column("Throughput", 9, step -> color(step.throughput()));
         column("Adds", 9, step -> color(step.adds()));
         Button close = new Button("✕");
@@ -99,7 +99,7 @@ public final class PathTable extends VBox {
                 : step.kind().id() + " from " + (step.parent() + 1);
     }
 
-    private void shading(String name, double width, ToDoubleFunction<Shading> value) {
+    private void shading(String name, double width, ToDoubleFunction<ShadedSurface> value) {
         column(
                 name,
                 width,

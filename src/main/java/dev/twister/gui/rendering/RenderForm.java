@@ -15,8 +15,8 @@ import dev.twister.gui.studio.Studio;
 import dev.twister.image.PictureSize;
 import dev.twister.render.PictureMemory;
 import dev.twister.render.RenderOrder;
-import dev.twister.render.Rendering;
-import dev.twister.scene.RenderSettings;
+import dev.twister.render.Renderer;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.world.FrameInput;
@@ -102,7 +102,8 @@ final class RenderForm extends GridPane {
                         new PictureSize(seen.request().width(), seen.request().height()));
         size.offer(window);
         if (document.isEmpty()) {
-            size.show(new PictureSize(scene.settings().width(), scene.settings().height()));
+            size.show(
+                    new PictureSize(scene.rendering().width(), scene.rendering().height()));
             samples.show(RefinementGoal.samples(scene, Picture.REFLECTIONS));
             shown.offer(ShownPictures.all(), Optional.of(studio.shownProperty().get()));
             films.showUsual();
@@ -110,7 +111,7 @@ final class RenderForm extends GridPane {
         }
         if (!document.equals(Optional.of(studio.document()))) {
             document = Optional.of(studio.document());
-            shadows.show(scene.settings().shadowSamples());
+            shadows.show(scene.rendering().shadowSamples());
             films.startAnew();
         }
         films.follow(scene);
@@ -121,7 +122,7 @@ final class RenderForm extends GridPane {
         Scene scene = studio.scene();
         return size.size()
                 .filter(_ -> samples.complaint().or(shadows::complaint).isEmpty())
-                .map(wanted -> scene.withSettings(settings(scene.settings(), wanted)))
+                .map(wanted -> scene.withRendering(settings(scene.rendering(), wanted)))
                 .flatMap(sized -> engine.choice()
                         .flatMap(chosen -> shown.choice().flatMap(picture -> order(sized, picture, chosen, file))));
     }
@@ -132,7 +133,7 @@ final class RenderForm extends GridPane {
                 : Optional.of(WindowOrder.picture(scene, picture, chosen, movedBodies(scene), file));
     }
 
-    private RenderSettings settings(RenderSettings usual, PictureSize wanted) {
+    private Rendering settings(Rendering usual, PictureSize wanted) {
         return usual.withSize(wanted.width(), wanted.height())
                 .withSamplesPerPixel(samples.wholeNumber())
                 .withShadows(shadows.wholeNumber());
@@ -185,8 +186,7 @@ final class RenderForm extends GridPane {
     }
 
     private static Optional<String> shortage(RenderOrder order) {
-        return PictureMemory.of(order.size(), Rendering.bytesPerPixel(order))
-                .map(shortage -> "Size " + shortage.text());
+        return PictureMemory.of(order.size(), Renderer.bytesPerPixel(order)).map(shortage -> "Size " + shortage.text());
     }
 
     private void showForFilms(List<Node> row) {

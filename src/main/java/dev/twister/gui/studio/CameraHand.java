@@ -87,6 +87,6 @@ public final class CameraHand {
                 CameraMotion.turn(camera, turn, seconds),
                 walk,
                 seconds * speed.get() / CameraMotion.WALK_METERS_PER_SECOND,
-                studio.scene().plane()));
+                studio.scene().ground()));
     }
 }

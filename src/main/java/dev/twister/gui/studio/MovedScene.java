@@ -101,11 +101,7 @@ record MovedScene(Scene standing, Optional<DrawnPicture> seen) {
     }
 
     private static Vector3 place(Bodies bodies, int body) {
-        Vector3 center = bodies.centerInScene(body);
-        return new Vector3(
-                SceneLimits.POSITION.clamp(center.x()),
-                SceneLimits.POSITION.clamp(center.y()),
-                SceneLimits.POSITION.clamp(center.z()));
+        return SceneLimits.POSITION.clamp(bodies.centerInScene(body));
     }
 
     private static Sphere at(Vector3 place, Sphere sphere) {

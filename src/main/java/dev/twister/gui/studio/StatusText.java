@@ -21,7 +21,7 @@ public final class StatusText {
     /** Scene, engine, size, bodies that are there, and where a lens is focused. */
     public static String facts(DrawnPicture picture) {
         String chosen = picture.request().engine().offer().id();
-        String name = picture.request().scene().name();
+        String name = picture.request().scene().title().name();
         Camera camera = picture.request().scene().camera();
         return Stream.of(
                         name.isEmpty() ? "untitled" : name,
@@ -70,7 +70,7 @@ public final class StatusText {
         if (spheres == 0 && !pours) {
             return "Physics on, but the scene has no spheres";
         }
-        if (scene.physics().gravity().equals(new Vector3(0, 0, 0))) {
+        if (scene.physics().gravity().equals(Vector3.ZERO)) {
             return "Physics on, but gravity is 0: nothing falls";
         }
         return "Physics on: " + spheres + (spheres == 1 ? " sphere" : " spheres")

@@ -15,8 +15,8 @@ import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.model.RefinementGoal;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.gui.model.SceneHistory;
-import dev.twister.gui.model.Solid;
 import dev.twister.image.PictureSize;
+import dev.twister.scene.Body;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
@@ -234,10 +234,10 @@ public final class Studio implements AutoCloseable {
     }
 
     /** Adds spheres and meshes to the scene, which is an edit of its own, and selects them. */
-    public void insert(String what, List<Solid> bodies) {
-        edit(what, standing -> Solid.inserted(standing, bodies));
+    public void insert(String what, List<Body> bodies) {
+        edit(what, standing -> standing.withBodies(standing.bodies().with(bodies)));
         endGesture();
-        selection.select(Solid.numbers(scene.get(), bodies));
+        selection.select(BodyEdits.numbersOfLast(scene.get(), bodies));
     }
 
     /** Whether and how bodies move. */
@@ -266,8 +266,7 @@ public final class Studio implements AutoCloseable {
         SceneMeshes shown = picture.get().map(DrawnPicture::meshes).orElse(SceneMeshes.NONE);
         Vector3 standing = BodyEdits.position(scene.get(), body);
         Vector3 now = positionNow(body);
-        return BodyExtent.of(scene.get(), shown, body)
-                .movedBy(now.x() - standing.x(), now.y() - standing.y(), now.z() - standing.z());
+        return BodyExtent.of(scene.get(), shown, body).movedBy(now.minus(standing));
     }
 
     /** What a mesh's file says that it is made of; the default where it has not been read. */
@@ -425,7 +424,7 @@ public final class Studio implements AutoCloseable {
 
     /** Makes a panorama that was read the sky; one that the scene has already is drawn as its file has it now. */
     public void useSky(Path panorama) {
-        edit("sky", now -> now.withSkybox(panorama));
+        edit("sky", now -> now.withSky(now.sky().withFile(panorama)));
         endGesture();
         request();
     }
@@ -496,7 +495,7 @@ public final class Studio implements AutoCloseable {
     }
 
     private static Scene withCameraAbovePlane(Scene scene) {
-        return scene.withCamera(CameraMotion.above(scene.camera(), scene.plane()));
+        return scene.withCamera(CameraMotion.above(scene.camera(), scene.ground()));
     }
 
     /** Asks for a picture of what there is now. */

@@ -7,19 +7,23 @@ import static dev.twister.scene.format.Field.written;
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraKeyframe;
 import dev.twister.scene.CameraView;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Palette;
 import dev.twister.scene.Physics;
-import dev.twister.scene.Plane;
 import dev.twister.scene.Pour;
 import dev.twister.scene.Range;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Shading;
+import dev.twister.scene.Sky;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.Title;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
 import dev.twister.scene.format.ValueType.Array;
@@ -122,11 +126,11 @@ final class SceneFormat {
                     required("radius", LENGTH, Light::radius, Light::withRadius),
                     required("color", ValueType.color(SceneLimits.RADIANCE), Light::color, Light::withColor)));
 
-    private static final List<Field<Plane, ?>> PLANE = List.of(
-            required("size", LENGTH, Plane::size, Plane::withSize),
-            required("height", new Decimal(SceneLimits.POSITION), Plane::height, Plane::withHeight));
+    private static final List<Field<Ground, ?>> PLANE = List.of(
+            required("size", LENGTH, Ground::size, Ground::withSize),
+            required("height", new Decimal(SceneLimits.POSITION), Ground::height, Ground::withHeight));
 
-    private static final Field<Plane, List<Rgb>> PLANE_COLORS = required(
+    private static final Field<Ground, List<Rgb>> PLANE_COLORS = required(
             "colors",
             new Array<>(ALBEDO, 2, 2, "an array of 2 colors"),
             plane -> List.of(plane.evenColor(), plane.oddColor()),
@@ -136,45 +140,33 @@ final class SceneFormat {
             required("position", POSITION, Sphere::position, Sphere::withPosition),
             required("radius", LENGTH, Sphere::radius, Sphere::withRadius));
 
-    private static final Structure<RenderSettings> RENDERING = new Structure<>(
-            RenderSettings.DEFAULT,
+    private static final Structure<Rendering> RENDERING = new Structure<>(
+            Rendering.DEFAULT,
             List.of(
-                    written(
-                            "width",
-                            new WholeNumber(SceneLimits.SIDE),
-                            RenderSettings::width,
-                            RenderSettings::withWidth),
-                    written(
-                            "height",
-                            new WholeNumber(SceneLimits.SIDE),
-                            RenderSettings::height,
-                            RenderSettings::withHeight),
+                    written("width", new WholeNumber(SceneLimits.SIDE), Rendering::width, Rendering::withWidth),
+                    written("height", new WholeNumber(SceneLimits.SIDE), Rendering::height, Rendering::withHeight),
                     written(
                             "shadowSamples",
                             new WholeNumber(SceneLimits.SHADOW_SAMPLES),
-                            RenderSettings::shadowSamples,
-                            RenderSettings::withShadows),
+                            Rendering::shadowSamples,
+                            Rendering::withShadows),
                     written(
                             "bounces",
                             new WholeNumber(SceneLimits.BOUNCES),
-                            RenderSettings::bounces,
-                            RenderSettings::withBounces),
+                            Rendering::bounces,
+                            Rendering::withBounces),
                     written(
                             "samplesPerPixel",
                             new WholeNumber(SceneLimits.SAMPLES_PER_PIXEL),
-                            RenderSettings::samplesPerPixel,
-                            RenderSettings::withSamplesPerPixel),
+                            Rendering::samplesPerPixel,
+                            Rendering::withSamplesPerPixel),
                     written(
                             "exposure",
                             new Decimal(SceneLimits.EXPOSURE),
-                            RenderSettings::exposure,
-                            RenderSettings::withExposure),
-                    written(
-                            "toneMap",
-                            new Choice<>(ToneMap.class),
-                            RenderSettings::toneMap,
-                            RenderSettings::withToneMap),
-                    written("srgb", FLAG, RenderSettings::srgb, RenderSettings::withSrgb)));
+                            Rendering::exposure,
+                            Rendering::withExposure),
+                    written("toneMap", new Choice<>(ToneMap.class), Rendering::toneMap, Rendering::withToneMap),
+                    written("srgb", FLAG, Rendering::srgb, Rendering::withSrgb)));
 
     private static final Structure<Physics> PHYSICS = new Structure<>(
             Physics.DEFAULT,
@@ -210,9 +202,13 @@ final class SceneFormat {
     private static final Field<Pour, Integer> POUR_SEED =
             required("seed", new WholeNumber(SceneLimits.SEED), Pour::seed, Pour::withSeed);
 
-    private static final Structure<Double> SHADING = new Structure<>(
-            Scene.DEFAULT_AMBIENT,
-            List.of(written("ambient", new Decimal(SceneLimits.AMBIENT), ambient -> ambient, (_, ambient) -> ambient)));
+    private static final Structure<Shading> SHADING = new Structure<>(
+            Shading.DEFAULT,
+            List.of(written(
+                    "ambient",
+                    new Decimal(SceneLimits.AMBIENT),
+                    Shading::ambient,
+                    (_, ambient) -> new Shading(ambient))));
 
     static final Version VERSION = new Version(Scene.VERSION);
 
@@ -255,14 +251,14 @@ final class SceneFormat {
     }
 
     /** With a named material, whose color is the even checks', the odd ones have it too unless another is given. */
-    Shaped<Plane> plane() {
-        Field<Plane, Material> name = required(
+    Shaped<Ground> plane() {
+        Field<Ground, Material> name = required(
                         MATERIAL,
                         named,
-                        Plane::material,
+                        Ground::material,
                         (plane, material) -> plane.withMaterial(material).withOddColor(material.color()))
                 .from(2);
-        Field<Plane, Optional<Rgb>> oddColor = Field.<Plane, Optional<Rgb>>sparse(
+        Field<Ground, Optional<Rgb>> oddColor = Field.<Ground, Optional<Rgb>>sparse(
                         "oddColor",
                         ValueType.present(ALBEDO),
                         plane -> Optional.of(plane.oddColor()).filter(color -> !color.equals(plane.evenColor())),
@@ -271,10 +267,14 @@ final class SceneFormat {
         return new Shaped<>(
                 MATERIAL,
                 structure(
-                        Plane.DEFAULT.withOddColor(Plane.DEFAULT.evenColor()), List.of(PLANE, List.of(name, oddColor))),
+                        Ground.DEFAULT.withOddColor(Ground.DEFAULT.evenColor()),
+                        List.of(PLANE, List.of(name, oddColor))),
                 structure(
-                        Plane.DEFAULT,
-                        List.of(PLANE, List.of(PLANE_COLORS), uncolored.within(Plane::material, Plane::withMaterial))),
+                        Ground.DEFAULT,
+                        List.of(
+                                PLANE,
+                                List.of(PLANE_COLORS),
+                                uncolored.within(Ground::material, Ground::withMaterial))),
                 plane -> named.have(plane.material()));
     }
 
@@ -344,12 +344,14 @@ final class SceneFormat {
                         // For editors.
                         sparse(SchemaReference.FIELD, REFERENCE, _ -> "", (scene, _) -> scene),
                         required(VERSION_FIELD, VERSION, _ -> version, (scene, _) -> scene),
-                        written("name", new Text(0, SceneLimits.MAX_NAME_LENGTH), Scene::name, Scene::withName),
+                        written("name", new Text(0, SceneLimits.MAX_NAME_LENGTH), Title::name, Title::withName)
+                                .within(Scene::title, Scene::withTitle),
                         written(
-                                "description",
-                                new Text(0, SceneLimits.MAX_DESCRIPTION_LENGTH),
-                                Scene::description,
-                                Scene::withDescription),
+                                        "description",
+                                        new Text(0, SceneLimits.MAX_DESCRIPTION_LENGTH),
+                                        Title::description,
+                                        Title::withDescription)
+                                .within(Scene::title, Scene::withTitle),
                         required("camera", camera(), Scene::camera, Scene::withCamera),
                         sparse(
                                         ViewRules.FIELD,
@@ -361,23 +363,22 @@ final class SceneFormat {
                                         Scene::views,
                                         Scene::withViews)
                                 .from(2),
-                        required("light", LIGHT, Scene::light, Scene::withLight),
+                        required("light", LIGHT, Lights::first, (_, light) -> Lights.of(light))
+                                .within(Scene::lights, Scene::withLights),
                         sparse(MATERIALS, materials(), Scene::materials, Scene::withMaterials)
                                 .from(MATERIALS_SINCE),
-                        required("plane", plane(), Scene::plane, Scene::withPlane),
-                        required(SKYBOX, file, Scene::skybox, Scene::withSkybox),
+                        required("plane", plane(), Scene::ground, Scene::withGround),
+                        required(SKYBOX, file, Sky::file, Sky::withFile).within(Scene::sky, Scene::withSky),
                         sparse(
-                                "skyRotation",
-                                new Decimal(SceneLimits.SKY_ROTATION),
-                                Scene::skyRotationDegrees,
-                                Scene::withSkyRotation),
-                        sparse(
-                                "skyStrength",
-                                new Decimal(SceneLimits.SKY_STRENGTH),
-                                Scene::skyStrength,
-                                Scene::withSkyStrength),
-                        written("shading", SHADING, Scene::ambient, Scene::withAmbient),
-                        written("rendering", RENDERING, Scene::settings, Scene::withSettings),
+                                        "skyRotation",
+                                        new Decimal(SceneLimits.SKY_ROTATION),
+                                        Sky::rotationDegrees,
+                                        Sky::withRotation)
+                                .within(Scene::sky, Scene::withSky),
+                        sparse("skyStrength", new Decimal(SceneLimits.SKY_STRENGTH), Sky::strength, Sky::withStrength)
+                                .within(Scene::sky, Scene::withSky),
+                        written("shading", SHADING, Scene::shading, Scene::withShading),
+                        written("rendering", RENDERING, Scene::rendering, Scene::withRendering),
                         sparse("physics", PHYSICS, Scene::physics, Scene::withPhysics),
                         sparse(
                                 "pour",

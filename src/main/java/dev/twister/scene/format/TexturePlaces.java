@@ -22,7 +22,7 @@ public final class TexturePlaces {
         TexturePlaces places = new TexturePlaces();
         JsonPath materials = new JsonPath.Field(ROOT, "materials");
         scene.materials().forEach((name, material) -> places.add(material, new JsonPath.Field(materials, name)));
-        places.add(scene.plane().material(), new JsonPath.Field(ROOT, "plane"));
+        places.add(scene.ground().material(), new JsonPath.Field(ROOT, "plane"));
         scene.pour().ifPresent(pour -> places.add(pour.material(), new JsonPath.Field(ROOT, "pour")));
         JsonPath spheres = new JsonPath.Field(ROOT, "spheres");
         for (int i = 0; i < scene.spheres().size(); i++) {

@@ -12,6 +12,7 @@ import dev.twister.oracle.LitScene;
 import dev.twister.oracle.PictureDifference;
 import dev.twister.oracle.RandomScenes;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
@@ -100,16 +101,18 @@ final class DeclinedTest {
     @CsvSource({"128, -3, 1", "256, -3, 1", "512, -3, 1", "512, 0.3, 1", "512, 4, 0.1"})
     void planeBetweenTheLightAndASphereBlocks(int bits, double lightHeight, double sphereHeight) {
         Scene scene = SceneReader.read(Path.of("scenes", "teaching.json"));
-        Scene lit = scene.withPlane(scene.plane().withHeight(0))
-                .withLight(scene.light()
+        Scene lit = scene.withGround(scene.ground().withHeight(0))
+                .withLights(Lights.of(scene.lights()
+                        .first()
                         .withPosition(new Vector3(0.5, lightHeight, -1))
-                        .withRadius(0.4))
+                        .withRadius(0.4)))
                 .withCamera(scene.camera().withPosition(new Vector3(0, 1.5, -8)))
                 .withSpheres(List.of(
                         Sphere.of(new Vector3(0, sphereHeight, 0), 1, new Rgb(0.8, 0.7, 0.6), 20),
                         Sphere.of(new Vector3(2.5, sphereHeight, 1), 1, new Rgb(0.4, 0.7, 0.6), 90)))
-                .withSettings(scene.settings().withSize(151, 87).withShadows(40).withBounces(2));
-        FrameInput input = World.of(lit, SkyboxReader.read(lit.skybox())).snapshot();
+                .withRendering(
+                        scene.rendering().withSize(151, 87).withShadows(40).withBounces(2));
+        FrameInput input = World.of(lit, SkyboxReader.read(lit.sky().file())).snapshot();
         for (int crowd : new int[] {ALWAYS_WALK, NEVER_WALK}) {
             try (Engine vector = WidthLoader.openForCrowds(bits, 2, crowd);
                     Engine sequential = Engines.open(JvmEngines.SEQUENTIAL)) {
@@ -164,9 +167,9 @@ final class DeclinedTest {
                         new Vector3(camera.x() + x, camera.y() + y, camera.z() + 1), radius, new Rgb(1, 0, 0), 5);
                 Scene seen = scene.withCamera(Camera.of(camera, 0, 0, 90))
                         .withSpheres(List.of(sphere))
-                        .withSettings(scene.settings().withSize(60, 40).withBounces(1));
+                        .withRendering(scene.rendering().withSize(60, 40).withBounces(1));
                 FrameInput input =
-                        World.of(seen, SkyboxReader.read(seen.skybox())).snapshot();
+                        World.of(seen, SkyboxReader.read(seen.sky().file())).snapshot();
                 int[] expected = pixels(sequential, input);
                 assertThat(PictureDifference.between(pixels(fewSpheres, input), expected))
                         .matches(PictureDifference::isWithinBound);
@@ -178,7 +181,7 @@ final class DeclinedTest {
 
     private static FrameInput shipped(String name) {
         Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
-        World world = World.of(scene, SkyboxReader.read(scene.skybox()));
+        World world = World.of(scene, SkyboxReader.read(scene.sky().file()));
         world.setSettings(world.settings().withSize(151, 87).withShadows(9).withBounces(2));
         return world.snapshot();
     }

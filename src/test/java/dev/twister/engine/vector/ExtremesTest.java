@@ -8,12 +8,14 @@ import dev.twister.engine.JvmEngines;
 import dev.twister.image.Frame;
 import dev.twister.oracle.PictureDifference;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
@@ -38,10 +40,10 @@ final class ExtremesTest {
                 bits,
                 Scene.under(Path.of("none.hdr"))
                         .withCamera(Camera.of(ORIGIN, 0, 0, 10))
-                        .withLight(Light.of(ORIGIN, 1, BLACK))
-                        .withPlane(Plane.of(1, 0, BLACK, BLACK, 0))
-                        .withAmbient(0)
-                        .withSettings(settings(67, 19)));
+                        .withLights(Lights.of(Light.of(ORIGIN, 1, BLACK)))
+                        .withGround(Ground.of(1, 0, BLACK, BLACK, 0))
+                        .withShading(new Shading(0))
+                        .withRendering(settings(67, 19)));
     }
 
     @ParameterizedTest
@@ -51,13 +53,13 @@ final class ExtremesTest {
                 bits,
                 Scene.under(Path.of("none.hdr"))
                         .withCamera(Camera.of(ORIGIN, 0, 0, 1))
-                        .withLight(Light.of(new Vector3(1, 0, 0), 1, BLACK))
-                        .withPlane(Plane.of(1, 0, BLACK, BLACK, 0))
+                        .withLights(Lights.of(Light.of(new Vector3(1, 0, 0), 1, BLACK)))
+                        .withGround(Ground.of(1, 0, BLACK, BLACK, 0))
                         .withSpheres(List.of(
                                 Sphere.of(new Vector3(1e6, 0, 0), 1e6, BLACK, 0),
                                 Sphere.of(new Vector3(-1e6, 0, 0), 1e6, new Rgb(0, 0, 1), 0)))
-                        .withAmbient(0)
-                        .withSettings(settings(97, 1)));
+                        .withShading(new Shading(0))
+                        .withRendering(settings(97, 1)));
     }
 
     /** The squares of such heights underflow to 0. */
@@ -68,10 +70,10 @@ final class ExtremesTest {
                 bits,
                 Scene.under(Path.of("none.hdr"))
                         .withCamera(Camera.of(new Vector3(0, eye, 0), 0, 60, 60))
-                        .withLight(Light.of(new Vector3(0, light, -10), 1, WHITE))
-                        .withPlane(Plane.of(40, 0, WHITE, WHITE, 8))
-                        .withAmbient(0)
-                        .withSettings(settings(67, 59)));
+                        .withLights(Lights.of(Light.of(new Vector3(0, light, -10), 1, WHITE)))
+                        .withGround(Ground.of(40, 0, WHITE, WHITE, 8))
+                        .withShading(new Shading(0))
+                        .withRendering(settings(67, 59)));
     }
 
     /** From far above, each pixel hits another check: the last bits of the hit point decide which. */
@@ -82,9 +84,9 @@ final class ExtremesTest {
                 bits,
                 Scene.under(Path.of("none.hdr"))
                         .withCamera(Camera.of(new Vector3(-300, 9000, 200), 12, 35, 20))
-                        .withLight(Light.of(new Vector3(50, lightHeight, 30), 1, WHITE))
-                        .withPlane(Plane.of(1e6, 0, WHITE, BLACK, 64))
-                        .withSettings(settings(320, 200).withBounces(1)));
+                        .withLights(Lights.of(Light.of(new Vector3(50, lightHeight, 30), 1, WHITE)))
+                        .withGround(Ground.of(1e6, 0, WHITE, BLACK, 64))
+                        .withRendering(settings(320, 200).withBounces(1)));
     }
 
     /**
@@ -98,19 +100,19 @@ final class ExtremesTest {
                 bits,
                 Scene.under(Path.of("none.hdr"))
                         .withCamera(Camera.of(new Vector3(0, 0, -3e5), 0, 0, 10))
-                        .withLight(Light.of(new Vector3(0, 5e5, -3e5), 1, WHITE))
-                        .withPlane(Plane.of(1, -9e5, BLACK, BLACK, 0))
+                        .withLights(Lights.of(Light.of(new Vector3(0, 5e5, -3e5), 1, WHITE)))
+                        .withGround(Ground.of(1, -9e5, BLACK, BLACK, 0))
                         .withSpheres(List.of(
                                 Sphere.of(new Vector3(-1.01e5, 0, 0), 1e5, WHITE, 128),
                                 Sphere.of(new Vector3(1.01e5, 0, 0), 1e5, WHITE, 128),
                                 Sphere.of(new Vector3(0, 0, -6e5), 1, WHITE, 0)
                                         .withMaterial(Material.DEFAULT.withTransmission(1))))
-                        .withAmbient(1)
-                        .withSettings(settings(64, 16).withBounces(8)));
+                        .withShading(new Shading(1))
+                        .withRendering(settings(64, 16).withBounces(8)));
     }
 
-    private static RenderSettings settings(int width, int height) {
-        return RenderSettings.DEFAULT
+    private static Rendering settings(int width, int height) {
+        return Rendering.DEFAULT
                 .withSize(width, height)
                 .withShadows(16)
                 .withBounces(0)

@@ -84,7 +84,7 @@ final class MaterialsInLanesTest {
             addInsideAndBeside(spheres, spheres.getFirst());
         }
         Scene scene = plain.withSpheres(spheres)
-                .withPlane(plain.plane().withMaterial(material(plain.plane().material(), random, kind)));
+                .withGround(plain.ground().withMaterial(material(plain.ground().material(), random, kind)));
         return World.of(scene, new SceneImages(lit.sky(), textures(scene, random)))
                 .snapshot();
     }

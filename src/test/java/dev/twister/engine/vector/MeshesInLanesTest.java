@@ -12,11 +12,12 @@ import dev.twister.oracle.PictureDifference;
 import dev.twister.oracle.Pictures;
 import dev.twister.oracle.RandomMeshes;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
@@ -123,10 +124,11 @@ class MeshesInLanesTest {
         }
         Scene scene = Scene.under(Path.of("none.hdr"))
                 .withCamera(Camera.of(new Vector3(0.3, 2.2, -6), 3, 10, 45))
-                .withLight(Light.of(new Vector3(-3, 7, -4 * random.nextDouble()), random.nextDouble(), WHITE))
-                .withPlane(Plane.of(30, 0, WHITE, new Rgb(0.3, 0.3, 0.3), 30 * random.nextDouble()))
+                .withLights(
+                        Lights.of(Light.of(new Vector3(-3, 7, -4 * random.nextDouble()), random.nextDouble(), WHITE)))
+                .withGround(Ground.of(30, 0, WHITE, new Rgb(0.3, 0.3, 0.3), 30 * random.nextDouble()))
                 .withMeshes(placed)
-                .withSettings(RenderSettings.DEFAULT
+                .withRendering(Rendering.DEFAULT
                         .withSize(87, 53)
                         .withShadows(1 + 8 * random.nextInt(3))
                         .withBounces(random.nextInt(4)));

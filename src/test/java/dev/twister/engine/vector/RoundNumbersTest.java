@@ -7,9 +7,10 @@ import dev.twister.engine.Engines;
 import dev.twister.image.Frame;
 import dev.twister.oracle.PictureDifference;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Lights;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Vector3;
@@ -97,12 +98,10 @@ final class RoundNumbersTest {
     private int[] assertSame(Vector3 position, double yaw, double pitch, double fieldOfView, double size) {
         Scene scene = Scene.under(Path.of("none.hdr"))
                 .withCamera(Camera.of(position, yaw, pitch, fieldOfView))
-                .withLight(Light.of(new Vector3(3, 170, -3), 0.5, new Rgb(1, 1, 1)))
-                .withPlane(Plane.of(size, 0, BRIGHT, DARK, 0))
-                .withSettings(RenderSettings.DEFAULT
-                        .withSize(WIDTH, HEIGHT)
-                        .withShadows(1)
-                        .withBounces(1));
+                .withLights(Lights.of(Light.of(new Vector3(3, 170, -3), 0.5, new Rgb(1, 1, 1))))
+                .withGround(Ground.of(size, 0, BRIGHT, DARK, 0))
+                .withRendering(
+                        Rendering.DEFAULT.withSize(WIDTH, HEIGHT).withShadows(1).withBounces(1));
         int[] argb = argb(sequential, scene);
         PictureDifference difference = PictureDifference.between(argb(vector, scene), argb);
         assertThat(difference)

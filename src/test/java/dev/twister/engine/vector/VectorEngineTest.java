@@ -11,12 +11,14 @@ import dev.twister.oracle.LitScene;
 import dev.twister.oracle.PictureDifference;
 import dev.twister.oracle.RandomScenes;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Lights;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneGenerator;
+import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
@@ -186,12 +188,11 @@ final class VectorEngineTest {
         Rgb white = new Rgb(1, 1, 1);
         return Scene.under(Path.of("none.hdr"))
                 .withCamera(Camera.of(new Vector3(5, 40 * radius, 3), 0, 90, 60))
-                .withLight(Light.of(new Vector3(0, 30, 0), 10, white))
-                .withPlane(Plane.of(60, 0, white, white, 0))
+                .withLights(Lights.of(Light.of(new Vector3(0, 30, 0), 10, white)))
+                .withGround(Ground.of(60, 0, white, white, 0))
                 .withSpheres(List.of(Sphere.of(new Vector3(9.280179716, 15.594533048, -3.854969045), radius, white, 0)))
-                .withAmbient(0.05)
-                .withSettings(
-                        RenderSettings.DEFAULT.withSize(96, 96).withShadows(4).withBounces(0));
+                .withShading(new Shading(0.05))
+                .withRendering(Rendering.DEFAULT.withSize(96, 96).withShadows(4).withBounces(0));
     }
 
     @ParameterizedTest
@@ -227,7 +228,7 @@ final class VectorEngineTest {
     })
     void drawsASkyThatNeedsMoreBits(int bits, float all, float blue) {
         Scene scene = SceneReader.read(Path.of("scenes", "mirrors.json"));
-        Skybox shipped = SkyboxReader.read(scene.skybox());
+        Skybox shipped = SkyboxReader.read(scene.sky().file());
         float[] radiance = shipped.radiance().clone();
         for (int i = 0; i < radiance.length; i++) {
             radiance[i] *= i % 3 == 2 ? all * blue : all;
@@ -282,7 +283,7 @@ final class VectorEngineTest {
     @ValueSource(ints = {128, 256, 512})
     void drawsWithEveryToneMapAndSeveralSamples(int bits) {
         World world = shipped("mirrors");
-        RenderSettings settings =
+        Rendering settings =
                 world.settings().withSize(97, 61).withSamplesPerPixel(3).withBounces(3);
         for (ToneMap toneMap : ToneMap.values()) {
             for (boolean srgb : new boolean[] {false, true}) {
@@ -372,6 +373,6 @@ final class VectorEngineTest {
 
     private static World shipped(String name) {
         Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
-        return World.of(scene, SkyboxReader.read(scene.skybox()));
+        return World.of(scene, SkyboxReader.read(scene.sky().file()));
     }
 }

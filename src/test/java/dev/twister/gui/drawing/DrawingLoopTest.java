@@ -457,8 +457,8 @@ class DrawingLoopTest {
         awaitQuiet();
         int before = green.frames.get();
         requestLarge(
-                scene.withSettings(scene.settings()
-                        .withTone(-3, ToneMap.ACES, scene.settings().srgb())),
+                scene.withRendering(scene.rendering()
+                        .withTone(-3, ToneMap.ACES, scene.rendering().srgb())),
                 16);
         DrawnPicture toned = awaitPicture(picture -> picture.request().number() == requests);
 
@@ -478,7 +478,8 @@ class DrawingLoopTest {
 
     @Test
     void aSlowPictureIsLeftForAnotherSky() {
-        assertLeftFor(large(0, scene.withSkybox(Path.of("another.hdr").toAbsolutePath()), Motion.NONE));
+        assertLeftFor(large(
+                0, scene.withSky(scene.sky().withFile(Path.of("another.hdr").toAbsolutePath())), Motion.NONE));
     }
 
     @Test
@@ -494,7 +495,7 @@ class DrawingLoopTest {
 
         await(() -> !samples.isEmpty());
         // What is clicked in the one before is of no scene any more, and more samples take as much longer.
-        assertThat(samples.getFirst()).isEqualTo(scene.settings().samplesPerPixel());
+        assertThat(samples.getFirst()).isEqualTo(scene.rendering().samplesPerPixel());
     }
 
     private void assertLeftFor(DrawingRequest other) {
@@ -544,7 +545,7 @@ class DrawingLoopTest {
     void aSkyThatIsNotThereLeavesTheOldOne() {
         request(scene, 0);
         awaitPicture(drawnBy(green));
-        request(scene.withSkybox(Path.of("no-such-sky.hdr").toAbsolutePath()), 0);
+        request(scene.withSky(scene.sky().withFile(Path.of("no-such-sky.hdr").toAbsolutePath())), 0);
         long asked = requests;
 
         awaitPicture(picture -> picture.request().number() == asked);
@@ -558,7 +559,7 @@ class DrawingLoopTest {
     @Test
     void aSkyIsSeenAsItsFileWasReadLast() throws IOException {
         Path file = folder.resolve("sky.hdr");
-        Scene underIt = scene.withSkybox(file);
+        Scene underIt = scene.withSky(scene.sky().withFile(file));
         request(underIt, 0);
         awaitAnswer();
         await(() -> loop.status().sceneFailure().isPresent());

@@ -30,7 +30,7 @@ class BodyMaterialsTest {
         materials.put("glass", GLASS);
         materials.put("steel", STEEL);
         Scene empty = Scene.under(Path.of("sky.hdr")).withMaterials(materials);
-        return empty.withPlane(empty.plane().withMaterial(GLASS))
+        return empty.withGround(empty.ground().withMaterial(GLASS))
                 .withSpheres(List.of(ball(GLASS), ball(STEEL), ball(STEEL.withIor(2))));
     }
 
@@ -45,7 +45,7 @@ class BodyMaterialsTest {
         assertThat(BodyMaterials.of(edited, FIRST)).isEqualTo(GLASS.withRoughness(0.5));
         assertThat(BodyMaterials.edited(edited, FIRST, _ -> GLASS)).isEqualTo(scene);
         Scene planes = BodyMaterials.edited(scene, Layout.PLANE, old -> old.withRoughness(0.5));
-        assertThat(planes.plane().material()).isEqualTo(GLASS.withRoughness(0.5));
+        assertThat(planes.ground().material()).isEqualTo(GLASS.withRoughness(0.5));
         assertThat(planes.spheres()).isEqualTo(scene.spheres());
     }
 
@@ -56,7 +56,7 @@ class BodyMaterialsTest {
         assertThat(glass).isEqualTo(new SharedMaterial("glass", List.of(Layout.PLANE, FIRST)));
         Scene edited = glass.edited(scene, old -> old.withRoughness(0.5));
         assertThat(edited.materials()).containsEntry("glass", GLASS.withRoughness(0.5));
-        assertThat(edited.plane().material()).isEqualTo(GLASS.withRoughness(0.5));
+        assertThat(edited.ground().material()).isEqualTo(GLASS.withRoughness(0.5));
         assertThat(glass.isIn(edited)).isTrue();
         assertThat(glass.edited(edited, _ -> GLASS)).isEqualTo(scene);
     }

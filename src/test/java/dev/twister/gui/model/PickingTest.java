@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
 import dev.twister.scene.Sphere;
@@ -42,7 +43,7 @@ class PickingTest {
     void bodiesAreFoundWhereTheyAreSeen() {
         assertThat(bodyAt(new Vector3(0, 2, 0))).isEqualTo(Layout.FIRST_SPHERE);
         assertThat(bodyAt(new Vector3(4, 2, 2))).isEqualTo(Layout.FIRST_SPHERE + 1);
-        assertThat(bodyAt(scene.light().position())).isEqualTo(Layout.LIGHT);
+        assertThat(bodyAt(scene.lights().first().position())).isEqualTo(Layout.LIGHT);
         assertThat(bodyAt(new Vector3(0, 0, -5))).isEqualTo(Layout.PLANE);
         assertThat(bodyAt(new Vector3(0, 7, 0))).isEqualTo(Layout.NOTHING);
     }
@@ -56,7 +57,7 @@ class PickingTest {
                 camera.position().y() + far,
                 camera.position().z());
         Scene moved = scene.withCamera(camera.withPosition(up))
-                .withPlane(scene.plane().withHeight(scene.plane().height() + far));
+                .withGround(scene.ground().withHeight(scene.ground().height() + far));
         FrameInput there = Scenes.input(moved);
         Vector3 near = NewSphere.inFrontOf(Scenes.input(scene.withSpheres(List.of())), scene.withSpheres(List.of()))
                 .position();
@@ -110,13 +111,13 @@ class PickingTest {
         double depth = (moved.x() - 3) * forward.x() + (moved.y() - 4) * forward.y() + (moved.z() + 2) * forward.z();
         assertThat(depth).isCloseTo(6, within(1e-4));
         Scene dragged = BodyEdits.moved(scene.withCamera(camera), Layout.FIRST_SPHERE, moved);
-        Scene alone = dragged.withSpheres(dragged.spheres().subList(0, 1)).withLight(farAway());
+        Scene alone = dragged.withSpheres(dragged.spheres().subList(0, 1)).withLights(Lights.of(farAway()));
         // Only the plane may hide it.
         assertThat(BodyPicker.bodyAt(Scenes.input(alone), x, y)).isIn(Layout.FIRST_SPHERE, Layout.PLANE);
     }
 
     private Light farAway() {
-        return scene.light().withPosition(new Vector3(0, 1e5, 0)).withRadius(0.5);
+        return scene.lights().first().withPosition(new Vector3(0, 1e5, 0)).withRadius(0.5);
     }
 
     private static Vector3 forward(Camera camera) {
@@ -179,7 +180,7 @@ class PickingTest {
                 - inserted.position().z();
         assertThat(gap).isCloseTo(inserted.radius(), within(0.05));
         assertThat(BodyPicker.bodyAt(
-                        Scenes.input(new Solid.OfSphere(inserted).insertedInto(scene)),
+                        Scenes.input(scene.withBodies(scene.bodies().with(List.of(inserted)))),
                         Scenes.WIDTH / 2.0,
                         Scenes.HEIGHT / 2.0))
                 .isEqualTo(Layout.FIRST_SPHERE + 2);
@@ -189,7 +190,7 @@ class PickingTest {
     void newSpheresPileUpWhereThePictureDoesNotShowThemYet() {
         Scene edited = scene;
         for (int number = 0; number < 5; number++) {
-            edited = new Solid.OfSphere(NewSphere.inFrontOf(input, edited)).insertedInto(edited);
+            edited = edited.withBodies(edited.bodies().with(List.of(NewSphere.inFrontOf(input, edited))));
         }
         assertThat(edited.spheres().stream().map(Sphere::position)).doesNotHaveDuplicates();
     }

@@ -55,8 +55,8 @@ class RefinedPictureTest {
     @EnumSource
     void passesComeToThePictureDrawnInOneGo(ToneMap toneMap) {
         var scene = Scenes.scene();
-        var toned = scene.withSettings(
-                scene.settings().withSamplesPerPixel(13).withTone(0.7, toneMap, toneMap != ToneMap.CLAMP));
+        var toned = scene.withRendering(
+                scene.rendering().withSamplesPerPixel(13).withTone(0.7, toneMap, toneMap != ToneMap.CLAMP));
         FrameInput whole = Scenes.input(toned);
         int[] inOneGo = Pictures.argb(JvmEngines.PARALLEL, whole);
         assertThat(largestDifference(shown(after(whole, 100, 1, 2, 4, 6), whole), inOneGo))

@@ -12,7 +12,7 @@ class RefinementGoalTest {
     @Test
     void smoothSurfacesSeenThroughAPinholeNeedFewSamples() {
         assertThat(RefinementGoal.samples(scene)).isEqualTo(RefinementGoal.SHARP);
-        assertThat(RefinementGoal.samples(scene.withSettings(scene.settings().withSamplesPerPixel(100))))
+        assertThat(RefinementGoal.samples(scene.withRendering(scene.rendering().withSamplesPerPixel(100))))
                 .isEqualTo(100);
     }
 

@@ -20,11 +20,11 @@ class SceneHistoryTest {
     private final SceneHistory history = new SceneHistory(start);
 
     private static Scene shadows(Scene scene, int samples) {
-        return scene.withSettings(scene.settings().withShadows(samples));
+        return scene.withRendering(scene.rendering().withShadows(samples));
     }
 
     private static Scene bounces(Scene scene, int bounces) {
-        return scene.withSettings(scene.settings().withBounces(bounces));
+        return scene.withRendering(scene.rendering().withBounces(bounces));
     }
 
     @Test
@@ -59,7 +59,7 @@ class SceneHistoryTest {
         List<Integer> samples = new ArrayList<>();
         while (history.undoable().isPresent()) {
             history.undo();
-            samples.add(history.present().settings().shadowSamples());
+            samples.add(history.present().rendering().shadowSamples());
         }
         assertThat(samples).containsExactly(20, 20, 10, 8);
     }
@@ -76,7 +76,7 @@ class SceneHistoryTest {
 
     @Test
     void whatChangesNothingIsNoEdit() {
-        history.edit("shadows", shadows(start, start.settings().shadowSamples()));
+        history.edit("shadows", shadows(start, start.rendering().shadowSamples()));
         assertThat(history.undoable()).isEmpty();
         assertThat(history.hasChanged()).isFalse();
     }

@@ -1,11 +1,13 @@
 package dev.twister.gui.model;
 
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Lights;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
@@ -26,16 +28,14 @@ final class Scenes {
     static Scene scene() {
         return Scene.under(Path.of("none.hdr"))
                 .withCamera(Camera.of(new Vector3(0, 2, -10), 0, 0, 60))
-                .withLight(Light.of(new Vector3(-4, 6, 0), 0.5, new Rgb(2, 1, 1)))
-                .withPlane(Plane.of(40, 0, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32))
+                .withLights(Lights.of(Light.of(new Vector3(-4, 6, 0), 0.5, new Rgb(2, 1, 1))))
+                .withGround(Ground.of(40, 0, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32))
                 .withSpheres(List.of(
                         Sphere.of(new Vector3(0, 2, 0), 1.5, new Rgb(0.9, 0.2, 0.1), 60),
                         Sphere.of(new Vector3(4, 2, 2), 0.5, new Rgb(0.1, 0.9, 0.2), 0)))
-                .withAmbient(0.2)
-                .withSettings(RenderSettings.DEFAULT
-                        .withSize(WIDTH, HEIGHT)
-                        .withShadows(8)
-                        .withBounces(2));
+                .withShading(new Shading(0.2))
+                .withRendering(
+                        Rendering.DEFAULT.withSize(WIDTH, HEIGHT).withShadows(8).withBounces(2));
     }
 
     static FrameInput input(Scene scene) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
@@ -36,7 +37,7 @@ class ThrownSpheresTest {
         Scene thrown = ThrownSpheres.of(mixed, 7);
 
         assertAllAreClear(thrown);
-        double half = thrown.plane().size() / 2;
+        double half = thrown.ground().size() / 2;
         assertThat(thrown.spheres()).allSatisfy(sphere -> {
             assertThat(sphere.position().x()).isBetween(-half, half);
             assertThat(sphere.position().z()).isBetween(-half, half);
@@ -47,8 +48,8 @@ class ThrownSpheresTest {
     void spheresOfAllSizesAreClearOfALightOfAnySize() {
         Scene mixed = withOneOf(1, withOneOf(0.001, many(100)));
         for (double radius : new double[] {0.01, 0.5, 5}) {
-            Light light = mixed.light();
-            assertAllAreClear(ThrownSpheres.of(mixed.withLight(light.withRadius(radius)), 7));
+            Light light = mixed.lights().first();
+            assertAllAreClear(ThrownSpheres.of(mixed.withLights(Lights.of(light.withRadius(radius))), 7));
         }
     }
 
@@ -73,11 +74,11 @@ class ThrownSpheresTest {
 
     private static void assertAllAreClear(Scene thrown) {
         List<Sphere> spheres = thrown.spheres();
-        Light light = thrown.light();
+        Light light = thrown.lights().first();
         for (int i = 0; i < spheres.size(); i++) {
             Sphere sphere = spheres.get(i);
             assertThat(sphere.position().y())
-                    .isGreaterThanOrEqualTo(thrown.plane().height() + sphere.radius());
+                    .isGreaterThanOrEqualTo(thrown.ground().height() + sphere.radius());
             assertThat(distance(sphere.position(), light.position())).isGreaterThan(sphere.radius() + light.radius());
             for (int j = 0; j < i; j++) {
                 assertThat(distance(sphere.position(), spheres.get(j).position()))
@@ -112,9 +113,10 @@ class ThrownSpheresTest {
                 .isEqualTo(BodyMaterials.edited(thrown, Layout.FIRST_SPHERE, old -> old.withColor(new Rgb(0, 1, 0))));
 
         assertThat(ThrownSpheres.fit(thrown, many(21))).isFalse();
-        Light light = before.light();
+        Light light = before.lights().first();
         Light larger = light.withRadius(2 * light.radius());
-        assertThat(ThrownSpheres.fit(thrown, before.withLight(larger))).isFalse();
+        assertThat(ThrownSpheres.fit(thrown, before.withLights(Lights.of(larger))))
+                .isFalse();
         assertThat(ThrownSpheres.fit(
                         thrown,
                         BodyNumbers.ofSphere(Layout.FIRST_SPHERE).radius().write(before, 2)))

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.gui.Gui;
 import dev.twister.gui.model.FileMark;
+import dev.twister.scene.Scene;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 
@@ -14,7 +15,8 @@ class OpenedSceneTest {
     void aPanoramaIsAScenesSkyWithoutAnEditOfIt() {
         Path sky = Path.of("skyboxes", "sunset.hdr");
         OpenedScene opened = OpenedScene.readUnder(sky, SCENE);
-        assertThat(opened.scene()).isEqualTo(OpenedScene.read(SCENE).scene().withSkybox(sky.toAbsolutePath()));
+        Scene own = OpenedScene.read(SCENE).scene();
+        assertThat(opened.scene()).isEqualTo(own.withSky(own.sky().withFile(sky.toAbsolutePath())));
         assertThat(opened.file().mark()).isEqualTo(FileMark.of(SCENE)).isNotEqualTo(FileMark.NONE);
         assertThat(Gui.isPanorama(sky)).isTrue();
         assertThat(Gui.isPanorama(SCENE)).isFalse();

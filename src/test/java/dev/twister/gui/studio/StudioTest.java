@@ -43,7 +43,7 @@ class StudioTest {
         studio.setViewSize(SIDE, SIDE);
         DrawingRequest first = awaitRequest(_ -> true);
 
-        Scene shadowed = scene.withSettings(scene.settings().withShadows(2));
+        Scene shadowed = scene.withRendering(scene.rendering().withShadows(2));
         studio.edit("shadows", _ -> shadowed);
         DrawingRequest edited = awaitRequest(request -> request.scene().equals(shadowed));
         assertThat(edited.document()).isEqualTo(first.document());
@@ -71,7 +71,7 @@ class StudioTest {
         Camera usual = scene.camera();
         Scene buried = scene.withCamera(
                 usual.withPosition(new Vector3(0, -5, -8)).withYaw(0).withPitch(0));
-        double lowest = scene.plane().height() + CameraMotion.CLEARANCE_METERS;
+        double lowest = scene.ground().height() + CameraMotion.CLEARANCE_METERS;
         try (Studio first = start(buried)) {
             assertThat(first.scene().camera().position()).isEqualTo(new Vector3(0, lowest, -8));
             assertThat(first.toSave().scene()).isEqualTo(first.scene());

@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.scene.Camera;
 import dev.twister.scene.CameraView;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Material;
-import dev.twister.scene.Plane;
 import dev.twister.scene.Pour;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
@@ -116,10 +116,11 @@ class SceneFilePropertyTest {
     private static Scene withFiles(Scene scene) {
         SequencedMap<String, Material> materials = new LinkedHashMap<>();
         scene.materials().forEach((name, material) -> materials.put(name, withFiles(material)));
-        Plane plane = scene.plane();
-        Scene there = scene.withSkybox(FOLDER.resolve(scene.skybox()))
+        Ground plane = scene.ground();
+        Scene there = scene.withSky(
+                        scene.sky().withFile(FOLDER.resolve(scene.sky().file())))
                 .withMaterials(materials)
-                .withPlane(plane.withMaterial(withFiles(plane.material())))
+                .withGround(plane.withMaterial(withFiles(plane.material())))
                 .withSpheres(scene.spheres().stream()
                         .map(sphere -> sphere.withMaterial(withFiles(sphere.material())))
                         .toList())

@@ -7,17 +7,21 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import com.sun.management.ThreadMXBean;
 import dev.twister.Links;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
 import dev.twister.scene.Palette;
 import dev.twister.scene.Physics;
-import dev.twister.scene.Plane;
 import dev.twister.scene.Pour;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
+import dev.twister.scene.Shading;
+import dev.twister.scene.Sky;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.Title;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
 import java.io.IOException;
@@ -49,18 +53,16 @@ class SceneReaderTest {
 
         assertThat(scene)
                 .isEqualTo(Scene.under(folder.resolve("sky.hdr"))
-                        .withName("Sample")
-                        .withDescription("Every field is here.")
+                        .withTitle(new Title("Sample", "Every field is here."))
                         .withCamera(Camera.of(new Vector3(0, -5, -15), 0, 7, 50))
-                        .withLight(Light.of(new Vector3(0, 0, 0), 1.2, new Rgb(1, 1, 1)))
-                        .withPlane(Plane.of(48, -9.75, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32))
+                        .withLights(Lights.of(Light.of(new Vector3(0, 0, 0), 1.2, new Rgb(1, 1, 1))))
+                        .withGround(Ground.of(48, -9.75, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32))
                         .withSpheres(List.of(
                                 Sphere.of(new Vector3(-4, -8, 0), 1.75, new Rgb(1, 0, 0), 24),
                                 Sphere.of(new Vector3(0, -8, 0), 1.5, new Rgb(0, 1, 0), 36)))
-                        .withSkyRotation(-35)
-                        .withSkyStrength(2.25)
-                        .withAmbient(0.25)
-                        .withSettings(RenderSettings.DEFAULT
+                        .withSky(new Sky(folder.resolve("sky.hdr"), -35, 2.25))
+                        .withShading(new Shading(0.25))
+                        .withRendering(Rendering.DEFAULT
                                 .withSize(640, 360)
                                 .withShadows(16)
                                 .withBounces(2)
@@ -100,8 +102,8 @@ class SceneReaderTest {
         assertThat(scene.materials()).containsExactly(Map.entry("glass", glass), Map.entry("earth", earth));
         assertThat(scene.camera().aperture()).isEqualTo(0.125);
         assertThat(scene.camera().focusDistance()).isEqualTo(12.5);
-        assertThat(scene.plane())
-                .isEqualTo(Plane.of(48, -9.75, new Rgb(1, 1, 0.5), new Rgb(0.5, 0, 0), 3)
+        assertThat(scene.ground())
+                .isEqualTo(Ground.of(48, -9.75, new Rgb(1, 1, 0.5), new Rgb(0.5, 0, 0), 3)
                         .withMaterial(earth));
         assertThat(scene.spheres())
                 .extracting(Sphere::material)
@@ -129,7 +131,7 @@ class SceneReaderTest {
     void aNamedMaterialAloneMakesThePlaneOneColor() {
         String text = SampleScene.with(SampleScene.MATERIALS, ", \"oddColor\": [0.5, 0, 0]", "");
 
-        Plane plane = SceneReader.read(SampleScene.put(folder, text)).plane();
+        Ground plane = SceneReader.read(SampleScene.put(folder, text)).ground();
 
         assertThat(plane.oddColor()).isEqualTo(plane.evenColor()).isEqualTo(new Rgb(1, 1, 0.5));
     }
@@ -160,7 +162,8 @@ class SceneReaderTest {
         Files.delete(folder.resolve("sky.hdr"));
         Path other = folder.resolve("other.hdr");
 
-        assertThat(SceneReader.readUnder(other, file)).isEqualTo(scene.withSkybox(other));
+        assertThat(SceneReader.readUnder(other, file))
+                .isEqualTo(scene.withSky(scene.sky().withFile(other)));
         Files.delete(folder.resolve("earth.png"));
         assertThatThrownBy(() -> SceneReader.readUnder(other, file))
                 .hasMessageContaining("$.materials.earth.texture names ")
@@ -184,13 +187,13 @@ class SceneReaderTest {
 
         Scene scene = SceneReader.read(SampleScene.put(folder, text));
 
-        assertThat(scene.name()).isEmpty();
-        assertThat(scene.description()).isEmpty();
-        assertThat(scene.skyRotationDegrees()).isZero();
-        assertThat(scene.skyStrength()).isEqualTo(1);
-        assertThat(scene.ambient()).isEqualTo(Scene.DEFAULT_AMBIENT);
-        assertThat(scene.settings()).isEqualTo(RenderSettings.DEFAULT);
-        assertThat(scene.settings().srgb()).isTrue();
+        assertThat(scene.title().name()).isEmpty();
+        assertThat(scene.title().description()).isEmpty();
+        assertThat(scene.sky().rotationDegrees()).isZero();
+        assertThat(scene.sky().strength()).isEqualTo(1);
+        assertThat(scene.shading().ambient()).isEqualTo(Shading.DEFAULT_AMBIENT);
+        assertThat(scene.rendering()).isEqualTo(Rendering.DEFAULT);
+        assertThat(scene.rendering().srgb()).isTrue();
         assertThat(scene.physics()).isEqualTo(Physics.DEFAULT);
         assertThat(scene.pour()).isEmpty();
     }
@@ -200,7 +203,7 @@ class SceneReaderTest {
         String text =
                 SampleScene.with("\"width\": 640", "\"width\": 6.4e2").replace("\"version\": 1", "\"version\": 1.0");
 
-        assertThat(SceneReader.read(SampleScene.put(folder, text)).settings().width())
+        assertThat(SceneReader.read(SampleScene.put(folder, text)).rendering().width())
                 .isEqualTo(640);
     }
 
@@ -208,7 +211,7 @@ class SceneReaderTest {
     void takesAByteOrderMarkAndAnyLineEnds() {
         Path file = SampleScene.put(folder, "\uFEFF" + SampleScene.TEXT.replace("\n", "\r\n"));
 
-        assertThat(SceneReader.read(file).name()).isEqualTo("Sample");
+        assertThat(SceneReader.read(file).title().name()).isEqualTo("Sample");
     }
 
     @ParameterizedTest
@@ -338,14 +341,14 @@ class SceneReaderTest {
         Path scenes = Links.make(home.resolve("scenes"), real.resolve("scenes"));
         Path file = Links.make(home.resolve("mine.json"), scene);
 
-        assertThat(SceneReader.read(scene).skybox()).isEqualTo(sky);
-        assertThat(SceneReader.read(scenes.resolve("scene.json")).skybox()).isEqualTo(sky.toRealPath());
-        assertThat(SceneReader.read(file).skybox()).isEqualTo(sky.toRealPath());
+        assertThat(SceneReader.read(scene).sky().file()).isEqualTo(sky);
+        assertThat(SceneReader.read(scenes.resolve("scene.json")).sky().file()).isEqualTo(sky.toRealPath());
+        assertThat(SceneReader.read(file).sky().file()).isEqualTo(sky.toRealPath());
 
         // Paths through linked folders, as scenes were once written.
         Path named = SampleScene.put(scenes, SampleScene.with("sky.hdr", "../near.hdr"));
         Path near = Files.createFile(home.resolve("near.hdr"));
-        assertThat(SceneReader.read(named).skybox()).isEqualTo(near);
+        assertThat(SceneReader.read(named).sky().file()).isEqualTo(near);
 
         SampleScene.put(scenes, SampleScene.with("sky.hdr", "../skies/day.hdr"));
         Files.delete(sky);

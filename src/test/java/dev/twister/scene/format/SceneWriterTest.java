@@ -5,14 +5,17 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.Links;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
 import dev.twister.scene.Material;
-import dev.twister.scene.Plane;
 import dev.twister.scene.Pour;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneException;
+import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
+import dev.twister.scene.Title;
 import dev.twister.scene.Vector3;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -89,8 +92,8 @@ class SceneWriterTest {
         assertThat(version(plain.withSpheres(
                         List.of(sphere, sphere.withMaterial(sphere.material().withIor(1.4))))))
                 .isEqualTo(2);
-        assertThat(version(plain.withPlane(
-                        plain.plane().withMaterial(plain.plane().material().withRoughness(0.5)))))
+        assertThat(version(plain.withGround(
+                        plain.ground().withMaterial(plain.ground().material().withRoughness(0.5)))))
                 .isEqualTo(2);
         assertThat(version(plain.withPour(Pour.DEFAULT.withMaterial(Material.DEFAULT.withTransmission(1)))))
                 .isEqualTo(2);
@@ -144,8 +147,8 @@ class SceneWriterTest {
         SceneWriter.write(sceneUnder(sky), file);
 
         assertThat(Files.readString(file)).contains("\"skybox\": \"../../skyboxes/day.hdr\"");
-        assertThat(SceneReader.read(file).skybox()).isEqualTo(sky.toRealPath());
-        assertThat(SceneReader.read(deep.resolve("out.json")).skybox()).isEqualTo(sky);
+        assertThat(SceneReader.read(file).sky().file()).isEqualTo(sky.toRealPath());
+        assertThat(SceneReader.read(deep.resolve("out.json")).sky().file()).isEqualTo(sky);
     }
 
     @Test
@@ -156,8 +159,8 @@ class SceneWriterTest {
 
         SceneWriter.write(sceneUnder(sky), file);
 
-        assertThat(SceneReader.read(deep.resolve("out.json")).skybox()).isEqualTo(sky);
-        assertThat(SceneReader.read(file).skybox()).isEqualTo(sky.toRealPath());
+        assertThat(SceneReader.read(deep.resolve("out.json")).sky().file()).isEqualTo(sky);
+        assertThat(SceneReader.read(file).sky().file()).isEqualTo(sky.toRealPath());
     }
 
     @Test
@@ -208,11 +211,11 @@ class SceneWriterTest {
 
     private static Scene scene(double reflectivity, Path sky) {
         return Scene.under(sky)
-                .withName("A \"name\"")
+                .withTitle(Title.NONE.withName("A \"name\""))
                 .withCamera(Camera.of(new Vector3(0, -5, -15.5), -0.0, 7, 50))
-                .withLight(Light.of(new Vector3(0, 0, 0), 0.00001, new Rgb(1, 1, 1)))
-                .withPlane(Plane.of(48, -9.75, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32))
+                .withLights(Lights.of(Light.of(new Vector3(0, 0, 0), 0.00001, new Rgb(1, 1, 1))))
+                .withGround(Ground.of(48, -9.75, new Rgb(0.4, 0.4, 0.4), new Rgb(0.2, 0.2, 0.2), 32))
                 .withSpheres(List.of(Sphere.of(new Vector3(-8, -8, 0), 1.75, new Rgb(1, 0.123456789, 1), reflectivity)))
-                .withAmbient(0.2);
+                .withShading(new Shading(0.2));
     }
 }

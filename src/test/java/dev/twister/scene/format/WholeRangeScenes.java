@@ -2,7 +2,7 @@ package dev.twister.scene.format;
 
 import dev.twister.scene.Camera;
 import dev.twister.scene.Pour;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
@@ -42,13 +42,13 @@ public final class WholeRangeScenes {
         if (random.nextInt(3) > 0) {
             scene = scene.withCamera(lookingAtABody(scene, random));
         }
-        return scene.withSettings(affordable(scene, random));
+        return scene.withRendering(affordable(scene, random));
     }
 
     private static Camera lookingAtABody(Scene scene, Random random) {
         List<Vector3> bodies = new ArrayList<>();
-        bodies.add(scene.light().position());
-        bodies.add(new Vector3(0, scene.plane().height(), 0));
+        bodies.add(scene.lights().first().position());
+        bodies.add(new Vector3(0, scene.ground().height(), 0));
         scene.spheres().forEach(sphere -> bodies.add(sphere.position()));
         Vector3 body = bodies.get(random.nextInt(bodies.size()));
         Vector3 from = scene.camera().position();
@@ -59,8 +59,8 @@ public final class WholeRangeScenes {
                 .withPitch(Math.toDegrees(Math.atan2(from.y() - body.y(), Math.hypot(x, z))));
     }
 
-    private static RenderSettings affordable(Scene scene, Random random) {
-        RenderSettings settings = scene.settings();
+    private static Rendering affordable(Scene scene, Random random) {
+        Rendering settings = scene.rendering();
         int bounces = Math.min(settings.bounces(), 8);
         int samples = Math.min(settings.samplesPerPixel(), 4);
         int shadows = Math.min(settings.shadowSamples(), 2 + random.nextInt(100));

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.twister.engine.EngineException;
 import dev.twister.image.Frame;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -17,7 +17,7 @@ class DeviceFailureTest {
     private static void drawWith(DrawTask kernel) {
         TornadoDevice device = Devices.all().getFirst();
         World world = SceneSamples.world(1, 2);
-        world.setSettings(RenderSettings.DEFAULT.withSize(16, 8));
+        world.setSettings(Rendering.DEFAULT.withSize(16, 8));
         try (TornadoEngine engine = new TornadoEngine("tornado:0:0", "the first device", device, kernel)) {
             engine.render(world.snapshot(), Frame.ofPixels(16, 8));
         }

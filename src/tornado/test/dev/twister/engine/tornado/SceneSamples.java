@@ -1,11 +1,13 @@
 package dev.twister.engine.tornado;
 
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Lights;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
@@ -32,13 +34,13 @@ final class SceneSamples {
             bodies.add(Sphere.of(place(random, 8), 0.2 + 2.5 * random.nextDouble(), color(random), reflectivity));
         }
         Light light = Light.of(place(random, 10), 0.1 + 2 * random.nextDouble(), new Rgb(1, 0.9, 0.8));
-        Plane plane = Plane.of(48, -6, color(random), color(random), 128 * random.nextDouble());
+        Ground plane = Ground.of(48, -6, color(random), color(random), 128 * random.nextDouble());
         Scene scene = Scene.under(Path.of("none"))
                 .withCamera(camera(random))
-                .withLight(light)
-                .withPlane(plane)
+                .withLights(Lights.of(light))
+                .withGround(plane)
                 .withSpheres(bodies)
-                .withAmbient(0.2);
+                .withShading(new Shading(0.2));
         return World.of(scene, sky);
     }
 
@@ -49,10 +51,10 @@ final class SceneSamples {
         return Camera.of(place(random, 12), 360 * random.nextDouble(), pitch, fieldOfView);
     }
 
-    static RenderSettings settings(Random random, int width, int height) {
+    static Rendering settings(Random random, int width, int height) {
         int[] samples = {1, 2, 16, 64, 200};
         ToneMap[] toneMaps = ToneMap.values();
-        return RenderSettings.DEFAULT
+        return Rendering.DEFAULT
                 .withSize(width, height)
                 .withShadows(samples[random.nextInt(samples.length)])
                 .withBounces(random.nextInt(9))

@@ -7,7 +7,7 @@ import dev.twister.engine.EngineOffer;
 import dev.twister.oracle.LitScene;
 import dev.twister.oracle.RandomMaterials;
 import dev.twister.oracle.RandomMeshes;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.world.FrameInput;
@@ -48,7 +48,7 @@ class ScenesOnDeviceTest {
         SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
         World world = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
         int height = scene.meshes().isEmpty() ? 180 : 90;
-        world.setSettings(scene.settings().withSize(height * 16 / 9, height));
+        world.setSettings(scene.rendering().withSize(height * 16 / 9, height));
         try (Engine engine = offer.opener().get()) {
             Pictures.requireSequentials(engine, world.snapshot());
         }
@@ -59,8 +59,7 @@ class ScenesOnDeviceTest {
     @MethodSource("offers")
     void hierarchyDrawsWhatThePlainLoopDraws(EngineOffer offer) {
         World world = SceneSamples.world(9, 500);
-        world.setSettings(
-                RenderSettings.DEFAULT.withSize(160, 90).withShadows(16).withBounces(3));
+        world.setSettings(Rendering.DEFAULT.withSize(160, 90).withShadows(16).withBounces(3));
         FrameInput input = world.snapshot();
         try (Engine engine = offer.opener().get()) {
             int[] plain = Pictures.of(

@@ -10,7 +10,7 @@ import dev.twister.mesh.TriangleMesh;
 import dev.twister.oracle.MeshShapes;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Mesh;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
@@ -32,7 +32,7 @@ class TornadoEngineTest {
     private final World world = SceneSamples.world(3, 6);
 
     private FrameInput input(int width, int height) {
-        world.setSettings(RenderSettings.DEFAULT.withSize(width, height).withShadows(16));
+        world.setSettings(Rendering.DEFAULT.withSize(width, height).withShadows(16));
         return world.snapshot();
     }
 
@@ -78,12 +78,12 @@ class TornadoEngineTest {
             DevicePlan plan = engine.plan().orElseThrow();
             world.setCamera(Camera.of(new Vector3(2, 1, -14), 10, 5, 70));
             Pictures.requireSequentials(engine, world.snapshot());
-            RenderSettings settings = world.settings();
-            world.setSettings(settings.withShadows(RenderSettings.MAX_SHADOW_SAMPLES));
+            Rendering settings = world.settings();
+            world.setSettings(settings.withShadows(Rendering.MAX_SHADOW_SAMPLES));
             Pictures.requireSequentials(engine, world.snapshot());
-            world.setSettings(settings.withBounces(RenderSettings.MAX_BOUNCES));
+            world.setSettings(settings.withBounces(Rendering.MAX_BOUNCES));
             Pictures.requireSequentials(engine, world.snapshot());
-            world.setSettings(settings.withSamplesPerPixel(RenderSettings.MAX_SAMPLES_PER_PIXEL)
+            world.setSettings(settings.withSamplesPerPixel(Rendering.MAX_SAMPLES_PER_PIXEL)
                     .withShadows(1));
             Pictures.requireSequentials(engine, world.snapshot());
             world.setSettings(settings.withTone(1.5, ToneMap.REINHARD, true));
@@ -118,7 +118,7 @@ class TornadoEngineTest {
     @Test
     void spheresThatJoinAFewNeedNoCompilation() {
         World pour = SceneSamples.world(5, 40);
-        pour.setSettings(RenderSettings.DEFAULT.withSize(40, 30));
+        pour.setSettings(Rendering.DEFAULT.withSize(40, 30));
         float[] positions = Positions.of(pour.snapshot());
         try (TornadoEngine engine = Devices.openFirst()) {
             pour.setBodyPositions(positions, 6);
@@ -208,7 +208,7 @@ class TornadoEngineTest {
     /** Inputs that share one sky. */
     private FrameInput input(Scene scene, SceneMeshes meshes) {
         World shown = World.of(scene, world.images(), meshes);
-        shown.setSettings(RenderSettings.DEFAULT.withSize(40, 30).withShadows(4).withBounces(2));
+        shown.setSettings(Rendering.DEFAULT.withSize(40, 30).withShadows(4).withBounces(2));
         FrameInput input = shown.snapshot();
         return new FrameInput(input.view(), input.bodies(), world.snapshot().panorama());
     }
@@ -230,16 +230,15 @@ class TornadoEngineTest {
     @Test
     void onlyWhatChangesIsCopiedAfterTheFirstFrame() {
         World vast = SceneSamples.world(3, 6, new Skybox(512, 256, new float[3 * 512 * 256]));
-        vast.setSettings(RenderSettings.DEFAULT.withSize(320, 180));
+        vast.setSettings(Rendering.DEFAULT.withSize(320, 180));
         try (TornadoEngine engine = Devices.openFirst()) {
             Frame frame = Frame.ofPixels(320, 180);
             engine.render(vast.snapshot(), frame);
             engine.render(vast.snapshot(), frame);
             DevicePlan.Copied copied = engine.plan().orElseThrow().lastCopied();
             // The sample tables and a few small arrays, which TornadoVM counts twice; neither the sky nor the pixels.
-            long sampleTables = 4L
-                    * (2 * RenderSettings.MAX_SHADOW_SAMPLES
-                            + Layout.SAMPLE_STRIDE * RenderSettings.MAX_SAMPLES_PER_PIXEL);
+            long sampleTables =
+                    4L * (2 * Rendering.MAX_SHADOW_SAMPLES + Layout.SAMPLE_STRIDE * Rendering.MAX_SAMPLES_PER_PIXEL);
             assertThat(copied.bytesIn()).isBetween(1L, 2 * sampleTables + 4096);
             assertThat(copied.bytesOut()).isBetween(4L * 320 * 180, 2 * 4L * 320 * 180 + 4096);
             assertThat(frame.times().kernelNanos()).isPositive();
@@ -250,7 +249,7 @@ class TornadoEngineTest {
     @Test
     void closingGivesTheDevicesMemoryBack() {
         World vast = SceneSamples.world(3, 1, new Skybox(8192, 2048, new float[3 * 8192 * 2048]));
-        vast.setSettings(RenderSettings.DEFAULT.withSize(16, 9));
+        vast.setSettings(Rendering.DEFAULT.withSize(16, 9));
         FrameInput input = vast.snapshot();
         for (int round = 0; round < 24; round++) {
             TornadoEngine engine = Devices.openFirst();

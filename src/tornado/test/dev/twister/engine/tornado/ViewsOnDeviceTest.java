@@ -2,7 +2,7 @@ package dev.twister.engine.tornado;
 
 import dev.twister.engine.Engine;
 import dev.twister.engine.EngineOffer;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.SceneReader;
 import dev.twister.world.Picture;
@@ -29,7 +29,7 @@ class ViewsOnDeviceTest {
     void isSequentials(Picture picture, EngineOffer offer) {
         for (int spheres : new int[] {FEW, MANY}) {
             World world = SceneSamples.world(11, spheres);
-            world.setSettings(RenderSettings.DEFAULT
+            world.setSettings(Rendering.DEFAULT
                     .withSize(80, 45)
                     .withShadows(9)
                     .withBounces(2)
@@ -53,7 +53,7 @@ class ViewsOnDeviceTest {
         SceneMeshes meshes = SceneMeshes.read(scene, _ -> {});
         World world = World.of(scene, SceneImages.read(scene, meshes, _ -> {}), meshes);
         world.setSettings(
-                scene.settings().withSize(80, 45).withShadows(9).withBounces(2).withSamplesPerPixel(2));
+                scene.rendering().withSize(80, 45).withShadows(9).withBounces(2).withSamplesPerPixel(2));
         try (Engine engine = offer.opener().get()) {
             Pictures.requireSequentialsRadiance(engine, world.snapshot().showing(picture));
         }

@@ -20,7 +20,7 @@ final class PaddedSkyTest {
     @ParameterizedTest
     @ValueSource(ints = {0x10000, 0x8000})
     void holdsEveryTexelAndItsBorderWithoutLoss(int lowestBit) {
-        Skybox shipped = SkyboxReader.read(SCENE.skybox());
+        Skybox shipped = SkyboxReader.read(SCENE.sky().file());
         float[] radiance = shipped.radiance().clone();
         int last = radiance.length - 1;
         radiance[last] = Float.intBitsToFloat(Float.floatToRawIntBits(1f) | lowestBit);
@@ -48,7 +48,7 @@ final class PaddedSkyTest {
     /** The shipped sky is a Radiance picture, in which the three channels of a texel share an exponent. */
     @Test
     void sharesTheExponentsOfARadiancePicture() {
-        Skybox sky = SkyboxReader.read(SCENE.skybox());
+        Skybox sky = SkyboxReader.read(SCENE.sky().file());
 
         PaddedSky padded = new PaddedSky();
         padded.take(World.of(SCENE, sky).snapshot());
@@ -99,7 +99,7 @@ final class PaddedSkyTest {
 
     @Test
     void takesAnotherSkyOfAnotherKind() {
-        Skybox shipped = SkyboxReader.read(SCENE.skybox());
+        Skybox shipped = SkyboxReader.read(SCENE.sky().file());
         PaddedSky padded = new PaddedSky();
         padded.take(World.of(SCENE, new Skybox(1, 1, new float[] {0.1f, 0.2f, 0.3f}))
                 .snapshot());

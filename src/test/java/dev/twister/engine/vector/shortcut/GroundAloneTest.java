@@ -6,11 +6,13 @@ import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.image.Frame;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Lights;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Shading;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
 import dev.twister.world.World;
@@ -83,10 +85,10 @@ final class GroundAloneTest {
         World world = World.of(
                 Scene.under(Path.of("none.hdr"))
                         .withCamera(Camera.of(new Vector3(0, height, 0), 0, pitch, 90))
-                        .withLight(Light.of(new Vector3(0, 30, 0), 1, GRAY))
-                        .withPlane(Plane.of(size, 0, GRAY, GRAY, reflectivity))
-                        .withAmbient(0.05)
-                        .withSettings(RenderSettings.DEFAULT
+                        .withLights(Lights.of(Light.of(new Vector3(0, 30, 0), 1, GRAY)))
+                        .withGround(Ground.of(size, 0, GRAY, GRAY, reflectivity))
+                        .withShading(new Shading(0.05))
+                        .withRendering(Rendering.DEFAULT
                                 .withSize(SIDE, SIDE)
                                 .withShadows(4)
                                 .withBounces(0)),

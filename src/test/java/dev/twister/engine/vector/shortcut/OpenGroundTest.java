@@ -6,11 +6,13 @@ import dev.twister.engine.Engine;
 import dev.twister.engine.Engines;
 import dev.twister.image.Frame;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
-import dev.twister.scene.Plane;
-import dev.twister.scene.RenderSettings;
+import dev.twister.scene.Lights;
+import dev.twister.scene.Rendering;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Shading;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
@@ -61,11 +63,11 @@ final class OpenGroundTest {
     private static Scene scene(double lightHeight, double lightAway, double power, int bounces, int samples) {
         return Scene.under(Path.of("none.hdr"))
                 .withCamera(Camera.of(new Vector3(0, 3, -10), 10, 15, 50))
-                .withLight(Light.of(new Vector3(1, lightHeight, lightAway), 0.2, new Rgb(1, 0.9, 0.8)))
-                .withPlane(Plane.of(200, 0, new Rgb(0.5, 0.4, 0.3), new Rgb(0.2, 0.25, 0.3), power))
+                .withLights(Lights.of(Light.of(new Vector3(1, lightHeight, lightAway), 0.2, new Rgb(1, 0.9, 0.8))))
+                .withGround(Ground.of(200, 0, new Rgb(0.5, 0.4, 0.3), new Rgb(0.2, 0.25, 0.3), power))
                 .withSpheres(List.of(Sphere.of(new Vector3(-1, 1, 0), 1, new Rgb(0.3, 0.6, 0.9), 20)))
-                .withAmbient(0.05)
-                .withSettings(RenderSettings.DEFAULT
+                .withShading(new Shading(0.05))
+                .withRendering(Rendering.DEFAULT
                         .withSize(483, 270)
                         .withShadows(4)
                         .withBounces(bounces)

@@ -56,7 +56,7 @@ final class ShadowRangeTest {
     }
 
     private static Drawing drawing(int samples) {
-        World world = World.of(SCENE, SkyboxReader.read(SCENE.skybox()));
+        World world = World.of(SCENE, SkyboxReader.read(SCENE.sky().file()));
         world.setSettings(world.settings().withSize(8, 8).withShadows(samples));
         FrameInput input = world.snapshot();
         Drawing drawing = new Drawing();

@@ -12,7 +12,7 @@ import java.util.List;
  *
  * @param drawn its frame is linear where the output is, or where the picture is no color
  */
-public record DrawnPicture(Picture picture, BandedDrawing.Drawn drawn) {
+public record DrawnAspect(Picture picture, BandedDrawing.Drawn drawn) {
     private static final String COLOR_CHANNELS = "RGB";
     private static final int CHANNELS = 3;
 

@@ -22,7 +22,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** Renders an order to its files. Files are written in the background while the next frames are rendered. */
-public final class Rendering {
+public final class Renderer {
     private static final int MOST_WRITERS = 4;
 
     private final RenderOrder order;
@@ -31,7 +31,7 @@ public final class Rendering {
     private final PictureDrawing drawing;
     private final FilmScene shown;
 
-    private Rendering(RenderOrder order, RenderProgress progress, PictureDrawing drawing, FilmScene shown) {
+    private Renderer(RenderOrder order, RenderProgress progress, PictureDrawing drawing, FilmScene shown) {
         this.order = order;
         output = order.output();
         this.progress = progress;
@@ -48,13 +48,13 @@ public final class Rendering {
      * @throws BlackPictureException if the exposure cannot be set by a picture
      */
     public static RenderResult render(RenderOrder order, World world, RenderProgress progress) throws IOException {
-        world.setSettings(order.scene().settings());
+        world.setSettings(order.scene().rendering());
         // Told at once, not after minutes of simulation.
         order.engine().check();
         BodyMotion motion = order.movement().bodies();
         try (PictureDrawing drawing = new PictureDrawing(order);
                 FilmBodies bodies = FilmBodies.of(motion, order.scene(), world.meshes(), progress)) {
-            Rendering rendering = new Rendering(order, progress, drawing, new FilmScene(order, world, bodies));
+            Renderer rendering = new Renderer(order, progress, drawing, new FilmScene(order, world, bodies));
             rendering.setExposure();
             progress.begin();
             return rendering.render();
@@ -110,7 +110,7 @@ public final class Rendering {
         try (FilmWriting writing = new FilmWriting(FilmFile.of(output.file()), format)) {
             for (int number : frames.numbers().toArray()) {
                 FrameInput input = shown.frame(number);
-                DrawnPicture drawn = drawing.draw(input, progress).getFirst();
+                DrawnAspect drawn = drawing.draw(input, progress).getFirst();
                 writing.add(EncodedPixels.of(drawn.pixels(), PictureFormat.isEncoded(drawn, input)));
                 progress.frame();
             }
@@ -130,7 +130,7 @@ public final class Rendering {
                 if (isKept(number, made, part)) {
                     kept++;
                 } else {
-                    List<DrawnPicture> drawn = drawing.draw(input, progress);
+                    List<DrawnAspect> drawn = drawing.draw(input, progress);
                     writer.submit(1, () -> write(number, drawn, part, made));
                 }
                 progress.frame();
@@ -143,7 +143,7 @@ public final class Rendering {
     private RenderResult picture() throws IOException {
         FrameInput input = shown.frame(0);
         FrameInput part = order.part().of(input);
-        List<DrawnPicture> drawn = drawing.draw(input, progress);
+        List<DrawnAspect> drawn = drawing.draw(input, progress);
         progress.frame();
         write(0, drawn, part, drawing.provenance(input));
         return new RenderResult(
@@ -168,7 +168,7 @@ public final class Rendering {
         return false;
     }
 
-    private void write(int number, List<DrawnPicture> drawn, FrameInput part, Provenance made) throws IOException {
+    private void write(int number, List<DrawnAspect> drawn, FrameInput part, Provenance made) throws IOException {
         if (output.isStandardOutput()) {
             // Not System.out, which hides errors. Not closed, as more pictures may follow.
             OutputStream out = new BufferedOutputStream(new FileOutputStream(FileDescriptor.out));

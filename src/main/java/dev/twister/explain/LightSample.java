@@ -11,4 +11,4 @@ import dev.twister.scene.Vector3;
  *     transmit
  * @param blocker the nearest body on its way; {@link Layout#NOTHING} where all light passes
  */
-public record ShadowRay(Vector3 target, double light, int blocker) {}
+public record LightSample(Vector3 target, double light, int blocker) {}

@@ -1,8 +1,8 @@
 package dev.twister.mesh;
 
 /** Hashing for open-addressing tables. */
-final class Hash {
-    private Hash() {}
+final class TableHash {
+    private TableHash() {}
 
     static int of(int a, int b, int c) {
         long mixed = a * 0x9e3779b97f4a7c15L ^ b * 0xbf58476d1ce4e5b9L ^ c * 0x94d049bb133111ebL;

@@ -25,7 +25,7 @@ import java.util.List;
  * @param reflectance F in [0, 1]; 0 where t is 0
  * @param shadowRays as many as the picture has shadow samples, or none
  */
-public record Shading(
+public record ShadedSurface(
         Vector3 point,
         Vector3 normal,
         Rgb albedo,
@@ -40,4 +40,4 @@ public record Shading(
         double mirror,
         double transmission,
         double reflectance,
-        List<ShadowRay> shadowRays) {}
+        List<LightSample> shadowRays) {}

@@ -2,6 +2,7 @@ package dev.twister.gui.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.twister.scene.Body;
 import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
@@ -16,13 +17,14 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
-class BodyListTest {
+class BodyChoicesTest {
     private final Scene scene = Scenes.scene();
 
     @Test
     void bodiesAreListedInTheirOrder() {
-        assertThat(BodyList.of(scene, SelectedBodies.NONE)).containsExactly(BodyNumber.LIGHT, BodyNumber.PLANE, 2, 3);
-        assertThat(BodyList.name(scene, 3)).isEqualTo("Sphere 2");
+        assertThat(BodyChoices.of(scene, SelectedBodies.NONE))
+                .containsExactly(BodyNumber.LIGHT, BodyNumber.PLANE, 2, 3);
+        assertThat(BodyChoices.name(scene, 3)).isEqualTo("Sphere 2");
     }
 
     @Test
@@ -30,7 +32,7 @@ class BodyListTest {
         Sphere sphere = scene.spheres().getFirst();
         Scene crowd = scene.withSpheres(Collections.nCopies(2000, sphere));
 
-        assertThat(BodyList.of(crowd, SelectedBodies.of(List.of(700, 30))))
+        assertThat(BodyChoices.of(crowd, SelectedBodies.of(List.of(700, 30))))
                 .containsExactly(BodyNumber.LIGHT, BodyNumber.PLANE, 30, 700);
     }
 
@@ -42,9 +44,9 @@ class BodyListTest {
                 .withMeshes(List.of(knot, knot.withMaterial(Optional.of(glass))));
         int first = BodyNumber.ofMesh(0);
 
-        assertThat(BodyList.of(meshes, SelectedBodies.NONE)).endsWith(3, first, first + 1);
-        assertThat(BodyList.name(meshes, first)).isEqualTo("Mesh 1 (knot.obj)");
-        assertThat(BodyList.name(meshes, first + 1)).isEqualTo("Mesh 2 (knot.obj), glass");
+        assertThat(BodyChoices.of(meshes, SelectedBodies.NONE)).endsWith(3, first, first + 1);
+        assertThat(BodyChoices.name(meshes, first)).isEqualTo("Mesh 1 (knot.obj)");
+        assertThat(BodyChoices.name(meshes, first + 1)).isEqualTo("Mesh 2 (knot.obj), glass");
     }
 
     @Test
@@ -59,9 +61,10 @@ class BodyListTest {
 
     @Test
     void aCopyStandsBesideItsOriginal() {
-        Solid sphere = BodyEdits.solid(scene, 2);
+        Body sphere = BodyEdits.solid(scene, 2);
+        double apart = BodyExtent.of(scene, SceneMeshes.NONE, 2).apart();
 
-        Solid copy = sphere.beside(BodyExtent.of(scene, SceneMeshes.NONE, 2).apart());
+        Body copy = new BodyGroup(List.of(sphere), apart).beside().bodies().getFirst();
 
         assertThat(copy.position()).isEqualTo(new Vector3(3.3000000000000003, 2, 0));
         assertThat(copy.withPosition(sphere.position())).isEqualTo(sphere);

@@ -11,13 +11,13 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** The shadow rays of a surface point, one by one. */
-final class ShadowRays {
+final class LightSamples {
     private final FrameInput input;
     private final int own;
     private final float[] path;
     private final float[] scratch = new float[Layout.SCRATCH_LENGTH];
 
-    private ShadowRays(FrameInput input, float[] path, int own) {
+    private LightSamples(FrameInput input, float[] path, int own) {
         this.input = input;
         this.own = own;
         this.path = path.clone();
@@ -29,16 +29,16 @@ final class ShadowRays {
      * @param path after {@link dev.twister.kernel.Path#meet}; stays as it is
      * @param own the body that the point lies on
      */
-    static List<ShadowRay> of(FrameInput input, float[] path, int own) {
-        ShadowRays rays = new ShadowRays(input, path, own);
-        List<ShadowRay> all = new ArrayList<>();
+    static List<LightSample> of(FrameInput input, float[] path, int own) {
+        LightSamples rays = new LightSamples(input, path, own);
+        List<LightSample> all = new ArrayList<>();
         for (int sample = 0; sample < input.shadowSamples(); sample++) {
             all.add(rays.ray(sample));
         }
         return List.copyOf(all);
     }
 
-    private ShadowRay ray(int sample) {
+    private LightSample ray(int sample) {
         Bodies bodies = input.bodies();
         float light = dev.twister.kernel.ShadowRay.light(
                 path,
@@ -60,7 +60,7 @@ final class ShadowRays {
                 path[Layout.POINT] + way[0] + origin.x(),
                 path[Layout.POINT + 1] + way[1] + origin.y(),
                 path[Layout.POINT + 2] + way[2] + origin.z());
-        return new ShadowRay(target, light, light < 1 ? blocker(way) : Layout.NOTHING);
+        return new LightSample(target, light, light < 1 ? blocker(way) : Layout.NOTHING);
     }
 
     /** From the point to a sample of the disc, which the kernel has just faced. */

@@ -1,0 +1,72 @@
+package dev.twister.scene;
+
+/**
+ * How a picture is made; a scene file gives the defaults, a command line or a panel overrides them.
+ *
+ * @param width in pixels, 1 to {@value #MAX_SIDE}
+ * @param height in pixels, 1 to {@value #MAX_SIDE}
+ * @param shadowSamples points on the light's disc, 1 to {@value #MAX_SHADOW_SAMPLES}; 1 is a hard shadow
+ * @param bounces limit of reflections, 0 to {@value #MAX_BOUNCES}
+ * @param samplesPerPixel view rays a pixel, 1 to {@value #MAX_SAMPLES_PER_PIXEL}
+ * @param exposure in stops, -20 to 20: linear color is multiplied by 2^exposure
+ * @param toneMap applied after the exposure
+ * @param srgb whether the sRGB curve is applied after the tone map
+ */
+public record Rendering(
+        int width,
+        int height,
+        int shadowSamples,
+        int bounces,
+        int samplesPerPixel,
+        double exposure,
+        ToneMap toneMap,
+        boolean srgb) {
+    public static final int MAX_SIDE = 16384;
+    public static final int MAX_SHADOW_SAMPLES = 1024;
+    public static final int MAX_BOUNCES = 64;
+    public static final int MAX_SAMPLES_PER_PIXEL = 1024;
+    public static final double MAX_EXPOSURE_STOPS = 20;
+
+    /** 1280 x 720, 200 shadow samples and 3 bounces as in the paper, clamped, with the sRGB curve. */
+    public static final Rendering DEFAULT = new Rendering(1280, 720, 200, 3, 1, 0, ToneMap.CLAMP, true);
+
+    public Rendering withSize(int newWidth, int newHeight) {
+        return withWidth(newWidth).withHeight(newHeight);
+    }
+
+    public Rendering withWidth(int newWidth) {
+        return new Rendering(newWidth, height, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb);
+    }
+
+    public Rendering withHeight(int newHeight) {
+        return new Rendering(width, newHeight, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb);
+    }
+
+    public Rendering withShadows(int newShadowSamples) {
+        return new Rendering(width, height, newShadowSamples, bounces, samplesPerPixel, exposure, toneMap, srgb);
+    }
+
+    public Rendering withBounces(int newBounces) {
+        return new Rendering(width, height, shadowSamples, newBounces, samplesPerPixel, exposure, toneMap, srgb);
+    }
+
+    public Rendering withSamplesPerPixel(int newSamplesPerPixel) {
+        return new Rendering(width, height, shadowSamples, bounces, newSamplesPerPixel, exposure, toneMap, srgb);
+    }
+
+    public Rendering withExposure(double newExposure) {
+        return new Rendering(width, height, shadowSamples, bounces, samplesPerPixel, newExposure, toneMap, srgb);
+    }
+
+    public Rendering withToneMap(ToneMap newToneMap) {
+        return new Rendering(width, height, shadowSamples, bounces, samplesPerPixel, exposure, newToneMap, srgb);
+    }
+
+    public Rendering withSrgb(boolean newSrgb) {
+        return new Rendering(width, height, shadowSamples, bounces, samplesPerPixel, exposure, toneMap, newSrgb);
+    }
+
+    public Rendering withTone(double newExposure, ToneMap newToneMap, boolean newSrgb) {
+        return withExposure(newExposure).withToneMap(newToneMap).withSrgb(newSrgb);
+    }
+}

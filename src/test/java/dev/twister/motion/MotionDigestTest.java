@@ -1,0 +1,51 @@
+package dev.twister.motion;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.physics.Simulation;
+import dev.twister.scene.FullScene;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneChanges;
+import dev.twister.world.SceneMeshes;
+import java.util.Arrays;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class MotionDigestTest {
+    private static final float[] END = end(FullScene.SCENE);
+
+    static Set<String> places() {
+        return SceneChanges.of(FullScene.SCENE).keySet();
+    }
+
+    @ParameterizedTest
+    @MethodSource("places")
+    void changesWithWhatChangesTheMotion(String place) {
+        Scene changed = SceneChanges.of(FullScene.SCENE).get(place);
+
+        boolean sameMotion = Arrays.equals(end(changed), END);
+
+        assertThat(sameMotion || !Arrays.equals(MotionDigest.of(changed), MotionDigest.of(FullScene.SCENE)))
+                .isTrue();
+    }
+
+    @Test
+    void staysWhereOnlyTheSightChanges() {
+        byte[] digest = MotionDigest.of(FullScene.SCENE);
+
+        assertThat(SceneChanges.of(FullScene.SCENE).entrySet())
+                .filteredOn(change -> change.getKey().matches("(title|camera|views|sky|shading|rendering|materials).*"))
+                .isNotEmpty()
+                .allSatisfy(
+                        change -> assertThat(MotionDigest.of(change.getValue())).isEqualTo(digest));
+    }
+
+    private static float[] end(Scene scene) {
+        try (Simulation simulation = Simulation.of(scene, SceneMeshes.of(scene, FullScene.MESHES), 1)) {
+            simulation.advance(1.2);
+            return simulation.positions();
+        }
+    }
+}
