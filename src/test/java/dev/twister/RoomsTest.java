@@ -157,7 +157,16 @@ class RoomsTest {
                         "gui.model",
                         "gui.studio",
                         "gui.files"),
-                room("gui.bodies", "scene", "world", "image", "gui.drawing", "gui.model", "gui.studio", "gui.picture"),
+                room(
+                        "gui.bodies",
+                        "scene",
+                        "world",
+                        "image",
+                        "gui.controls",
+                        "gui.drawing",
+                        "gui.model",
+                        "gui.studio",
+                        "gui.picture"),
                 room(
                         "gui.camera",
                         "scene",
