@@ -8,7 +8,7 @@ import dev.twister.gui.bodies.BodyMouse;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.model.CameraNumbers;
 import dev.twister.gui.model.SelectedBodies;
 import dev.twister.gui.model.SphereOutline;
 import dev.twister.gui.picture.PathPick;
@@ -429,9 +429,11 @@ class BodiesTest {
         assertThat(focus).isBetween(away - 3 * radius, away);
         assertThat(selected()).isEqualTo(selected);
         assertThat(driver.notice()).startsWith("Focus distance: ");
-        driver.run(() -> driver.studio.edit("aperture", now -> SceneNumbers.APERTURE.write(now, 0.1)));
+        driver.run(() -> driver.studio.edit(
+                "aperture", now -> now.withCamera(now.camera().withAperture(0.1))));
         driver.awaitCurrentPicture();
-        driver.await(() -> driver.text("facts").endsWith("focus at " + SceneNumbers.FOCUS_DISTANCE.text(focus) + " m"));
+        driver.await(() -> driver.text("facts")
+                .endsWith("focus at " + CameraNumbers.FOCUS_DISTANCE.scale().text(focus) + " m"));
         driver.run(driver.studio::undo);
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
         assertThat(scene()).isEqualTo(before);

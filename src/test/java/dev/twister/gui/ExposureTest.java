@@ -97,7 +97,8 @@ class ExposureTest {
 
         double set = WindowDriver.call(driver.studio::scene).rendering().exposure();
         assertThat(set).isCloseTo(measured, Offset.offset(0.1));
-        assertThat(driver.notice()).isEqualTo("Exposure: " + SceneNumbers.EXPOSURE.text(set) + " stops");
+        assertThat(driver.notice())
+                .isEqualTo("Exposure: " + SceneNumbers.EXPOSURE.scale().text(set) + " stops");
         driver.type(Command.UNDO.keys());
         assertThat(WindowDriver.call(driver.studio::scene).rendering().exposure())
                 .isEqualTo(6);

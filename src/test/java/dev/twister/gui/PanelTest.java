@@ -8,8 +8,10 @@ import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumbers;
+import dev.twister.gui.model.CameraNumbers;
+import dev.twister.gui.model.LightNumbers;
 import dev.twister.gui.model.MaterialNumbers;
-import dev.twister.gui.model.NumberSetting;
+import dev.twister.gui.model.NumberProperty;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.model.WindowSettings;
@@ -76,30 +78,15 @@ class PanelTest {
         assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
 
-    static Stream<NumberSetting> numbers() {
+    static Stream<NumberProperty<Scene>> numbers() {
         return Stream.of(
-                SceneNumbers.SHADOW_SAMPLES,
-                SceneNumbers.BOUNCES,
-                SceneNumbers.SAMPLES_PER_PIXEL,
-                SceneNumbers.EXPOSURE,
-                SceneNumbers.FIELD_OF_VIEW,
-                SceneNumbers.APERTURE,
-                SceneNumbers.FOCUS_DISTANCE,
-                SceneNumbers.LIGHT_X,
-                SceneNumbers.LIGHT_Y,
-                SceneNumbers.LIGHT_Z,
-                SceneNumbers.LIGHT_RADIUS,
-                SceneNumbers.LIGHT_STRENGTH,
-                SceneNumbers.SKY_ROTATION,
-                SceneNumbers.SKY_STRENGTH,
-                BodyNumbers.ofSphere(SPHERE).x(),
-                BodyNumbers.ofSphere(SPHERE).y(),
-                BodyNumbers.ofSphere(SPHERE).z(),
-                BodyNumbers.ofSphere(SPHERE).radius(),
-                MaterialNumbers.of(SPHERE).reflectivity(),
-                MaterialNumbers.of(SPHERE).roughness(),
-                MaterialNumbers.of(SPHERE).transmission(),
-                MaterialNumbers.of(SPHERE).ior());
+                        SceneNumbers.PICTURE.stream(),
+                        CameraNumbers.ALL.stream().skip(5),
+                        LightNumbers.ALL.stream().limit(5),
+                        SceneNumbers.SKY.stream(),
+                        BodyNumbers.SPHERE.stream().map(number -> BodyNumbers.ofSphere(SPHERE, number)),
+                        MaterialNumbers.ALL.stream().map(number -> MaterialNumbers.of(SPHERE, number)))
+                .flatMap(numbers -> numbers);
     }
 
     private static Scene scene() {
@@ -227,7 +214,7 @@ class PanelTest {
 
     @ParameterizedTest
     @MethodSource("numbers")
-    void aNumberIsSlidTypedAndReset(NumberSetting setting) {
+    void aNumberIsSlidTypedAndReset(NumberProperty<Scene> setting) {
         PanelRow row = row(setting.label());
         TextField field = in(row, ".text-field", TextField.class);
         Button reset = in(row, ".reset", Button.class);
@@ -238,11 +225,11 @@ class PanelTest {
         driver.type(KeyCode.RIGHT);
         double slid = setting.read(scene());
         assertThat(slid).isGreaterThan(before);
-        assertThat(field.getText()).isEqualTo(setting.text(slid));
+        assertThat(field.getText()).isEqualTo(setting.scale().text(slid));
         driver.awaitCurrentPicture();
 
-        double other = setting.numberAt(0.8);
-        typeText(field, setting.text(other));
+        double other = setting.scale().numberAt(0.8);
+        typeText(field, setting.scale().text(other));
         assertThat(setting.read(scene())).isCloseTo(other, within(1e-9));
 
         driver.click(reset);
@@ -282,7 +269,7 @@ class PanelTest {
     void theSelectedSpheresNumberFollowsItsSlider() {
         NumberRow row = (NumberRow) row("Reflectivity");
         TextField field = in(row, ".text-field", TextField.class);
-        NumberSetting setting = MaterialNumbers.of(SPHERE).reflectivity();
+        NumberProperty<Scene> setting = MaterialNumbers.of(SPHERE, MaterialNumbers.REFLECTIVITY);
         String before = WindowDriver.call(field::getText);
         driver.type(row.keys());
         driver.pulse();
@@ -291,11 +278,13 @@ class PanelTest {
         driver.withRobot(hand -> hand.mouseMove(bounds.getCenterX(), bounds.getCenterY()));
         driver.withRobot(hand -> hand.mousePress(MouseButton.PRIMARY));
         driver.withRobot(hand -> hand.mouseMove(bounds.getCenterX() + 10, bounds.getCenterY()));
-        assertThat(field.getText()).isNotEqualTo(before).isEqualTo(setting.text(setting.read(scene())));
+        assertThat(field.getText())
+                .isNotEqualTo(before)
+                .isEqualTo(setting.scale().text(setting.read(scene())));
 
         driver.withRobot(hand -> hand.mouseMove(bounds.getCenterX() + 20, bounds.getCenterY()));
         driver.withRobot(hand -> hand.mouseRelease(MouseButton.PRIMARY));
-        assertThat(field.getText()).isEqualTo(setting.text(setting.read(scene())));
+        assertThat(field.getText()).isEqualTo(setting.scale().text(setting.read(scene())));
         driver.click(in(row, ".reset", Button.class));
         assertThat(field.getText()).isEqualTo(before);
     }
@@ -340,7 +329,7 @@ class PanelTest {
     }
 
     private static double sphereX() {
-        return BodyNumbers.ofSphere(SPHERE).x().read(scene());
+        return BodyNumbers.ofSphere(SPHERE, BodyNumbers.SPHERE.getFirst()).read(scene());
     }
 
     @Test

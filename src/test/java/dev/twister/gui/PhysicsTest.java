@@ -358,7 +358,8 @@ class PhysicsTest {
     @Test
     void spheresThatWereEditedWhileTheyWereThrownAreThrownAgain() {
         Scene before = editWhileSpheresAreThrown(scene -> {
-            Scene larger = BodyNumbers.ofSphere(Layout.FIRST_SPHERE).radius().write(scene, 2);
+            Scene larger = BodyNumbers.ofSphere(Layout.FIRST_SPHERE, BodyNumbers.SPHERE.getLast())
+                    .write(scene, 2);
             return larger.withBodies(
                     larger.bodies().with(List.of(larger.spheres().getFirst())));
         });

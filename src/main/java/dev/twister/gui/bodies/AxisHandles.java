@@ -26,19 +26,19 @@ import javafx.scene.shape.Line;
 import javafx.scene.shape.Polygon;
 
 /**
- * Draws arrows at the active body, by which the selected ones are moved along an axis. There are none while bodies move
- * by themselves, and none over the lines of a pixel's path.
+ * Draws arrows at the active body that move the selected bodies along an axis. Hidden while physics runs and while a
+ * pixel's path is shown.
  */
 public final class AxisHandles extends Group {
     private static final PseudoClass POINTED = PseudoClass.getPseudoClass("pointed");
 
-    /** From the middle of the body to the tip, in the view's units. */
+    /** Length from the body's middle to the tip, in the view's units. */
     private static final double LENGTH = 70;
 
     private static final double HEAD_LENGTH = 12;
     private static final double HEAD_HALF_WIDTH = 5;
 
-    /** As near as the pointer must come to grab one. */
+    /** Distance from which the pointer grabs a handle. */
     private static final double REACH = 7;
 
     private final PictureView view;
@@ -103,12 +103,12 @@ public final class AxisHandles extends Group {
         view.image().boundsInParentProperty().subscribe(_ -> refresh());
     }
 
-    /** Whether there are any. */
+    /** Whether handles are shown. */
     public BooleanProperty onProperty() {
         return on;
     }
 
-    /** The axis whose handle is there, in the view's units. */
+    /** The axis of the handle at a place of the view. */
     Optional<Axis> axisAt(double x, double y) {
         return handles.stream()
                 .filter(handle -> handle.distance(x, y) <= REACH)
@@ -116,7 +116,7 @@ public final class AxisHandles extends Group {
                 .map(AxisHandle::axis);
     }
 
-    /** Shows which one is grabbed, or would be. */
+    /** Highlights the handle that is grabbed or would be. */
     public void point(Optional<Axis> pointed) {
         arrows.forEach((axis, arrow) -> arrow.setPointed(pointed.equals(Optional.of(axis))));
     }
@@ -124,7 +124,7 @@ public final class AxisHandles extends Group {
     private void refresh() {
         List<AxisHandle> seen =
                 isWanted() ? studio.pictureProperty().get().map(this::seen).orElse(List.of()) : List.of();
-        // Told the same places, JavaFX would paint anew.
+        // Setting the same places would make JavaFX paint again.
         if (!seen.equals(handles)) {
             handles = seen;
             arrows.values().forEach(arrow -> arrow.setVisible(false));
@@ -154,7 +154,7 @@ public final class AxisHandles extends Group {
                 .orElse(List.of());
     }
 
-    /** The middle of the active body in the picture; empty where the picture does not show it. */
+    /** The middle of the active body in the picture; empty if it is not visible. */
     private Optional<Vector3> middle(DrawnPicture picture) {
         int active = studio.selection().active();
         Scene scene = picture.request().scene();

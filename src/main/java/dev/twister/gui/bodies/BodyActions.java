@@ -15,7 +15,7 @@ import dev.twister.scene.Scene;
 import java.util.List;
 import java.util.Optional;
 
-/** What the menu does with bodies. */
+/** The menu's actions on bodies. */
 public final class BodyActions {
     public static final String UNDELETED_LIGHT = "The light can't be deleted";
     private static final String UNCOPIED_LIGHT = "The other bodies are copied; the light can't be";
@@ -35,7 +35,7 @@ public final class BodyActions {
         });
     }
 
-    /** Others like the selected bodies, to the right of them. */
+    /** Adds copies of the selected bodies, to the right of them. */
     public void duplicate() {
         selected().ifPresent(originals -> {
             boolean light = studio.selection().bodies().contains(BodyNumber.LIGHT);
@@ -56,7 +56,7 @@ public final class BodyActions {
         });
     }
 
-    /** To the right of the bodies that were copied, or pasted before. */
+    /** Adds the copied bodies, to the right of the originals or of the last pasted ones. */
     public void paste() {
         copied.ifPresentOrElse(
                 originals -> {
@@ -101,7 +101,7 @@ public final class BodyActions {
         return studio.selection().bodies().where(body -> BodyEdits.isSolid(scene, body));
     }
 
-    /** The selected spheres and meshes where they are now; says so where there is none. */
+    /** The selected spheres and meshes where they are now; tells it if there are none. */
     private Optional<BodyGroup> selected() {
         Scene now = studio.bodies().scene();
         SelectedBodies solids = solids(now);

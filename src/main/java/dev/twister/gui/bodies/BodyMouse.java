@@ -7,9 +7,9 @@ import dev.twister.gui.model.BodyDrag;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.BodyPicker;
+import dev.twister.gui.model.CameraNumbers;
 import dev.twister.gui.model.FocusPoint;
 import dev.twister.gui.model.HeldBodies;
-import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.picture.PathPick;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.StatusText;
@@ -29,8 +29,8 @@ import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 
 /**
- * Selects the body that is clicked, or focuses on it, and moves the selected ones with the pointer, held by one of them
- * or by a handle. A drag that begins anywhere else is left to {@link CameraMouse}.
+ * Selects the clicked body or focuses on it, and drags the selected bodies by one of them or by a handle. Drags that
+ * begin elsewhere are left to {@link CameraMouse}.
  */
 public final class BodyMouse {
     private final PictureView view;
@@ -41,15 +41,15 @@ public final class BodyMouse {
     private Optional<Held> held = Optional.empty();
     private final ReadOnlyObjectWrapper<Optional<Axis>> axis = new ReadOnlyObjectWrapper<>(Optional.empty());
 
-    /** The drag of the active body, and all bodies that move with it. */
+    /** The drag of the active body and of the bodies that move with it. */
     private record Held(BodyDrag drag, HeldBodies bodies) {}
 
-    /** Where the body is dragged to, in pixels of the view. */
+    /** The pointer of the drag, in pixels of the view. */
     private Point2D draggedTo = Point2D.ZERO;
 
     private boolean snapping;
 
-    /** What was said of the axis; may be empty. */
+    /** The last notice about the axis; may be empty. */
     private String told = "";
 
     private BodyMouse(PictureView view, Studio studio, PathPick paths, AxisHandles handles) {
@@ -59,7 +59,7 @@ public final class BodyMouse {
         this.studio = studio;
     }
 
-    /** Filters, so that this comes before what else listens to the picture. */
+    /** Adds event filters, which run before the picture's other handlers. */
     public static BodyMouse install(
             PictureView view,
             Studio studio,
@@ -77,7 +77,7 @@ public final class BodyMouse {
                 mouse.letGo();
             }
         });
-        // By a key, while a body is held: the pointer does not hold the one that is selected then.
+        // The selection was changed by a key during a drag: the pointer does not hold the new body.
         studio.selection().bodiesProperty().subscribe(_ -> mouse.letGo());
         view.addEventFilter(MouseEvent.MOUSE_EXITED, _ -> {
             mouse.pointer = Optional.empty();
@@ -94,7 +94,7 @@ public final class BodyMouse {
 
     private void pressed(MouseEvent event) {
         if (event.getButton() == MouseButton.PRIMARY) {
-            // A button that is let go over another window is not reported.
+            // The release of a button over another window is not reported.
             letGo();
         }
         if (event.getButton() == MouseButton.PRIMARY && !event.isShiftDown() && !event.isAltDown()) {
@@ -112,12 +112,12 @@ public final class BodyMouse {
         }
     }
 
-    /** Whether the selected bodies are moved by that one. */
+    /** Whether a body can be used to drag the selected ones. */
     private boolean isHeldBy(int body) {
         return studio.selection().bodies().contains(body) && BodyEdits.isMovable(studio.scene(), body);
     }
 
-    /** Takes hold of the active body, and of all that are selected with it. */
+    /** Starts a drag of the selected bodies. */
     private void take(MouseEvent event) {
         DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
         HeldBodies bodies =
@@ -136,7 +136,7 @@ public final class BodyMouse {
         event.consume();
     }
 
-    /** The axis along which the body that is held moves; empty where it moves freely. */
+    /** The axis of the drag; empty if it is free. */
     public ReadOnlyObjectProperty<Optional<Axis>> axisProperty() {
         return axis.getReadOnlyProperty();
     }
@@ -150,7 +150,7 @@ public final class BodyMouse {
         }
     }
 
-    /** Moves what is held to where the pointer is, as the keys say. */
+    /** Moves the dragged bodies to the pointer; keys restrict the movement. */
     private void move() {
         held.ifPresent(taken -> {
             FrameInput input = studio.pictureProperty().get().orElseThrow().input();
@@ -163,7 +163,7 @@ public final class BodyMouse {
         });
     }
 
-    /** X, Y and Z let what is held move along that axis, or freely again. */
+    /** X, Y and Z restrict the drag to that axis, or free it again. */
     private void keyPressed(KeyCode key, KeyEvent event) {
         if (held.isEmpty()) {
             return;
@@ -182,7 +182,7 @@ public final class BodyMouse {
                 });
     }
 
-    /** Says along which axis it moves, as long as it does. */
+    /** Shows the axis of the drag in the status line. */
     private void tellAxis() {
         studio.retract(told);
         told = axis.get()
@@ -241,7 +241,7 @@ public final class BodyMouse {
         });
     }
 
-    /** Shows the path of the pixel under the pointer, or takes the one away that is shown. */
+    /** Shows the path of the pixel under the pointer, or hides the shown one. */
     public void togglePath() {
         if (paths.isShown()) {
             paths.clear();
@@ -252,16 +252,19 @@ public final class BodyMouse {
         }
     }
 
-    /** What is seen there is sharp from now on. */
+    /** Focuses the lens on the body at a place. */
     private void focus(MouseEvent event) {
         studio.pictureProperty()
                 .get()
                 .filter(_ -> view.place().contains(event.getX(), event.getY()))
                 .ifPresent(picture -> {
                     Point2D place = place(event);
-                    double meters = SceneNumbers.FOCUS_DISTANCE.rounded(
-                            FocusPoint.distance(picture.input(), place.getX(), place.getY()));
-                    studio.edit("focus distance", scene -> SceneNumbers.FOCUS_DISTANCE.write(scene, meters));
+                    double meters = CameraNumbers.FOCUS_DISTANCE
+                            .scale()
+                            .rounded(FocusPoint.distance(picture.input(), place.getX(), place.getY()));
+                    studio.edit(
+                            "focus distance",
+                            scene -> scene.withCamera(scene.camera().withFocusDistance(meters)));
                     studio.endGesture();
                     studio.notice(StatusText.focused(studio.scene().camera()));
                 });
@@ -276,7 +279,7 @@ public final class BodyMouse {
         view.setCursor(over ? Cursor.MOVE : Cursor.DEFAULT);
     }
 
-    /** The scene's body that is seen there. */
+    /** The scene's body at a place. */
     private Optional<Integer> bodyAt(MouseEvent event) {
         return studio.pictureProperty()
                 .get()

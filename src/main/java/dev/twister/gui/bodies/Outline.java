@@ -4,7 +4,7 @@ import java.util.List;
 import javafx.scene.Group;
 import javafx.scene.shape.Polygon;
 
-/** A line around a body, readable over any picture. */
+/** The outline of a body, readable over any picture. */
 final class Outline extends Group {
     private final Polygon shade = new Polygon();
     private final Polygon line = new Polygon();
@@ -21,9 +21,9 @@ final class Outline extends Group {
         return line;
     }
 
-    /** x and y of each corner in turn. */
+    /** Sets the corners: x and y of each in turn. */
     void show(List<Double> points) {
-        // Told the same points, JavaFX would paint anew.
+        // Setting the same points would make JavaFX paint again.
         if (!line.getPoints().equals(points)) {
             line.getPoints().setAll(points);
             shade.getPoints().setAll(points);

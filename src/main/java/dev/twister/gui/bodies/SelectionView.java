@@ -24,17 +24,20 @@ import javafx.scene.layout.Pane;
 import javafx.scene.shape.Line;
 import javafx.scene.shape.Rectangle;
 
-/** Draws the selected bodies' outlines over the picture, the active one's apart. */
+/** Draws the outlines of the selected bodies over the picture; the active one's is different. */
 public final class SelectionView extends Pane {
     private static final int CORNERS = 96;
 
-    /** Of each of several. */
+    /** Corners of an outline if there are several. */
     private static final int FEW_CORNERS = 48;
 
-    /** Of more selected bodies, the last ones are outlined: an outline takes JavaFX longer than a sphere an engine. */
+    /**
+     * If more bodies are selected, the last ones are outlined: an outline takes JavaFX longer than a sphere takes an
+     * engine.
+     */
     private static final int MOST_OUTLINED = 200;
 
-    /** Both ways from the body. */
+    /** Length of the axis to both sides of the body. */
     private static final double AXIS_METERS = 1000;
 
     private final PictureView view;
@@ -48,7 +51,7 @@ public final class SelectionView extends Pane {
         this.view = view;
         this.studio = studio;
         setMouseTransparent(true);
-        // An outline that goes beyond the picture makes no room for itself.
+        // Outlines beyond the picture must not enlarge this view.
         Rectangle clip = new Rectangle();
         clip.widthProperty().bind(widthProperty());
         clip.heightProperty().bind(heightProperty());
@@ -66,7 +69,7 @@ public final class SelectionView extends Pane {
         view.image().boundsInParentProperty().subscribe(_ -> refresh());
     }
 
-    /** Shows the axis through the active body, along which the selected ones are moved. */
+    /** Shows the axis along which the active body is moved. */
     public void showAxis(Optional<Axis> newAxis) {
         axis = newAxis;
         refresh();
@@ -109,9 +112,9 @@ public final class SelectionView extends Pane {
         }
     }
 
-    /** Those beside the active one. */
+    /** The outlines of the other bodies. */
     private List<Integer> outlined(SelectedBodies selected) {
-        // While bodies come and go, which one is which in the picture takes long to find of many.
+        // Mapping many bodies to the picture takes long while bodies are added or deleted.
         boolean renumbered =
                 studio.picturedBodies().filter(PictureBodies::renumbered).isPresent();
         return renumbered
@@ -149,7 +152,7 @@ public final class SelectionView extends Pane {
                     ? MeshOutline.corners(picture.input(), picture.meshes().farPoints(mesh))
                     : new double[0];
         }
-        // Nothing is selected, or the plane, or the picture is of the time before the body was there.
+        // Nothing or the plane is selected, or the picture is older than the body.
         return body == BodyNumber.NONE
                         || body == BodyNumber.PLANE
                         || body >= picture.input().bodyCount()

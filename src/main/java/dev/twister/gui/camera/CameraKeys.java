@@ -11,8 +11,8 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 
 /**
- * Moves the camera by the keyboard: W A S D, Q and E, the arrows to look, Shift to run, Home, and the scene's views by
- * the number keys. Keys that a control has use for are not seen here: handlers come after the control's own.
+ * Moves the camera by the keyboard: W A S D, Q and E, the arrows to look, Shift to run, Home, and number keys for
+ * views. Keys that a control consumes do not arrive here.
  */
 public final class CameraKeys {
     private static final List<KeyCode> DIGITS = List.of(
@@ -45,7 +45,7 @@ public final class CameraKeys {
         this.studio = studio;
     }
 
-    /** Listens to the whole window, whichever control has the focus. */
+    /** Adds handlers to the window, whichever control has the focus. */
     public static CameraKeys install(Scene scene, ObservableValue<Boolean> windowFocused, Studio studio) {
         CameraKeys keys = new CameraKeys(studio);
         scene.addEventHandler(KeyEvent.KEY_PRESSED, keys::pressed);
@@ -53,7 +53,7 @@ public final class CameraKeys {
             keys.held.release(event.getCode());
             keys.move();
         });
-        // A key that is let go while another window has the focus is not reported.
+        // The release of a key is not reported while another window has the focus.
         windowFocused.subscribe(focused -> {
             if (!focused) {
                 keys.held.releaseAll();
@@ -73,7 +73,7 @@ public final class CameraKeys {
         if (isText(event.getTarget()) || event.isAltDown() || event.isMetaDown()) {
             return;
         }
-        // From control to control the arrows lead as everywhere.
+        // Among controls the arrows move the focus.
         if (event.getCode().isArrowKey() && event.getTarget() instanceof Control) {
             return;
         }

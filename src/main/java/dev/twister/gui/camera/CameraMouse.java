@@ -1,6 +1,6 @@
 package dev.twister.gui.camera;
 
-import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.model.CameraNumbers;
 import dev.twister.gui.studio.Studio;
 import dev.twister.world.CameraMotion;
 import java.util.Locale;
@@ -18,13 +18,13 @@ import javafx.stage.Screen;
 import javafx.util.Duration;
 
 /**
- * Turns the camera by dragging over the picture, with the pointer hidden and however far, and changes the field of view
- * by the wheel. What another handler of the picture's consumes (the drag of a body, say) does not come here.
+ * Turns the camera by dragging the picture, with the pointer hidden, and changes the field of view by the wheel. Events
+ * that other handlers of the picture consume do not arrive here.
  */
 public final class CameraMouse {
     private final Node picture;
     private final Studio studio;
-    /** A turn of the wheel after that time starts a new gesture. */
+    /** Turning the wheel after this time starts a new undo step. */
     private final PauseTransition turning = new PauseTransition(Duration.seconds(1));
 
     private Optional<HiddenPointer> pointer = Optional.empty();
@@ -64,7 +64,7 @@ public final class CameraMouse {
     private void dragged(MouseEvent event) {
         pointer.ifPresent(hidden -> {
             picture.setCursor(Cursor.NONE);
-            // What is under the pointer in the middle of the picture moves about as far as the pointer.
+            // The middle of the picture moves about as far as the pointer.
             double side = Math.min(
                     picture.getLayoutBounds().getWidth(),
                     picture.getLayoutBounds().getHeight());
@@ -84,7 +84,7 @@ public final class CameraMouse {
         if (event.getDeltaY() != 0) {
             double notches = event.getDeltaY() / event.getMultiplierY();
             studio.edit(
-                    SceneNumbers.FIELD_OF_VIEW.label().toLowerCase(Locale.ROOT),
+                    CameraNumbers.FIELD_OF_VIEW.label().toLowerCase(Locale.ROOT),
                     scene -> scene.withCamera(CameraMotion.zoom(scene.camera(), notches)));
             turning.playFromStart();
         }

@@ -29,12 +29,12 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 
-/** The camera's keyframes on a line of time: a time to go to, and buttons that set, delete and play. */
+/** The bar with the camera's keyframes on a time line, the present time, and buttons to set, delete and play. */
 public final class FilmBar extends HBox {
     private static final PseudoClass WRONG = PseudoClass.getPseudoClass("wrong");
     private static final double SHORTEST_SECONDS = 10;
 
-    /** Of the last keyframe's time, so that there is room for another one. */
+    /** Length of the time line relative to the last keyframe's time, to leave room for another one. */
     private static final double ROOM = 1.25;
 
     private static final int TIME_COLUMNS = 4;
@@ -50,10 +50,10 @@ public final class FilmBar extends HBox {
     private List<CameraKeyframe> shown = List.of();
     private boolean showing;
 
-    /** As the field was set last: another one is typed. */
+    /** The text that the bar has set; any other was typed. */
     private String timeText = "";
 
-    /** A keyframe in the list; its place is below 0 where the present time has none. */
+    /** An item of the list; its index is below 0 if there is no keyframe at the present time. */
     private record Listed(int index, String label) {
         static Listed of(int index, int count, double seconds) {
             return new Listed(index, (index + 1) + " of " + count + ": " + KeyframeEdits.text(seconds) + " s");
@@ -70,7 +70,7 @@ public final class FilmBar extends HBox {
         }
     }
 
-    /** @param leave goes back to the picture */
+    /** @param leave moves the focus to the picture */
     public FilmBar(Studio studio, CommandActions actions, Runnable leave) {
         this.studio = studio;
         film = studio.film();
@@ -141,7 +141,7 @@ public final class FilmBar extends HBox {
         showing = true;
         showRange();
         slider.setValue(film.secondsProperty().get());
-        // What a person reads in order to type is not changed under their hands.
+        // The text does not change while it is being edited.
         if (!time.isFocused()) {
             showTime();
         }
@@ -163,7 +163,7 @@ public final class FilmBar extends HBox {
         showing = false;
     }
 
-    /** Not while the pointer holds what it is shown by. */
+    /** Not while the slider is held. */
     private void showRange() {
         if (!slider.isValueChanging() && !marks.isHeld()) {
             double last = shown.isEmpty() ? 0 : shown.getLast().seconds();
@@ -179,7 +179,7 @@ public final class FilmBar extends HBox {
         time.setText(timeText);
     }
 
-    /** Whether what was typed is a time, or nothing was typed. */
+    /** Enters what was typed; returns whether it is a time, or nothing was typed. */
     private boolean takeTyped() {
         String typed = time.getText();
         if (typed.equals(timeText)) {

@@ -6,7 +6,7 @@ import java.util.EnumSet;
 import java.util.Set;
 import javafx.scene.input.KeyCode;
 
-/** The keys that move the camera for as long as they are held. */
+/** The camera keys that are held. */
 final class HeldKeys {
     private static final Set<KeyCode> MOVING = EnumSet.of(
             KeyCode.W,
@@ -24,7 +24,7 @@ final class HeldKeys {
     private final Set<KeyCode> held = EnumSet.noneOf(KeyCode.class);
     private boolean qUp;
 
-    /** Whether Q leads up and E down, instead of the other way round. */
+    /** Sets whether Q moves up and E down, instead of the other way round. */
     void setQUp(boolean up) {
         qUp = up;
     }
@@ -46,7 +46,7 @@ final class HeldKeys {
         held.clear();
     }
 
-    /** Where the held keys lead; opposite ones cancel each other. */
+    /** The walk of the held keys; opposite ones cancel each other. */
     Walk walk() {
         return new Walk(
                 axis(KeyCode.D, KeyCode.A),
@@ -55,7 +55,7 @@ final class HeldKeys {
                 held.contains(KeyCode.SHIFT));
     }
 
-    /** Which way the held arrow keys turn the camera; opposite ones cancel each other. */
+    /** The turn of the held arrow keys; opposite ones cancel each other. */
     Turn turn() {
         return new Turn(
                 axis(KeyCode.RIGHT, KeyCode.LEFT), axis(KeyCode.DOWN, KeyCode.UP), held.contains(KeyCode.SHIFT));

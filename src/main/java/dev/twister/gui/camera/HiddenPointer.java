@@ -6,11 +6,11 @@ import javafx.geometry.Point2D;
 import javafx.geometry.Rectangle2D;
 
 /**
- * A pointer that is not seen and never comes to the end of the screen: near an edge it is put in the screen's middle,
- * and at the end back where it was. Where a system does not let it be put elsewhere, it stops at the edge.
+ * A hidden pointer that never reaches the edge of the screen: near an edge it is moved to the middle, and at the end
+ * back to its start. If a system does not allow that, it stops at the edge.
  */
 final class HiddenPointer {
-    /** So near an edge, as a share of the screen's shorter side. */
+    /** Distance from an edge at which it is moved, relative to the screen's shorter side. */
     private static final double NEAR = 0.1;
 
     private final Consumer<Point2D> hand;
@@ -18,15 +18,15 @@ final class HiddenPointer {
     private final Rectangle2D screen;
     private Point2D last;
 
-    /** Where the pointer was sent; events from before it went there may still come. */
+    /** The place that the pointer was moved to; events from before may still arrive. */
     private Optional<Point2D> sentTo = Optional.empty();
 
     private boolean sent;
 
     /**
-     * A pointer at the start of a drag, all places in the screen's coordinates.
+     * A pointer at the start of a drag, in the screen's coordinates.
      *
-     * @param hand puts it elsewhere
+     * @param hand moves the pointer
      */
     HiddenPointer(Consumer<Point2D> hand, Point2D start, Rectangle2D screen) {
         this.hand = hand;
@@ -35,9 +35,9 @@ final class HiddenPointer {
         last = start;
     }
 
-    /** How far the hand has moved since it was last asked, now that the pointer is there. */
+    /** The movement of the mouse since the last call, given the pointer's present place. */
     Point2D movedTo(Point2D place) {
-        // It is sent far away, so that what is nearer to there was moved from there.
+        // It is moved far, so that an event near that place is from after the move.
         if (sentTo.filter(middle -> place.distance(middle) < place.distance(last))
                 .isPresent()) {
             last = sentTo.get();
@@ -53,7 +53,7 @@ final class HiddenPointer {
         return moved;
     }
 
-    /** Puts it back where the drag began, where it was sent away from there. */
+    /** Moves the pointer back to the start of the drag, if it was moved. */
     void release() {
         if (sent) {
             hand.accept(start);

@@ -12,12 +12,12 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Pane;
 import javafx.scene.shape.Polygon;
 
-/** A mark for each keyframe on a slider of times: a click goes to it, a drag moves it to another time. */
+/** Marks of the keyframes on the slider: a click goes to one, a drag changes its time. */
 public final class KeyframeMarks extends Pane {
     private static final PseudoClass PRESENT = PseudoClass.getPseudoClass("present");
     private static final double HALF = 6;
 
-    /** Of the slider's thumb, which keeps the line so far from the slider's ends. */
+    /** Radius of the slider's thumb, by which the track is shorter than the slider. */
     private static final double INSET = 8;
 
     private final Studio studio;
@@ -52,7 +52,7 @@ public final class KeyframeMarks extends Pane {
         place();
     }
 
-    /** Whether the pointer holds one. */
+    /** Whether a mark is being dragged. */
     boolean isHeld() {
         return held.isPresent();
     }
@@ -69,7 +69,7 @@ public final class KeyframeMarks extends Pane {
         mark.setOnMouseReleased(event -> {
             held = Optional.empty();
             studio.endGesture();
-            // The line has room for where it is now.
+            // The track must have room for its present time.
             studio.film().goToKeyframe(index);
             event.consume();
         });

@@ -14,26 +14,26 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
 
 /**
- * Moves the camera about the selected bodies, or about what is seen in the picture's middle: the middle button turns,
- * with Shift it pans, and the wheel with Alt or Shift goes nearer.
+ * Moves the camera about the selected bodies, or about what is in the picture's middle: the middle button orbits, with
+ * Shift it pans, and the wheel with Alt or Shift moves nearer.
  */
 public final class OrbitMouse {
     private static final double DEGREES_A_PIXEL = 0.3;
 
-    /** Of the distance, a notch of the wheel leaves that share. */
+    /** A notch of the wheel leaves this share of the distance. */
     private static final double NOTCH = 0.9;
 
-    /** Where nothing is seen in the middle. */
+    /** Distance of the pivot if the middle shows nothing. */
     private static final double USUAL_METERS = 10;
 
-    /** What is seen there is no place to turn about: the sky, say. */
+    /** Farther bodies are no pivot. */
     private static final double FAR_METERS = 1000;
 
     private final PictureView view;
     private final Studio studio;
     private Optional<Drag> drag = Optional.empty();
 
-    /** A drag, and about what. */
+    /** A drag and its pivot. */
     private record Drag(Point2D pointer, Vector3 pivot) {}
 
     private OrbitMouse(PictureView view, Studio studio) {
@@ -41,7 +41,7 @@ public final class OrbitMouse {
         this.studio = studio;
     }
 
-    /** Filters, so that this comes before what else listens to the picture. */
+    /** Adds event filters, which run before the picture's other handlers. */
     public static void install(PictureView view, Studio studio) {
         OrbitMouse mouse = new OrbitMouse(view, studio);
         view.addEventFilter(MouseEvent.MOUSE_PRESSED, mouse::pressed);
@@ -78,7 +78,7 @@ public final class OrbitMouse {
 
     private void scrolled(ScrollEvent event) {
         if ((event.isAltDown() || event.isShiftDown()) && !event.isShortcutDown()) {
-            // With Shift, systems turn the wheel sideways.
+            // With Shift, systems report the wheel as horizontal.
             double turned = event.getDeltaY() == 0
                     ? event.getDeltaX() / event.getMultiplierX()
                     : event.getDeltaY() / event.getMultiplierY();
@@ -108,7 +108,7 @@ public final class OrbitMouse {
         return Orbit.ahead(camera, meters);
     }
 
-    /** What a pixel of the view is at the pivot's distance. */
+    /** The size of a pixel of the view at the pivot's distance. */
     private double metersAPixel(Vector3 pivot) {
         Camera camera = studio.scene().camera();
         double distance = pivot.minus(camera.position()).length();

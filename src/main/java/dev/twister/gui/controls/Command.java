@@ -3,7 +3,7 @@ package dev.twister.gui.controls;
 import java.util.Locale;
 import javafx.scene.input.KeyCombination;
 
-/** What a person can do by a menu or a key; the one place that says which key. */
+/** The commands of menus and keys, with their keys, labels and hints. */
 public enum Command {
     OPEN(Group.FILE, "Open…", "Shortcut+O", "Opens a scene or a mesh, or a panorama as the sky."),
     SAVE(Group.FILE, "Save", "Shortcut+S", "Saves the scene, with the camera where it is now."),

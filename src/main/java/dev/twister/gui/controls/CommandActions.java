@@ -3,7 +3,7 @@ package dev.twister.gui.controls;
 import java.util.EnumMap;
 import java.util.Map;
 
-/** What each command does. */
+/** Maps commands to their actions. */
 public final class CommandActions {
     private final Map<Command, Runnable> actions = new EnumMap<>(Command.class);
 

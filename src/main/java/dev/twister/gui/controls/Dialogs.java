@@ -12,14 +12,14 @@ import javafx.scene.control.ButtonType;
 import javafx.scene.control.DialogPane;
 import javafx.stage.Stage;
 
-/** Tells and asks a person something, in windows that nothing waits for: pictures go on being drawn. */
+/** Shows messages and questions in windows that do not block: drawing goes on. */
 public final class Dialogs {
     private static final DateTimeFormatter TIME =
             DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm", Locale.ROOT).withZone(ZoneId.systemDefault());
 
     private final Stage owner;
 
-    /** A button, and what it does. */
+    /** A button and its action. */
     public record Answer(String label, Runnable action) {
         static final Answer CANCEL = new Answer("Cancel", () -> {});
     }
@@ -28,14 +28,14 @@ public final class Dialogs {
         this.owner = owner;
     }
 
-    /** Says that something did not work. */
+    /** Reports a failure. */
     public void complain(String title, String message) {
         Alert alert = alert(AlertType.ERROR, title, message);
         alert.getDialogPane().setId("complaint");
         alert.show();
     }
 
-    /** Asks what to do with changes that would be lost; the first answer is the usual one. */
+    /** Asks whether to save changes that would be lost; saving is the default. */
     public void askToSave(String name, Answer save, Answer discard) {
         ask(
                 "save-question",
@@ -46,7 +46,7 @@ public final class Dialogs {
                 Answer.CANCEL);
     }
 
-    /** Asks whether a file that another program has changed is to be overwritten. */
+    /** Asks whether to overwrite a file that another program has changed. */
     public void askToOverwrite(String name, Answer other, Answer overwrite) {
         ask(
                 "overwrite-question",
@@ -57,12 +57,12 @@ public final class Dialogs {
                 Answer.CANCEL);
     }
 
-    /** Asks under which sky a scene is to be opened whose own cannot be read. */
+    /** Asks for another sky for a scene whose own cannot be read. */
     public void askForSky(String problem, Answer choose, Answer present) {
         ask("sky-question", "Couldn't load the scene's sky", problem, choose, present, Answer.CANCEL);
     }
 
-    /** Asks what to do with changes that were not saved before the program ended. */
+    /** Asks whether to restore changes that were not saved before the program ended. */
     public void askToRestore(String name, Instant when, Answer restore, Answer discard, Answer later) {
         ask(
                 "restore-question",
@@ -84,7 +84,7 @@ public final class Dialogs {
                 Answer.CANCEL);
     }
 
-    /** Asks whether to cancel what is being rendered to a file; usually it goes on. */
+    /** Asks whether to cancel a render; continuing is the default. */
     public void askToCancelRender(String name, Answer cancel) {
         ButtonType yes = new ButtonType(cancel.label(), ButtonData.NO);
         Alert alert = alert(

@@ -5,7 +5,7 @@ import javafx.scene.control.ComboBoxBase;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 
-/** Space opens what drops down, as it does in most programs, and Escape closes it and does nothing else. */
+/** Keys of drop-down controls: Space opens one, Escape only closes it. */
 public final class DropDownKeys {
     private final ComboBoxBase<?> box;
     private boolean armed;
@@ -15,7 +15,7 @@ public final class DropDownKeys {
         this.box = box;
     }
 
-    /** Filters, so that this comes before what else listens to the window. */
+    /** Adds event filters, which run before the window's handlers. */
     public static void install(ComboBoxBase<?> box) {
         DropDownKeys keys = new DropDownKeys(box);
         box.addEventFilter(KeyEvent.KEY_PRESSED, keys::pressed);
@@ -36,13 +36,13 @@ public final class DropDownKeys {
         }
     }
 
-    /** What drops down hears of a key first, and does not keep it to itself. */
+    /** The popup gets the key first, but does not consume it. */
     private void closed() {
         justClosed = true;
         Platform.runLater(() -> justClosed = false);
     }
 
-    /** A palette that is there already when the key is let go takes that for a choice. */
+    /** A palette that is already open when the key is released would take that as a choice. */
     private void released(KeyEvent event) {
         if (event.getCode() == KeyCode.SPACE && armed) {
             armed = false;

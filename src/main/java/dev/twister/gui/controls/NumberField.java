@@ -6,7 +6,7 @@ import java.util.Optional;
 import javafx.css.PseudoClass;
 import javafx.scene.control.TextField;
 
-/** A number to type in, red while it is none that is allowed. */
+/** A text field for a number; red while the text is not an allowed one. */
 public final class NumberField extends TextField {
     private static final PseudoClass WRONG = PseudoClass.getPseudoClass("wrong");
     private static final int COLUMNS = 5;
@@ -18,9 +18,9 @@ public final class NumberField extends TextField {
     /**
      * An empty field.
      *
-     * @param label what it is, for complaints
-     * @param whole whether the number has no places after the point
-     * @param changed called when the text is another one
+     * @param label names the number in error messages
+     * @param whole whether only whole numbers are allowed
+     * @param changed called when the text changes
      */
     public NumberField(String label, Range allowed, boolean whole, Runnable changed) {
         this.label = label;
@@ -36,22 +36,21 @@ public final class NumberField extends TextField {
         });
     }
 
-    /** Shows a number. */
     public void show(double number) {
         setText(BigDecimal.valueOf(number).stripTrailingZeros().toPlainString());
     }
 
-    /** The number; the nearest that is allowed to 0 where what is typed is none. */
+    /** The number; if the text is not allowed, the allowed number nearest to 0. */
     public double number() {
         return parsed().orElse(allowed.clamp(0));
     }
 
-    /** The same without places after the point. */
+    /** The number as an int. */
     public int wholeNumber() {
         return (int) number();
     }
 
-    /** What is wrong with what is typed. */
+    /** The error message; empty if the text is allowed. */
     public Optional<String> complaint() {
         return parsed().isPresent()
                 ? Optional.empty()

@@ -6,7 +6,7 @@ import java.util.function.Function;
 import javafx.scene.control.ComboBox;
 import javafx.util.StringConverter;
 
-/** One of several things, all of which can be had. */
+/** A box to choose one of several items. */
 public final class PlainBox<T> extends ComboBox<T> {
     private final Runnable chosen;
     private boolean showing;
@@ -14,8 +14,8 @@ public final class PlainBox<T> extends ComboBox<T> {
     /**
      * An empty box.
      *
-     * @param label of a thing
-     * @param chosen called when a person has chosen another thing
+     * @param label of an item
+     * @param chosen called when the user has chosen another item
      */
     public PlainBox(String id, Function<T, String> label, Runnable chosen) {
         this.chosen = chosen;
@@ -40,7 +40,7 @@ public final class PlainBox<T> extends ComboBox<T> {
         });
     }
 
-    /** Offers things; what was chosen stays so where it is among them. */
+    /** Sets the items; keeps the choice if it is among them. */
     public void offer(List<T> things, Optional<T> usual) {
         showing = true;
         Optional<T> before = choice();
@@ -52,14 +52,14 @@ public final class PlainBox<T> extends ComboBox<T> {
         showing = false;
     }
 
-    /** Chooses a thing, without telling so. */
+    /** Chooses an item without calling back. */
     public void show(T thing) {
         showing = true;
         getSelectionModel().select(thing);
         showing = false;
     }
 
-    /** What is chosen; empty where nothing is offered. */
+    /** The chosen item; empty if there are none. */
     public Optional<T> choice() {
         return Optional.ofNullable(getValue());
     }

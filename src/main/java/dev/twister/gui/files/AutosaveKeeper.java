@@ -18,16 +18,16 @@ import java.util.concurrent.TimeUnit;
 import javafx.application.Platform;
 
 /**
- * Keeps unsaved edits until they are saved or given up, so that a process that is killed does not lose them, and offers
- * those that one has left. Used by JavaFX's thread; files are written on a thread of its own.
+ * Autosaves edits, so that a killed process does not lose them, and offers to restore those of killed processes. Used
+ * by JavaFX's thread; files are written on another.
  */
 public final class AutosaveKeeper implements AutoCloseable {
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
 
-    /** From an edit to its writing; what is edited meanwhile is written with it. */
+    /** Delay from an edit to writing it, together with later edits. */
     private static final long DELAY_NANOS = TimeUnit.SECONDS.toNanos(3);
 
-    /** Large scenes are written less often: the share of the time that goes into it stays below a tenth. */
+    /** Writing takes at most one part in this many of the time, so that large scenes are written less often. */
     private static final int REST = 10;
 
     private final Studio studio;
@@ -41,7 +41,7 @@ public final class AutosaveKeeper implements AutoCloseable {
     private long lookedNanos;
     private String complaint = "";
 
-    /** Used by the own thread alone. */
+    /** Used only by the writing thread. */
     private Optional<Autosave> current = Optional.empty();
 
     public AutosaveKeeper(Studio studio, AutosaveFolder folder) {
@@ -49,7 +49,7 @@ public final class AutosaveKeeper implements AutoCloseable {
         this.folder = folder;
     }
 
-    /** Asks what is to become of edits that killed processes have left, one scene after the other. */
+    /** Offers to restore the edits of killed processes, one scene after the other. */
     public void offer(Dialogs dialogs, FileActions files) {
         thread.execute(() -> {
             List<Autosave> found = folder.leftBehind();
@@ -135,7 +135,7 @@ public final class AutosaveKeeper implements AutoCloseable {
         complaint = problem;
     }
 
-    /** The edits that were found are the ones that the studio has now. */
+    /** Marks found edits as those that the studio has now. */
     private void adopt(Autosave restored) {
         kept = Optional.of(studio.document().present());
         thread.execute(() -> {
@@ -147,9 +147,9 @@ public final class AutosaveKeeper implements AutoCloseable {
     private void leave(List<Autosave> found) {
         thread.execute(() -> found.forEach(autosave -> {
             try (autosave) {
-                // Others may have it.
+                // Closing it leaves it to other processes.
             } catch (IOException _) {
-                // It ends with the process.
+                // The lock ends with the process.
             }
         }));
     }
@@ -163,17 +163,17 @@ public final class AutosaveKeeper implements AutoCloseable {
         try {
             autosave.delete();
         } catch (IOException _) {
-            // It is offered once more than it should be.
+            // It will be offered again at the next start.
         }
     }
 
-    /** Nothing is unsaved any more. Returns at once. */
+    /** Deletes the autosaved file after the present tasks. Returns at once. */
     public void finish() {
         thread.execute(this::forget);
         thread.shutdown();
     }
 
-    /** Waits for the last file; called after {@link #finish}, by any thread. */
+    /** Waits for the thread to end; called after {@link #finish}, by any thread. */
     @Override
     public void close() {
         thread.close();

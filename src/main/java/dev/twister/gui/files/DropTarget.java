@@ -5,7 +5,7 @@ import javafx.scene.Scene;
 import javafx.scene.input.DragEvent;
 import javafx.scene.input.TransferMode;
 
-/** Takes files that are dropped on the window. */
+/** Opens files that are dropped on the window. */
 public final class DropTarget {
     private DropTarget() {}
 

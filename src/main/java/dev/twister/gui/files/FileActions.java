@@ -48,14 +48,14 @@ public final class FileActions {
         this.assets = assets;
     }
 
-    /** Asks which file, and opens it. */
+    /** Asks for a file and opens it. */
     public void open() {
         choice.toOpen(studio.document().folder()).ifPresent(this::open);
     }
 
     /**
-     * Opens a scene, or a mesh in a scene of its own, once changes are saved or given up; a panorama becomes the sky.
-     * What is none of them is complained of.
+     * Opens a scene, or a mesh in a scene of its own, once changes are saved or discarded; makes a panorama the sky.
+     * Reports any other file as an error.
      */
     public void open(Path file) {
         reading.begin(
@@ -76,7 +76,7 @@ public final class FileActions {
                 () -> {});
     }
 
-    /** Opens the first of the files that were dropped; with several, says so. */
+    /** Opens the first of the dropped files; tells it if there are several. */
     public void drop(List<Path> files) {
         if (files.size() > 1) {
             studio.notice("One file at a time: opening " + files.getFirst().getFileName());
@@ -102,7 +102,7 @@ public final class FileActions {
         reading.begin(
                 FileNames.name(file),
                 () -> studio.assets().readScene(file),
-                // What cannot be opened is no reason to ask what is to become of the old scene.
+                // Ask only once the new scene has been read.
                 opened -> saving.afterSaving(() -> {
                     studio.show(opened);
                     settings.remember(file);
@@ -114,7 +114,7 @@ public final class FileActions {
                 () -> {});
     }
 
-    /** Where only the sky is at fault, the scene can be had with another. */
+    /** Offers to open a scene under another sky if only its own cannot be read. */
     private void offerAnotherSky(Path file, Throwable problem) {
         Path present = studio.scene().sky().file();
         reading.begin(
@@ -153,10 +153,10 @@ public final class FileActions {
     }
 
     /**
-     * Shows edits that were not saved, once those of the present scene are saved or given up.
+     * Shows autosaved edits, once those of the present scene are saved or discarded.
      *
      * @param then called when they are shown
-     * @param failed called when they cannot be
+     * @param failed called if they cannot be
      */
     void restore(Autosave autosave, Runnable then, Runnable failed) {
         Path present = studio.scene().sky().file();
@@ -177,7 +177,7 @@ public final class FileActions {
                 failed);
     }
 
-    /** The edits; under the present sky where their own cannot be read any more. */
+    /** The edited scene; under the present sky if its own cannot be read any more. */
     private Scene edited(Path autosaved, Path present) {
         try {
             return studio.assets().readScene(autosaved).scene();
@@ -200,7 +200,7 @@ public final class FileActions {
 
     private record Restored(OpenedScene before, Scene edited) {}
 
-    /** The scene as its file has it; as it was edited where that cannot be read any more. */
+    /** The scene in its file; the edited one if that cannot be read any more. */
     private OpenedScene before(EditedFile file, Scene edited) {
         try {
             return new OpenedScene(file, studio.assets().readScene(file.path()).scene());
@@ -209,7 +209,6 @@ public final class FileActions {
         }
     }
 
-    /** As the command line says it, where the message is meant for a person. */
     private void complain(String title, Throwable problem) {
         dialogs.complain(title, Problems.explain(problem));
     }

@@ -3,30 +3,30 @@ package dev.twister.gui.files;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/** Asks a person for files; empty where they think better of it. A test answers in their place. */
+/** Asks for files; empty if canceled. Tests have their own. */
 public interface FileChoice {
-    /** A scene, a mesh or a panorama that is there. */
+    /** An existing scene, mesh or panorama. */
     Optional<Path> toOpen(Path folder);
 
-    /** Where to save a scene. */
+    /** A file for the scene. */
     Optional<Path> toSaveScene(Path suggested);
 
-    /** A panorama that is there. */
+    /** An existing panorama. */
     Optional<Path> panorama(Path folder);
 
-    /** A mesh that is there. */
+    /** An existing mesh. */
     Optional<Path> mesh(Path folder);
 
-    /** A texture that is there. */
+    /** An existing texture. */
     Optional<Path> texture(Path folder);
 
-    /** Where to save a picture, .png or .hdr. */
+    /** A file for a picture, .png or .hdr. */
     Optional<Path> toSavePicture(Path suggested);
 
     /**
-     * Where to render to.
+     * A file to render to.
      *
-     * @param kind of file, for a person
+     * @param kind of file, for the dialog
      * @param ending of its name, with a dot
      */
     Optional<Path> toRender(Path suggested, String kind, String ending);

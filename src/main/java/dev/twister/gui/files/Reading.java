@@ -7,32 +7,29 @@ import javafx.application.Platform;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 
-/**
- * Reads one file at a time beside JavaFX's thread, as long as a person wants it: whatever is read next takes its place.
- * Used by JavaFX's thread.
- */
+/** Reads one file at a time in the background; reading another one cancels it. Used by JavaFX's thread. */
 public final class Reading {
     private final ReadOnlyObjectWrapper<Optional<Task>> present = new ReadOnlyObjectWrapper<>(Optional.empty());
 
     /**
      * A file that is being read.
      *
-     * @param name of the file, for a person
-     * @param canceled called where nobody wants it any more
+     * @param name of the file, for the status line
+     * @param canceled called if it is canceled
      */
     record Task(String name, Thread thread, Runnable canceled) {}
 
-    /** What is being read. */
+    /** The file that is being read. */
     ReadOnlyObjectProperty<Optional<Task>> presentProperty() {
         return present.getReadOnlyProperty();
     }
 
     /**
-     * Reads a file, and no other one any more. Either one of the three is called, on JavaFX's thread.
+     * Cancels the present file and reads another. Calls exactly one of the three, on JavaFX's thread.
      *
-     * @param done gets what was read
-     * @param failed gets whatever was thrown
-     * @param canceled called where another one is read, or none any more, before that
+     * @param done gets the result
+     * @param failed gets what was thrown
+     * @param canceled called if it is canceled first
      */
     <T> void begin(String name, Callable<T> read, Consumer<T> done, Consumer<Throwable> failed, Runnable canceled) {
         cancel();
@@ -41,7 +38,7 @@ public final class Reading {
                 T result = read.call();
                 end(Thread.currentThread(), () -> done.accept(result));
             } catch (Exception | Error problem) {
-                // A file too large for the memory, for one, is that file's failure and not the window's.
+                // Errors too: a file may be too large for the memory.
                 end(Thread.currentThread(), () -> failed.accept(problem));
             }
         });
@@ -58,11 +55,11 @@ public final class Reading {
         });
     }
 
-    /** What is being read is not wanted any more. */
+    /** Cancels reading. */
     public void cancel() {
         present.get().ifPresent(task -> {
             present.set(Optional.empty());
-            // Which closes the file under the thread that reads it.
+            // This closes the file under the reading thread.
             task.thread().interrupt();
             task.canceled().run();
         });

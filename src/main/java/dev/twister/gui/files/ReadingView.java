@@ -11,9 +11,9 @@ import javafx.scene.control.Label;
 import javafx.scene.control.ProgressIndicator;
 import javafx.scene.layout.HBox;
 
-/** Says what is being read where that takes long, with a button that ends it. */
+/** Shows which file is being read, if it takes long, with a button to cancel. */
 public final class ReadingView extends HBox {
-    /** What takes less is over before one has read of it. */
+    /** Files that take less time are not shown. */
     private static final long LONG_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
 
     private final Studio studio;
@@ -37,12 +37,12 @@ public final class ReadingView extends HBox {
         show(false);
     }
 
-    /** Whether a file is being read, long or not. */
+    /** Whether a file is being read. */
     public static boolean isReading(Studio studio, Reading reading) {
         return name(studio, reading).isPresent();
     }
 
-    /** What is being read is not wanted any more. */
+    /** Cancels reading. */
     public static void cancel(Studio studio, Reading reading) {
         name(studio, reading).ifPresent(file -> studio.notice("Canceled reading " + file));
         reading.cancel();

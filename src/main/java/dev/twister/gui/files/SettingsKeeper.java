@@ -13,22 +13,18 @@ import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 
 /**
- * The settings that last, as they are now; written when the window closes, and whenever a scene was opened or saved.
- * Another window of this user may have written its own meanwhile: what was changed here is changed in those.
+ * The present settings. They are written when the window closes and when a scene is opened or saved. Only the changes
+ * of this window are applied to the file, because another window may have written it.
  */
 public final class SettingsKeeper {
     private final SettingsStore store;
     private final Consumer<String> complain;
     private final ReadOnlyObjectWrapper<WindowSettings> settings;
 
-    /** Since they were written last. */
+    /** Changes since the settings were last written. */
     private final List<UnaryOperator<WindowSettings>> changes = new ArrayList<>();
 
-    /**
-     * Keeps what was found.
-     *
-     * @param complain takes a message for the person
-     */
+    /** @param complain takes messages for the status line */
     public SettingsKeeper(SettingsStore store, SettingsStore.Found found, Consumer<String> complain) {
         this.store = store;
         this.complain = complain;
@@ -62,7 +58,7 @@ public final class SettingsKeeper {
         }
     }
 
-    /** A few hundred bytes, written whole. */
+    /** Writes the settings on this thread: they have a few hundred bytes. */
     public void write() {
         try {
             SettingsStore.Found found = store.read();

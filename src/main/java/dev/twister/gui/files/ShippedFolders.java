@@ -6,13 +6,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * What Twister brings along, and the window does not write to. The folders need not exist.
+ * The folders of shipped files, to which the window does not write. They need not exist.
  *
  * @param scenes shipped scenes
- * @param skyboxes panoramas that are offered
+ * @param skyboxes shipped panoramas
  */
 public record ShippedFolders(Path scenes, Path skyboxes) {
-    /** Whether a file, which need not exist, is or would be in the folder of the shipped scenes. */
+    /** Whether a file, which need not exist, is in the folder of shipped scenes. */
     boolean isScene(Path file) {
         try {
             Path folder = WholeFile.behindLinks(file).getParent();

@@ -26,6 +26,15 @@ public enum Axis {
         return place.plus(direction.times(meters));
     }
 
+    /** A vector with another part along this axis. */
+    Vector3 with(Vector3 vector, double part) {
+        return switch (this) {
+            case X -> new Vector3(part, vector.y(), vector.z());
+            case Y -> new Vector3(vector.x(), part, vector.z());
+            case Z -> new Vector3(vector.x(), vector.y(), part);
+        };
+    }
+
     /** A vector's part along this axis. */
     double of(Vector3 vector) {
         return vector.dot(direction);

@@ -1,130 +1,92 @@
 package dev.twister.gui.model;
 
-import dev.twister.gui.model.NumberSetting.Scale;
+import dev.twister.gui.model.NumberScale.Spread;
+import dev.twister.scene.Mesh;
 import dev.twister.scene.Range;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
-import dev.twister.scene.Vector3;
-import java.util.function.BiFunction;
-import java.util.function.ToDoubleFunction;
+import dev.twister.scene.Sphere;
+import java.util.List;
 
-/** The numbers of a sphere or a mesh, by its {@link BodyNumber}. */
+/** The numbers of spheres and meshes, except those of their materials. */
 public final class BodyNumbers {
-    private final String kind;
-    private final String middle;
-    private final int body;
+    private static final NumberScale RADIUS =
+            new NumberScale(SceneLimits.LENGTH, new Range(0.05, 10), Spread.LOGARITHMIC, 2, "m");
+    private static final NumberScale FILE_UNIT =
+            new NumberScale(SceneLimits.SCALE, new Range(0.001, 1000), Spread.LOGARITHMIC, 3, "");
+    private static final NumberScale ANGLE =
+            new NumberScale(SceneLimits.ROTATION, new Range(-180, 180), Spread.LINEAR, 1, "°");
 
-    private BodyNumbers(String kind, String middle, int body) {
-        this.kind = kind;
-        this.middle = middle;
-        this.body = body;
+    public static final List<NumberProperty<Sphere>> SPHERE = List.of(
+            sphere(Axis.X, "from left to right", "Alt+4"),
+            sphere(Axis.Y, "in height", "Alt+5"),
+            sphere(Axis.Z, "from near to far", "Alt+6"),
+            new NumberProperty<>(
+                    "Sphere radius", "The sphere's radius.", "Alt+7", RADIUS, Sphere::radius, Sphere::withRadius));
+
+    public static final List<NumberProperty<Mesh>> MESH = List.of(
+            mesh(Axis.X, "from left to right", "Alt+4"),
+            mesh(Axis.Y, "in height", "Alt+5"),
+            mesh(Axis.Z, "from near to far", "Alt+6"),
+            turn("yaw", Axis.Y, "about the vertical axis, to the right", "Alt+Shift+4"),
+            turn("pitch", Axis.X, "forwards", "Alt+Shift+5"),
+            turn("roll", Axis.Z, "to its left side", "Alt+Shift+6"),
+            new NumberProperty<>(
+                    "Mesh scale",
+                    "Meters per unit of the mesh's file.",
+                    "Alt+7",
+                    FILE_UNIT,
+                    Mesh::scale,
+                    Mesh::withScale));
+
+    private BodyNumbers() {}
+
+    /** The numbers of a body; none unless it is a sphere or a mesh. */
+    public static List<NumberProperty<Scene>> of(Scene scene, int body) {
+        return BodyEdits.isSphere(scene, body)
+                ? SPHERE.stream().map(number -> ofSphere(body, number)).toList()
+                : BodyEdits.isMesh(scene, body)
+                        ? MESH.stream().map(number -> ofMesh(body, number)).toList()
+                        : List.of();
     }
 
-    /** The numbers of a sphere. */
-    public static BodyNumbers ofSphere(int body) {
-        return new BodyNumbers("Sphere", "the sphere's center", body);
+    public static NumberProperty<Scene> ofSphere(int body, NumberProperty<Sphere> number) {
+        return number.in(
+                scene -> BodyEdits.sphere(scene, body), (scene, edit) -> BodyEdits.editedSphere(scene, body, edit));
     }
 
-    /** The numbers of a mesh. */
-    public static BodyNumbers ofMesh(int body) {
-        return new BodyNumbers("Mesh", "the origin of the mesh's file", body);
+    private static NumberProperty<Scene> ofMesh(int body, NumberProperty<Mesh> number) {
+        return number.in(
+                scene -> BodyEdits.mesh(scene, body), (scene, edit) -> BodyEdits.editedMesh(scene, body, edit));
     }
 
-    public NumberSetting x() {
-        return place("x", "from left to right", Vector3::x, (place, x) -> new Vector3(x, place.y(), place.z()));
+    private static NumberProperty<Sphere> sphere(Axis axis, String direction, String key) {
+        return new NumberProperty<>(
+                "Sphere " + axis.label(),
+                "The position of the sphere's center " + direction + ".",
+                key,
+                SceneNumbers.PLACE,
+                sphere -> axis.of(sphere.position()),
+                (sphere, number) -> sphere.withPosition(axis.with(sphere.position(), number)));
     }
 
-    public NumberSetting y() {
-        return place("y", "in height", Vector3::y, (place, y) -> new Vector3(place.x(), y, place.z()));
+    private static NumberProperty<Mesh> mesh(Axis axis, String direction, String key) {
+        return new NumberProperty<>(
+                "Mesh " + axis.label(),
+                "The position of the origin of the mesh's file " + direction + ".",
+                key,
+                SceneNumbers.PLACE,
+                mesh -> axis.of(mesh.position()),
+                (mesh, number) -> mesh.withPosition(axis.with(mesh.position(), number)));
     }
 
-    public NumberSetting z() {
-        return place("z", "from near to far", Vector3::z, (place, z) -> new Vector3(place.x(), place.y(), z));
-    }
-
-    /** A sphere's. */
-    public NumberSetting radius() {
-        return new NumberSetting(
-                "Sphere radius",
-                "The sphere's radius.",
-                SceneLimits.LENGTH,
-                new Range(0.05, 10),
-                Scale.LOGARITHMIC,
-                2,
-                "m",
-                scene -> BodyEdits.sphere(scene, body).radius(),
-                (scene, radius) -> BodyEdits.editedSphere(scene, body, sphere -> sphere.withRadius(radius)));
-    }
-
-    /** A mesh's. */
-    public NumberSetting scale() {
-        return new NumberSetting(
-                "Mesh scale",
-                "Meters per unit of the mesh's file.",
-                SceneLimits.SCALE,
-                new Range(0.001, 1000),
-                Scale.LOGARITHMIC,
-                3,
-                "",
-                scene -> BodyEdits.mesh(scene, body).scale(),
-                (scene, scale) -> BodyEdits.editedMesh(scene, body, mesh -> mesh.withScale(scale)));
-    }
-
-    /** A mesh's. */
-    public NumberSetting yaw() {
-        return turn(
-                "yaw",
-                "about the vertical axis, to the right",
-                Vector3::y,
-                (rotation, yaw) -> new Vector3(rotation.x(), yaw, rotation.z()));
-    }
-
-    /** A mesh's. */
-    public NumberSetting pitch() {
-        return turn(
-                "pitch", "forwards", Vector3::x, (rotation, pitch) -> new Vector3(pitch, rotation.y(), rotation.z()));
-    }
-
-    /** A mesh's. */
-    public NumberSetting roll() {
-        return turn(
-                "roll",
-                "to its left side",
-                Vector3::z,
-                (rotation, roll) -> new Vector3(rotation.x(), rotation.y(), roll));
-    }
-
-    private NumberSetting place(
-            String axis,
-            String direction,
-            ToDoubleFunction<Vector3> reader,
-            BiFunction<Vector3, Double, Vector3> writer) {
-        return SceneNumbers.place(
-                kind + " " + axis,
-                "The place of " + middle + " " + direction + ".",
-                scene -> reader.applyAsDouble(BodyEdits.position(scene, body)),
-                (scene, number) -> BodyEdits.moved(scene, body, writer.apply(BodyEdits.position(scene, body), number)));
-    }
-
-    private NumberSetting turn(
-            String name,
-            String direction,
-            ToDoubleFunction<Vector3> reader,
-            BiFunction<Vector3, Double, Vector3> writer) {
-        return new NumberSetting(
+    private static NumberProperty<Mesh> turn(String name, Axis axis, String direction, String key) {
+        return new NumberProperty<>(
                 "Mesh " + name,
                 "How far the mesh is turned " + direction + ". It is rolled, then pitched, then turned.",
-                SceneLimits.ROTATION,
-                new Range(-180, 180),
-                Scale.LINEAR,
-                1,
-                "°",
-                scene -> reader.applyAsDouble(rotation(scene)),
-                (scene, degrees) -> BodyEdits.editedMesh(
-                        scene, body, mesh -> mesh.withRotation(writer.apply(mesh.rotation(), degrees))));
-    }
-
-    private Vector3 rotation(Scene scene) {
-        return BodyEdits.mesh(scene, body).rotation();
+                key,
+                ANGLE,
+                mesh -> axis.of(mesh.rotation()),
+                (mesh, degrees) -> mesh.withRotation(axis.with(mesh.rotation(), degrees)));
     }
 }

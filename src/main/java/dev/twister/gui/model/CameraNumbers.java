@@ -1,73 +1,76 @@
 package dev.twister.gui.model;
 
-import dev.twister.gui.model.NumberSetting.Scale;
+import dev.twister.gui.model.NumberScale.Spread;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Range;
 import dev.twister.scene.Scene;
 import dev.twister.scene.SceneLimits;
-import dev.twister.scene.Vector3;
 import java.util.List;
-import java.util.function.BiFunction;
-import java.util.function.ToDoubleFunction;
 
-/** Where the camera is and looks, as numbers. */
+/** The numbers of the camera. */
 public final class CameraNumbers {
-    private CameraNumbers() {}
+    public static final NumberProperty<Camera> FIELD_OF_VIEW = new NumberProperty<>(
+            "Field of view",
+            "Field of view over the shorter side of the picture. Small is a telephoto lens, large a wide angle.",
+            "Alt+W",
+            new NumberScale(SceneLimits.FIELD_OF_VIEW, new Range(10, 120), Spread.LINEAR, 1, "°"),
+            Camera::fieldOfViewDegrees,
+            Camera::withFieldOfView);
 
-    public static final NumberSetting X = place(
-            "Camera x",
-            "The camera's place from left to right.",
-            Vector3::x,
-            (place, x) -> new Vector3(x, place.y(), place.z()));
+    public static final NumberProperty<Camera> APERTURE = new NumberProperty<>(
+            "Aperture",
+            "The lens's radius. 0 is sharp everywhere; larger values blur more of what is not in focus.",
+            "Alt+Shift+A",
+            new NumberScale(SceneLimits.APERTURE, new Range(0, 0.5), Spread.LINEAR, 3, "m"),
+            Camera::aperture,
+            Camera::withAperture);
 
-    public static final NumberSetting Y = place(
-            "Camera y",
-            "The camera's height. It stays above the plane.",
-            Vector3::y,
-            (place, y) -> new Vector3(place.x(), y, place.z()));
+    public static final NumberProperty<Camera> FOCUS_DISTANCE = new NumberProperty<>(
+            "Focus distance",
+            "Distance to the plane in focus, straight ahead. Ctrl+Shift+click in the picture sets it.",
+            "Alt+Shift+D",
+            new NumberScale(SceneLimits.FOCUS_DISTANCE, new Range(0.1, 100), Spread.LOGARITHMIC, 2, "m"),
+            Camera::focusDistance,
+            Camera::withFocusDistance);
 
-    public static final NumberSetting Z = place(
-            "Camera z",
-            "The camera's place from near to far.",
-            Vector3::z,
-            (place, z) -> new Vector3(place.x(), place.y(), z));
+    /** The rows of the panel, in their order. */
+    public static final List<NumberProperty<Scene>> ALL = List.of(
+                    place(Axis.X, "The camera's position from left to right.", "Alt+Shift+1"),
+                    place(Axis.Y, "The camera's height. It stays above the plane.", "Alt+Shift+2"),
+                    place(Axis.Z, "The camera's position from near to far.", "Alt+Shift+3"),
+                    new NumberProperty<>(
+                            "Yaw",
+                            "Turn of the camera to the right; 0 looks along z.",
+                            "Alt+Shift+Y",
+                            new NumberScale(SceneLimits.YAW, new Range(-180, 180), Spread.LINEAR, 1, "°"),
+                            Camera::yawDegrees,
+                            Camera::withYaw),
+                    new NumberProperty<>(
+                            "Pitch",
+                            "Turn of the camera down; 0 is level.",
+                            "Alt+Shift+U",
+                            new NumberScale(SceneLimits.PITCH, new Range(-90, 90), Spread.LINEAR, 1, "°"),
+                            Camera::pitchDegrees,
+                            Camera::withPitch),
+                    FIELD_OF_VIEW,
+                    APERTURE,
+                    FOCUS_DISTANCE)
+            .stream()
+            .map(number -> number.in(Scene::camera, (scene, edit) -> scene.withCamera(edit.apply(scene.camera()))))
+            .toList();
 
-    public static final NumberSetting YAW = new NumberSetting(
-            "Yaw",
-            "Turn of the camera to the right; 0 looks along z.",
-            SceneLimits.YAW,
-            new Range(-180, 180),
-            Scale.LINEAR,
-            1,
-            "°",
-            scene -> scene.camera().yawDegrees(),
-            (scene, degrees) -> scene.withCamera(scene.camera().withYaw(degrees)));
-
-    public static final NumberSetting PITCH = new NumberSetting(
-            "Pitch",
-            "Turn of the camera down; 0 is level.",
-            SceneLimits.PITCH,
-            new Range(-90, 90),
-            Scale.LINEAR,
-            1,
-            "°",
-            scene -> scene.camera().pitchDegrees(),
-            (scene, degrees) -> scene.withCamera(scene.camera().withPitch(degrees)));
-
-    /** Meters per second that a walk may have. */
+    /** Walking speeds in meters per second. */
     public static final List<Double> SPEEDS = List.of(0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0);
 
-    private static NumberSetting place(
-            String label, String hint, ToDoubleFunction<Vector3> reader, BiFunction<Vector3, Double, Vector3> writer) {
-        return SceneNumbers.place(
-                label,
-                hint,
-                scene -> reader.applyAsDouble(scene.camera().position()),
-                (scene, number) -> moved(scene, writer, number));
-    }
+    private CameraNumbers() {}
 
-    private static Scene moved(Scene scene, BiFunction<Vector3, Double, Vector3> writer, double number) {
-        Camera camera = scene.camera();
-        return scene.withCamera(camera.withPosition(writer.apply(camera.position(), number)));
+    private static NumberProperty<Camera> place(Axis axis, String hint, String key) {
+        return new NumberProperty<>(
+                "Camera " + axis.label(),
+                hint,
+                key,
+                SceneNumbers.PLACE,
+                camera -> axis.of(camera.position()),
+                (camera, number) -> camera.withPosition(axis.with(camera.position(), number)));
     }
 }

@@ -6,30 +6,22 @@ import java.util.Optional;
 
 /** What a body is often made of, whatever its color and texture. */
 public enum MaterialPreset {
-    MATTE("Matte", 0, 0, 0),
-    PLASTIC("Plastic", 16, 0, 0),
-    MIRROR("Mirror", 128, 0, 0),
-    BRUSHED_METAL("Brushed metal", 104, 0.3, 0),
-    GLASS("Glass", 0, 0, 1),
-    WATER("Water", 0, 0, 1, 1.33),
-    DIAMOND("Diamond", 0, 0, 1, 2.42);
+    MATTE("Matte", Material.DEFAULT),
+    PLASTIC("Plastic", Material.DEFAULT.withReflectivity(16)),
+    MIRROR("Mirror", Material.DEFAULT.withReflectivity(128)),
+    BRUSHED_METAL("Brushed metal", Material.DEFAULT.withReflectivity(104).withRoughness(0.3)),
+    GLASS("Glass", Material.DEFAULT.withTransmission(1)),
+    WATER("Water", Material.DEFAULT.withTransmission(1).withIor(1.33)),
+    DIAMOND("Diamond", Material.DEFAULT.withTransmission(1).withIor(2.42));
 
     private final String label;
-    private final double reflectivity;
-    private final double roughness;
-    private final double transmission;
-    private final double ior;
 
-    MaterialPreset(String label, double reflectivity, double roughness, double transmission) {
-        this(label, reflectivity, roughness, transmission, Material.DEFAULT.ior());
-    }
+    @SuppressWarnings("ImmutableEnumChecker") // a record of numbers
+    private final Material material;
 
-    MaterialPreset(String label, double reflectivity, double roughness, double transmission, double ior) {
+    MaterialPreset(String label, Material material) {
         this.label = label;
-        this.reflectivity = reflectivity;
-        this.roughness = roughness;
-        this.transmission = transmission;
-        this.ior = ior;
+        this.material = material;
     }
 
     public String label() {
@@ -44,10 +36,7 @@ public enum MaterialPreset {
     }
 
     /** That material with all but its color and its texture as here. */
-    public Material appliedTo(Material material) {
-        return material.withReflectivity(reflectivity)
-                .withRoughness(roughness)
-                .withTransmission(transmission)
-                .withIor(ior);
+    public Material appliedTo(Material old) {
+        return material.withColor(old.color()).withTexture(old.texture());
     }
 }

@@ -20,7 +20,7 @@ import javafx.scene.control.MultipleSelectionModel;
 import javafx.scene.control.SelectionMode;
 import javafx.scene.input.KeyEvent;
 
-/** The list of bodies, of which several can be selected. */
+/** The list of bodies; several can be selected. */
 final class BodiesRow extends PanelRow {
     private final Studio studio;
     private final ListView<Named> list = new ListView<>();
@@ -28,7 +28,7 @@ final class BodiesRow extends PanelRow {
     private boolean taking;
     private int shownActive = BodyNumber.NONE;
 
-    /** A body in the list. */
+    /** An item of the list. */
     private record Named(int body, String name) {
         static Named of(Scene scene, int body) {
             return new Named(body, BodyChoices.name(scene, body));
@@ -52,7 +52,7 @@ final class BodiesRow extends PanelRow {
         addControls(list);
     }
 
-    /** Shows the scene's bodies, and marks those that are selected. */
+    /** Shows the scene's bodies and marks the selected ones. */
     void show(Scene scene, SelectedBodies selected) {
         showing = true;
         List<Named> names = BodyChoices.of(scene, selected).stream()
@@ -87,13 +87,13 @@ final class BodiesRow extends PanelRow {
 
     private void focus(int line) {
         list.getFocusModel().focus(line);
-        // Under a pointer that clicks in it, the list stays.
+        // The list must not change under a pointer that clicks in it.
         if (line >= 0 && !taking) {
             list.scrollTo(Math.max(0, line - 1));
         }
     }
 
-    /** A click changes the marks several times. */
+    /** One click changes the marks several times. */
     private void takeSoon() {
         if (!showing && !taking) {
             taking = true;
@@ -111,7 +111,7 @@ final class BodiesRow extends PanelRow {
             chosen.add(clicked.body());
         }
         studio.selection().select(chosen);
-        // The plane, which is selected alone, loses its mark among others.
+        // The plane can only be selected alone: it loses its mark among others.
         show(studio.scene(), studio.selection().bodies());
     }
 

@@ -1,14 +1,13 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.model.CameraNumbers;
-import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.panel.ChoiceRow.Look;
 import dev.twister.gui.studio.Studio;
 import dev.twister.world.CameraMotion;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Where the camera is, and the lens that the picture is seen through. */
+/** The camera's position, direction and lens. */
 final class CameraSection {
     private final Studio studio;
     private final List<NumberRow> numbers;
@@ -16,20 +15,12 @@ final class CameraSection {
 
     CameraSection(Studio studio) {
         this.studio = studio;
-        numbers = List.of(
-                new NumberRow(CameraNumbers.X, "Alt+Shift+1", studio),
-                new NumberRow(CameraNumbers.Y, "Alt+Shift+2", studio),
-                new NumberRow(CameraNumbers.Z, "Alt+Shift+3", studio),
-                new NumberRow(CameraNumbers.YAW, "Alt+Shift+Y", studio),
-                new NumberRow(CameraNumbers.PITCH, "Alt+Shift+U", studio),
-                new NumberRow(SceneNumbers.FIELD_OF_VIEW, "Alt+W", studio),
-                new NumberRow(SceneNumbers.APERTURE, "Alt+Shift+A", studio),
-                new NumberRow(SceneNumbers.FOCUS_DISTANCE, "Alt+Shift+D", studio));
+        numbers = NumberRow.of(CameraNumbers.ALL, studio);
         speed = new ChoiceRow<>(
                 "Speed",
                 "Walking speed in meters per second; Shift is 4 times as fast.",
                 "Alt+Shift+Z",
-                metersPerSecond -> new Look(SceneNumbers.FOCUS_DISTANCE.text(metersPerSecond) + " m/s"),
+                metersPerSecond -> new Look(CameraNumbers.FOCUS_DISTANCE.scale().text(metersPerSecond) + " m/s"),
                 studio.hand().speedProperty()::set,
                 studio::notice);
         studio.hand()

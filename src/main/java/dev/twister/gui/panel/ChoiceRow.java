@@ -10,7 +10,7 @@ import javafx.scene.Node;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.ListCell;
 
-/** One of several things; those that cannot be had are gray and say why. */
+/** A row to choose one of several items; unavailable ones are gray and say why. */
 public final class ChoiceRow<T> extends PanelRow {
     private final ComboBox<T> box = new ComboBox<>();
     private final Consumer<T> choose;
@@ -20,12 +20,12 @@ public final class ChoiceRow<T> extends PanelRow {
     private boolean showing;
 
     /**
-     * How a thing is shown.
+     * How an item is shown.
      *
      * @param label in the list
-     * @param name what stands in the box where it is chosen, which is narrow
-     * @param hint more about it, may be empty
-     * @param obstacle why it cannot be had; empty where it can
+     * @param name in the closed box, which is narrow
+     * @param hint for the tooltip; may be empty
+     * @param obstacle why it is unavailable; empty if it is available
      */
     public record Look(String label, String name, String hint, Optional<String> obstacle) {
         public Look(String label) {
@@ -34,10 +34,10 @@ public final class ChoiceRow<T> extends PanelRow {
     }
 
     /**
-     * A row that shows nothing until {@link #show}.
+     * A row that is empty until {@link #show}.
      *
-     * @param choose called when a person has chosen what can be had
-     * @param complain called with the obstacle when it cannot
+     * @param choose called when the user has chosen an available item
+     * @param complain called with the obstacle of an unavailable one
      */
     public ChoiceRow(
             String label,
@@ -61,16 +61,16 @@ public final class ChoiceRow<T> extends PanelRow {
         addControls(box);
     }
 
-    /** Shows what there is, what is chosen, and what a reset would lead to; things are told apart by equality. */
+    /** Shows the items, the chosen one and the one that a reset leads to; items are compared by equality. */
     public void show(List<T> things, T chosen, T usual) {
         showing = true;
-        // An open list stays as high as it was for the things it was opened with.
+        // An open list keeps the height for the items that it was opened with.
         boolean reopens = box.isShowing() && !box.getItems().equals(things);
         if (reopens) {
             box.hide();
         }
         if (!box.getItems().equals(things)) {
-            // Else the box keeps the number of the line, whatever stands there now.
+            // Otherwise the box keeps the line's number, whatever item is there now.
             box.getSelectionModel().clearSelection();
             box.getItems().setAll(things);
         }
@@ -100,7 +100,7 @@ public final class ChoiceRow<T> extends PanelRow {
         }
     }
 
-    /** A line of the list, or what stands in the box. */
+    /** A line of the list, or the content of the closed box. */
     private final class LookCell extends ListCell<T> {
         private final Function<Look, String> text;
 
@@ -117,7 +117,7 @@ public final class ChoiceRow<T> extends PanelRow {
                 setDisable(false);
             } else {
                 Look shownAs = look.apply(item);
-                // A gray line takes no pointer, so it would show no tooltip.
+                // A disabled line gets no mouse events, so it would show no tooltip.
                 setText(shownAs.obstacle()
                         .map(why -> text.apply(shownAs) + "\n" + Tooltips.wrap(why))
                         .orElse(text.apply(shownAs)));

@@ -17,7 +17,7 @@ import javafx.scene.layout.GridPane;
 import javafx.scene.paint.Color;
 import javafx.stage.Window;
 
-/** A color, shown as a picture at exposure 0 shows it. */
+/** A row for a color, shown as a picture at exposure 0 shows it. */
 final class ColorRow extends PanelRow {
     private final ColorPicker picker = new ColorPicker();
     private final Function<Scene, Rgb> reader;
@@ -33,10 +33,10 @@ final class ColorRow extends PanelRow {
     };
 
     /**
-     * A row that shows nothing until {@link #show}.
+     * A row that is empty until {@link #show}.
      *
-     * @param reader the color of a scene, each channel in [0, 1]
-     * @param writer the scene with another color
+     * @param reader reads the color of a scene, each channel in [0, 1]
+     * @param writer returns the scene with another color
      */
     ColorRow(
             String label,
@@ -56,7 +56,7 @@ final class ColorRow extends PanelRow {
                         new Rgb(color.getRed(), color.getGreen(), color.getBlue()), isSrgb(studio.scene())));
             }
         });
-        // While it is open, a drag in the dialog of custom colors sets one value after the other.
+        // A drag in the open dialog of custom colors sets one value after the other.
         picker.showingProperty().subscribe(open -> {
             if (open) {
                 Window.getWindows().addListener(dialogs);
@@ -69,7 +69,7 @@ final class ColorRow extends PanelRow {
         addControls(picker);
     }
 
-    /** Shows the scene's color; a reset leads to the usual scene's. */
+    /** Shows the scene's color and enables a reset to the usual scene's. */
     void show(Scene scene, Scene usual) {
         Rgb rgb = reader.apply(scene);
         showing = true;
@@ -92,7 +92,7 @@ final class ColorRow extends PanelRow {
         return scene.rendering().srgb();
     }
 
-    /** The dialog of custom colors has an opacity, which no color here has. */
+    /** Hides the opacity in the dialog of custom colors: no color here has one. */
     private static void hideOpacity(Window dialog) {
         Optional.ofNullable(dialog.getScene())
                 .map(scene -> scene.getRoot().lookup("#settings-pane"))

@@ -13,7 +13,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** Whether there is a second picture, and how it differs from the first. */
+/** Settings of the second picture. */
 final class CompareSection {
     private static final String SAME = "as the first";
 

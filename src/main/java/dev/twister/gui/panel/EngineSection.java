@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** What draws, how many pixels, and what of the picture. */
+/** The engine, the resolution and the shown stage or view. */
 final class EngineSection {
     private final Studio studio;
     private final EngineList engines;
@@ -86,7 +86,10 @@ final class EngineSection {
                 .orElseGet(() -> unknown(id));
     }
 
-    /** What was asked for by a name that the list has not: a family's first device, or nothing that there is. */
+    /**
+     * An engine that was asked for by a name that is not in the list: the first device of a family, or one that does
+     * not exist.
+     */
     private static Look unknown(String id) {
         return Engines.deviceFamilies().contains(id)
                 ? new Look(id)

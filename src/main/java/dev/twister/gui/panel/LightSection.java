@@ -1,8 +1,7 @@
 package dev.twister.gui.panel;
 
+import dev.twister.gui.model.LightNumbers;
 import dev.twister.gui.model.Radiance;
-import dev.twister.gui.model.SceneNumbers;
-import dev.twister.gui.model.SurroundingsNumbers;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Light;
 import dev.twister.scene.Lights;
@@ -19,13 +18,7 @@ final class LightSection {
 
     LightSection(Studio studio) {
         this.studio = studio;
-        numbers = List.of(
-                new NumberRow(SceneNumbers.LIGHT_X, "Alt+1", studio),
-                new NumberRow(SceneNumbers.LIGHT_Y, "Alt+2", studio),
-                new NumberRow(SceneNumbers.LIGHT_Z, "Alt+3", studio),
-                new NumberRow(SceneNumbers.LIGHT_RADIUS, "Alt+L", studio),
-                new NumberRow(SceneNumbers.LIGHT_STRENGTH, "Alt+Q", studio),
-                new NumberRow(SurroundingsNumbers.AMBIENT, "Alt+Shift+L", studio));
+        numbers = NumberRow.of(LightNumbers.ALL, studio);
         color = new ColorRow(
                 "Light color",
                 "The light's color. Set brightness with Light strength.",

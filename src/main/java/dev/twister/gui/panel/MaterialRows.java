@@ -24,7 +24,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javafx.scene.control.Button;
 
-/** The rows of one body's material. A reset leads back to how it was at first. */
+/** The rows of one body's material. A reset leads to the material at the time of the selection. */
 final class MaterialRows {
     private final Studio studio;
     private final AssetActions assets;
@@ -38,16 +38,16 @@ final class MaterialRows {
     private final SwitchRow all;
     private boolean changesAll;
 
-    /** Those that are selected with the body: they are changed alike. */
+    /** The selected bodies, which are edited together. */
     private SelectedBodies selected;
 
-    /** Of which these are known: no camera changes them. */
+    /** The scene for which {@link #shared} and {@link #textures} hold. */
     private Scene known;
 
     private Optional<SharedMaterial> shared;
     private List<Optional<Path>> textures;
 
-    /** The material of the plane, of a sphere, or the own one of a mesh. */
+    /** Rows for the plane, a sphere, or a mesh that has a material of its own. */
     MaterialRows(Studio studio, AssetActions assets, int body) {
         this.studio = studio;
         this.assets = assets;
@@ -69,13 +69,12 @@ final class MaterialRows {
                                         firstMaterial().withColor(old.color()).withTexture(old.texture()))),
                 studio::notice);
         colors = colors();
-        MaterialNumbers material = new MaterialNumbers(this::material, this::edited);
-        reflectivity = new NumberRow(material.reflectivity(), "Alt+8", studio);
-        numbers = List.of(
-                reflectivity,
-                new NumberRow(material.roughness(), "Alt+Shift+R", studio),
-                new NumberRow(material.transmission(), "Alt+Shift+T", studio),
-                new NumberRow(material.ior(), "Alt+Shift+I", studio));
+        numbers = NumberRow.of(
+                MaterialNumbers.ALL.stream()
+                        .map(number -> number.in(this::material, this::edited))
+                        .toList(),
+                studio);
+        reflectivity = numbers.get(MaterialNumbers.ALL.indexOf(MaterialNumbers.REFLECTIVITY));
         texture = texture();
         all = new SwitchRow(
                 "Change all",
@@ -91,13 +90,13 @@ final class MaterialRows {
         return body;
     }
 
-    /** Whether the body's number may mean another one by now. */
+    /** Whether the body's number may mean another body by now. */
     boolean isRenumbered() {
         return BodyEdits.isRenumbered(before, studio.scene(), body);
     }
 
     List<PanelRow> rows() {
-        // Nothing is shared where nothing has a name.
+        // Only named materials are shared.
         List<SwitchRow> sharing = before.materials().isEmpty() ? List.of() : List.of(all);
         return Stream.<List<? extends PanelRow>>of(List.of(preset), colors, numbers, List.of(texture), sharing)
                 .<PanelRow>flatMap(List::stream)
@@ -108,7 +107,7 @@ final class MaterialRows {
         numbers.forEach(NumberRow::forgetTyped);
     }
 
-    /** What the material is called, and who has it. */
+    /** Text that names the material and the bodies that share it. */
     String hint() {
         return (body == BodyNumber.PLANE ? "The plane" : BodyChoices.title(before, body))
                 + shared.map(named -> " has the material \"" + named.name() + "\", "
@@ -119,7 +118,7 @@ final class MaterialRows {
                 + (selected.count() == 1 ? "" : " Changes apply to all selected bodies.");
     }
 
-    /** Shows the scene's material; the scene has the body, and it is the active one. */
+    /** Shows the material; the body must exist and be the active one. */
     void show() {
         selected = studio.selection().bodies();
         Scene scene = studio.scene();
@@ -212,7 +211,7 @@ final class MaterialRows {
         edit("texture", old -> old.withTexture(file));
     }
 
-    /** None, those that the scene has, and that of before. */
+    /** No texture, those of the scene, and the one at the time of the selection. */
     private List<Optional<Path>> textures(Scene scene) {
         return Stream.concat(
                         Stream.of(Optional.<Path>empty()),

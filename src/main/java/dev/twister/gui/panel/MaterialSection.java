@@ -12,7 +12,7 @@ import java.util.stream.Stream;
 import javafx.scene.control.Label;
 import javafx.scene.layout.VBox;
 
-/** What the selected sphere, mesh or plane is made of; not seen where none is selected. */
+/** The material of the selected sphere, mesh or plane; hidden if none is selected. */
 final class MaterialSection extends VBox {
     private final Studio studio;
     private final AssetActions assets;
@@ -38,7 +38,7 @@ final class MaterialSection extends VBox {
         studio.sceneProperty().subscribe(_ -> refresh());
     }
 
-    /** The rows of the body that is selected; none where it has no material. */
+    /** The rows of the selected body; empty if it has no material. */
     List<PanelRow> rows() {
         return Stream.concat(
                         BodyEdits.isMesh(studio.scene(), body) ? Stream.of(own) : Stream.empty(),
@@ -47,7 +47,7 @@ final class MaterialSection extends VBox {
     }
 
     private void rebuild() {
-        // It would be taken as they lose the focus, for the body that has the number now.
+        // A field that loses the focus enters its text, now for the body that has taken over the number.
         material.filter(MaterialRows::isRenumbered).ifPresent(MaterialRows::forgetTyped);
         body = studio.selection().active();
         material = Optional.of(body)
@@ -61,7 +61,7 @@ final class MaterialSection extends VBox {
 
     private void refresh() {
         if (body != studio.selection().active()) {
-            // The selection follows a scene that has lost the body; until then there is nothing to show.
+            // The body is gone, but the selection has not been updated yet.
             return;
         }
         boolean mesh = BodyEdits.isMesh(studio.scene(), body);

@@ -1,9 +1,11 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Command;
-import dev.twister.gui.model.NumberSetting;
+import dev.twister.gui.model.NumberProperty;
+import dev.twister.gui.model.NumberScale;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import javafx.css.PseudoClass;
@@ -16,7 +18,7 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseEvent;
 
-/** A number as a slider and a field to type in. */
+/** A row with a slider and a text field for a number. */
 public final class NumberRow extends PanelRow {
     private static final PseudoClass WRONG = PseudoClass.getPseudoClass("wrong");
     private static final int PAGE = 10;
@@ -25,26 +27,27 @@ public final class NumberRow extends PanelRow {
     private static final String FINER =
             "Drag the name to change it. Shift makes drags and arrow keys 10 times finer, Ctrl 100 times.";
 
-    /** That a drag on the name goes for as much as the slider's whole range. */
+    /** The length of a drag on the name that equals the slider's whole range. */
     private static final double PIXELS_A_WIDTH = 400;
 
-    /** The widest letter's width each: digits are narrower. */
+    /** In widths of the widest letter; digits are narrower. */
     private static final int FIELD_COLUMNS = 4;
 
     private static final int MOST_FIELD_COLUMNS = 10;
 
-    /** Of the widest letter's, a little more than it is. */
+    /** Width of a digit relative to the widest letter, rounded up. */
     private static final float DIGITS_WIDTH = 0.7f;
 
-    private final NumberSetting setting;
+    private final NumberProperty<Scene> number;
+    private final NumberScale scale;
     private final Studio studio;
     private final Slider slider = new Slider(0, 1, 0);
     private final TextField field = new TextField();
     private final Label unit = new Label();
-    private NumberSetting sliding;
+    private NumberScale sliding;
     private double shown = Double.NaN;
 
-    /** As the field was set last: another one is typed. */
+    /** The text that the row has set; any other was typed. */
     private String fieldText = "";
 
     private Optional<String> complaint = Optional.empty();
@@ -55,22 +58,19 @@ public final class NumberRow extends PanelRow {
     /**
      * A drag on the name.
      *
-     * @param x where the pointer is, in pixels
+     * @param x of the pointer, in pixels
      * @param number not rounded
      */
     private record Drag(double x, double number) {}
 
-    /**
-     * A row that shows nothing until {@link #show}.
-     *
-     * @param key what leads here, such as "Alt+S"
-     */
-    NumberRow(NumberSetting setting, String key, Studio studio) {
-        super(setting.label(), setting.hint() + "\n" + FINER, key);
-        this.setting = setting;
+    /** A row that is empty until {@link #show}. */
+    NumberRow(NumberProperty<Scene> number, Studio studio) {
+        super(number.label(), number.hint() + "\n" + FINER, number.key());
+        this.number = number;
         this.studio = studio;
-        sliding = setting;
-        // The slider gives way first: a number that is cut off is a wrong one.
+        scale = number.scale();
+        sliding = scale;
+        // The slider shrinks first: a clipped number would be misread.
         field.setMinWidth(USE_PREF_SIZE);
         slider.valueProperty().subscribe((_, place) -> {
             if (!showing) {
@@ -100,62 +100,67 @@ public final class NumberRow extends PanelRow {
             if (event.getCode() == KeyCode.ESCAPE) {
                 forgetTyped();
             } else if (!isTyped()) {
-                // A field takes back what was typed in it, and keeps the keys for it even where nothing was.
+                // A text field handles undo keys even if nothing was typed.
                 leaveToTheWindow(event, Command.UNDO, Command.REDO, Command.REDO_ALSO);
             }
         });
-        // In the widest letter's widths: what is longer is cut off, which makes another number of it.
+        // A text that is too long would be clipped, and misread.
         field.textProperty()
                 .subscribe(text -> field.setPrefColumnCount(
                         Math.clamp(Math.round(text.length() * DIGITS_WIDTH), FIELD_COLUMNS, MOST_FIELD_COLUMNS)));
-        unit.setText(setting.unit());
+        unit.setText(scale.unit());
         unit.getStyleClass().add("unit");
         addControls(slider, field, unit);
     }
 
-    /** Shows the scene's number; a reset leads to the usual scene's. */
+    /** The rows of a table. */
+    static List<NumberRow> of(List<NumberProperty<Scene>> table, Studio studio) {
+        return table.stream().map(number -> new NumberRow(number, studio)).toList();
+    }
+
+    /** Shows the scene's number and enables a reset to the usual scene's. */
     void show(Scene scene, Scene usual) {
-        double number = setting.read(scene);
-        double usualNumber = setting.read(usual);
-        setReset(number != usualNumber, () -> {
+        double present = number.read(scene);
+        double usualNumber = number.read(usual);
+        setReset(present != usualNumber, () -> {
             write(usualNumber);
             studio.endGesture();
         });
-        if (number != shown) {
-            showNumber(number);
+        if (present != shown) {
+            showNumber(present);
         }
     }
 
-    /** Shows a text behind the field where the unit is. */
+    /** Replaces the unit by a longer text. */
     void showUnit(String text) {
-        // Style sheets give units one width, which is too small for a text.
+        // The style of units has a fixed width, which is too small.
         unit.getStyleClass().setAll("label", "text-unit");
         unit.setMinWidth(USE_PREF_SIZE);
         unit.setText(text);
     }
 
-    /** Whether a person is at it: what they read in order to type, or hold, is not to be changed under their hands. */
+    /** Whether the user is using the row, so that its number must not change. */
     boolean isInHand() {
         return slider.isPressed() || isRead() || drag.isPresent();
     }
 
-    /** Whether the field has the focus, so that its text is to stay while bodies move by themselves. */
+    /** Whether the field has the focus, so that its text must not follow moving bodies. */
     boolean isRead() {
         return field.isFocused() && !taking;
     }
 
-    /** Whether a person is at the field, and nothing has been made yet of what they typed. */
+    /** Whether the field has the focus and a text that was not entered. */
     boolean isBeingTyped() {
         return field.isFocused() && isTyped();
     }
 
-    /** Nothing is made of what was typed and not entered. */
+    /** Discards what was typed. */
     void forgetTyped() {
-        showText(setting.text(shown));
+        showText(scale.text(shown));
         mended();
     }
 
-    /** Whether the field has a text of which nothing has been made yet. */
+    /** Whether the field has a text that was not entered. */
     private boolean isTyped() {
         return !field.getText().equals(fieldText);
     }
@@ -165,24 +170,24 @@ public final class NumberRow extends PanelRow {
         return slider;
     }
 
-    private void showNumber(double number) {
-        shown = number;
-        showSlider(number);
+    private void showNumber(double present) {
+        shown = present;
+        showSlider(present);
         if (!isBeingTyped()) {
-            showText(setting.text(number));
+            showText(scale.text(present));
         }
     }
 
-    private void showSlider(double number) {
+    private void showSlider(double present) {
         showing = true;
         if (!slider.isPressed()) {
-            sliding = setting.around(number);
+            sliding = scale.around(present);
         }
-        slider.setValue(sliding.placeOf(number));
+        slider.setValue(sliding.placeOf(present));
         showing = false;
     }
 
-    /** Leaves the caret where it is, and selects all where all was. */
+    /** Keeps the caret, or a selection of the whole text. */
     private void showText(String text) {
         fieldText = text;
         if (!field.getText().equals(text)) {
@@ -204,9 +209,9 @@ public final class NumberRow extends PanelRow {
             double widths = (event.getScreenX() - held.x())
                     / PIXELS_A_WIDTH
                     * fineness(event.isShiftDown(), event.isControlDown());
-            double number = setting.movedBy(held.number(), widths);
-            drag = Optional.of(new Drag(event.getScreenX(), number));
-            write(setting.rounded(number));
+            double moved = scale.movedBy(held.number(), widths);
+            drag = Optional.of(new Drag(event.getScreenX(), moved));
+            write(scale.rounded(moved));
         });
     }
 
@@ -235,34 +240,35 @@ public final class NumberRow extends PanelRow {
     private void endSlideByKey(KeyEvent event) {
         studio.endGesture();
         if (event.getCode() == KeyCode.HOME || event.getCode() == KeyCode.END) {
-            // JavaFX slides to the end when these are let go, though they were the window's when they were pressed.
+            // JavaFX moves the slider when these keys are released, although the window handled them when they were
+            // pressed.
             event.consume();
         }
     }
 
-    /** Makes an edit of what was typed; false where that is no number that is allowed, of which it complains. */
+    /** Enters what was typed; returns false and tells why if it is not an allowed number. */
     boolean takeTyped() {
         String typed = field.getText();
         if (!isTyped()) {
             return true;
         }
-        Optional<Double> number = setting.parse(typed);
-        field.pseudoClassStateChanged(WRONG, number.isEmpty());
-        if (number.isPresent()) {
+        Optional<Double> entered = scale.parse(typed);
+        field.pseudoClassStateChanged(WRONG, entered.isEmpty());
+        if (entered.isPresent()) {
             taking = true;
-            write(number.get());
+            write(entered.get());
             taking = false;
             studio.endGesture();
-            // The scene may have rounded it, or had it already.
+            // The scene may have rounded the number, or had it before.
             forgetTyped();
         } else {
-            complaint = Optional.of(setting.complaint(typed));
+            complaint = Optional.of(number.complaint(typed));
             studio.notice(complaint.get());
             if (!field.isFocused()) {
-                showText(setting.text(shown));
+                showText(scale.text(shown));
             }
         }
-        return number.isPresent();
+        return entered.isPresent();
     }
 
     private void mended() {
@@ -270,7 +276,7 @@ public final class NumberRow extends PanelRow {
         complaint = Optional.empty();
     }
 
-    private void write(double number) {
-        studio.edit(setting.label().toLowerCase(Locale.ROOT), scene -> setting.write(scene, number));
+    private void write(double entered) {
+        studio.edit(number.label().toLowerCase(Locale.ROOT), scene -> number.write(scene, entered));
     }
 }

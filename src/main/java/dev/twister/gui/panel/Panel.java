@@ -30,11 +30,11 @@ import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
-/** Everything that can be set, in sections. */
+/** The panel at the side, with all settings in sections. */
 public final class Panel extends ScrollPane {
     private static final PseudoClass WIDE = PseudoClass.getPseudoClass("wide");
 
-    /** Of the window, in letters' heights: there is room for a wider panel then. */
+    /** Width of the window from which the panel is wider, in heights of the text. */
     private static final double WIDE_EM = 130;
 
     private final EngineSection engine;
@@ -126,7 +126,7 @@ public final class Panel extends ScrollPane {
         });
     }
 
-    /** All rows, in the order in which they are shown. */
+    /** All rows in their order. */
     public List<PanelRow> rows() {
         return Stream.of(
                         engine.rows(),
@@ -143,10 +143,7 @@ public final class Panel extends ScrollPane {
                 .toList();
     }
 
-    /**
-     * Makes an edit of a number that is typed and not yet entered; false where it is none that is allowed, which is
-     * said.
-     */
+    /** Enters typed numbers; returns false and tells why if one is not allowed. */
     public boolean takeTyped() {
         return rows().stream()
                 .filter(NumberRow.class::isInstance)
@@ -155,7 +152,7 @@ public final class Panel extends ScrollPane {
                 .allMatch(NumberRow::takeTyped);
     }
 
-    /** Whether an edit has been made of all that is typed in a row's field. */
+    /** Whether the text of a row's field was entered. */
     boolean isTaken(TextField field) {
         return rows().stream()
                 .filter(NumberRow.class::isInstance)
@@ -164,7 +161,7 @@ public final class Panel extends ScrollPane {
                 .noneMatch(NumberRow::isBeingTyped);
     }
 
-    /** Called in every pulse: shows what changes by itself. */
+    /** Called in every pulse: updates what changes without edits. */
     public void pulse(long nanos) {
         if (isVisible()) {
             selection.pulse(nanos);
@@ -174,17 +171,17 @@ public final class Panel extends ScrollPane {
         }
     }
 
-    /** Offers these panoramas in the list of skies. */
+    /** Adds panoramas to the list of skies. */
     public void offerSkies(List<Path> panoramas) {
         sky.offer(panoramas);
     }
 
-    /** The row whose key this is. */
+    /** The row that has the key of an event. */
     Optional<PanelRow> rowOf(KeyEvent event) {
         return rows().stream().filter(row -> row.keys().match(event)).findFirst();
     }
 
-    /** Gives a row the focus, and scrolls to it. */
+    /** Scrolls to a row and gives it the focus. */
     void reveal(PanelRow row) {
         sections.stream().filter(section -> contains(section, row)).forEach(section -> section.fold(false));
         scrollTo(row);
@@ -199,7 +196,7 @@ public final class Panel extends ScrollPane {
         return at != null;
     }
 
-    /** Lets sections be folded as they were kept, and keeps how they are. */
+    /** Restores which sections are folded, and keeps it from now on. */
     public void foldAsKept(SettingsKeeper settings) {
         List<String> folded = settings.settings().get(WindowSettings.FOLDED);
         sections.forEach(section -> section.makeFoldable(
@@ -207,7 +204,7 @@ public final class Panel extends ScrollPane {
                 isFolded -> settings.change(kept -> kept.withFolded(section.heading(), isFolded))));
     }
 
-    /** Scrolls so that what is there is in the middle, or as near to it as it comes; not where it is seen already. */
+    /** Scrolls a part to the middle of the panel, unless it is visible. */
     public void scrollTo(Region part) {
         applyCss();
         layout();
@@ -221,9 +218,9 @@ public final class Panel extends ScrollPane {
         }
     }
 
-    /** Engine, resolution, scene and refinement as they were at first. */
+    /** Resets the engine, the resolution, the scene and refinement. */
     public static void resetAll(Studio studio, EngineList engines, String usualEngine) {
-        // First, as an edit of moving bodies keeps where it found them.
+        // First, because an edit of moving bodies keeps their places.
         studio.motion().setOn(false);
         studio.edit(
                 "everything",

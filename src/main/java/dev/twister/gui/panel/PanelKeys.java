@@ -10,14 +10,14 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 
 /**
- * Leads by keys into the panel and out of it. Enter leads back to the picture once a number is entered. In the picture,
- * Tab shows and hides the panel; in the panel it goes from one control to the next, as everywhere.
+ * Keys that move the focus between picture and panel: Enter returns to the picture after a number is entered; in the
+ * picture, Tab shows and hides the panel.
  */
 public final class PanelKeys {
     private PanelKeys() {}
 
     /**
-     * Listens to the whole window, before its controls do.
+     * Adds a filter to the window, which runs before its controls.
      *
      * @param setShown shows or hides the panel
      */

@@ -15,7 +15,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 
-/** A line of the panel: a name, controls, and a button that resets them. */
+/** A row of the panel: name, controls, and a button that resets them. */
 public abstract class PanelRow extends HBox {
     private final Button reset = new Button("↺");
     private final Label nameLabel;
@@ -23,10 +23,10 @@ public abstract class PanelRow extends HBox {
     private final KeyCombination keys;
 
     /**
-     * A row without controls yet.
+     * A row without controls.
      *
-     * @param hint what the controls do, for the tooltip
-     * @param key what leads to the first of them
+     * @param hint for the tooltip
+     * @param key moves the focus to the first control
      */
     PanelRow(String label, String hint, String key) {
         keys = KeyCombination.valueOf(key);
@@ -41,7 +41,7 @@ public abstract class PanelRow extends HBox {
         setId(Ids.of(label));
     }
 
-    /** Puts the controls between the name and the reset; the first takes the room that there is. */
+    /** Adds controls between the name and the reset button; the first one takes the free width. */
     final void addControls(Node... controls) {
         getChildren().add(nameLabel);
         getChildren().addAll(controls);
@@ -58,13 +58,13 @@ public abstract class PanelRow extends HBox {
         nameLabel.setLabelFor(controls[0]);
     }
 
-    /** Puts a control of its own before the reset. */
+    /** Adds one more control before the reset button. */
     final void addControl(Region control) {
         control.setMinWidth(USE_PREF_SIZE);
         getChildren().add(getChildren().size() - 1, control);
     }
 
-    /** Runs a command whose key it is, which the row's control would keep for itself. */
+    /** Runs the command of a key that the row's control would consume. */
     final void leaveToTheWindow(KeyEvent event, Command... commands) {
         Stream.of(commands)
                 .map(Command::keys)
@@ -77,7 +77,7 @@ public abstract class PanelRow extends HBox {
                 });
     }
 
-    /** Whether there is something to reset, and how. */
+    /** Sets whether the reset button is enabled, and its action. */
     final void setReset(boolean differs, Runnable action) {
         reset.setDisable(!differs);
         reset.setOnAction(_ -> action.run());
@@ -95,6 +95,6 @@ public abstract class PanelRow extends HBox {
         return keys;
     }
 
-    /** What takes the focus when the row's key is pressed. */
+    /** The control that gets the focus when the row's key is pressed. */
     public abstract Node firstControl();
 }

@@ -8,7 +8,7 @@ import javafx.scene.control.Label;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 
-/** Rows that belong together, under a heading. */
+/** A section of the panel: a heading and rows. */
 public final class PanelSection extends VBox {
     private static final PseudoClass FOLDED = PseudoClass.getPseudoClass("folded");
 
@@ -33,12 +33,12 @@ public final class PanelSection extends VBox {
         return heading;
     }
 
-    /** Puts something below the rows. */
+    /** Adds a node below the rows. */
     void add(Node node) {
         content.getChildren().add(node);
     }
 
-    /** From now on a click on the heading folds the rows or unfolds them. */
+    /** Makes a click on the heading fold or unfold the rows. */
     void makeFoldable(boolean folded, Consumer<Boolean> changed) {
         label.getStyleClass().add("foldable");
         label.setTooltip(Tooltips.of("Folds or unfolds. The key of a row unfolds its section."));

@@ -6,7 +6,6 @@ import dev.twister.gui.controls.Ids;
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.drawing.Motion;
 import dev.twister.gui.model.SceneNumbers;
-import dev.twister.gui.model.SurroundingsNumbers;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
 import java.util.List;
@@ -14,7 +13,7 @@ import java.util.stream.Stream;
 import javafx.scene.control.Button;
 import javafx.scene.layout.HBox;
 
-/** Bodies that move. */
+/** Settings of the physics. */
 final class PhysicsSection {
     private final SwitchRow moving;
     private final List<NumberRow> numbers;
@@ -28,10 +27,7 @@ final class PhysicsSection {
                 "Simulate physics. Off: bodies return to their places in the scene.",
                 "Alt+M",
                 studio.motion()::setOn);
-        numbers = List.of(
-                new NumberRow(SceneNumbers.GRAVITY, "Alt+Y", studio),
-                new NumberRow(SurroundingsNumbers.ELASTICITY, "Alt+Shift+E", studio),
-                new NumberRow(SurroundingsNumbers.FRICTION, "Alt+Shift+F", studio));
+        numbers = NumberRow.of(SceneNumbers.PHYSICS, studio);
         walls = new SwitchRow(
                 "Walls", "Invisible walls on the border of the plane hold the spheres.", "Alt+Shift+W", on -> {
                     studio.edit(

@@ -12,7 +12,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javafx.beans.property.BooleanProperty;
 
-/** How the picture is made of the scene. */
+/** Settings of the picture: samples, exposure, tone mapping. */
 final class PictureSection {
     private final Studio studio;
     private final List<NumberRow> numbers;
@@ -24,11 +24,7 @@ final class PictureSection {
     /** @param clippingShown whether clipped pixels are marked */
     PictureSection(Studio studio, BooleanProperty clippingShown) {
         this.studio = studio;
-        numbers = List.of(
-                new NumberRow(SceneNumbers.SHADOW_SAMPLES, "Alt+S", studio),
-                new NumberRow(SceneNumbers.BOUNCES, "Alt+B", studio),
-                new NumberRow(SceneNumbers.SAMPLES_PER_PIXEL, "Alt+A", studio),
-                new NumberRow(SceneNumbers.EXPOSURE, "Alt+X", studio));
+        numbers = NumberRow.of(SceneNumbers.PICTURE, studio);
         toneMap = new ChoiceRow<>(
                 "Tone map",
                 "Maps bright colors to the range that a screen can show.",

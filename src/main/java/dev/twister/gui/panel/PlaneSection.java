@@ -2,21 +2,19 @@ package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Tooltips;
 import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.SurroundingsNumbers;
+import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.studio.Studio;
 import java.util.List;
 import javafx.scene.control.Button;
 import javafx.scene.layout.HBox;
 
-/** The plane's place; its material is that of a selected body. */
+/** Size and height of the plane. */
 final class PlaneSection {
     private final List<NumberRow> numbers;
     private final HBox buttons;
 
     PlaneSection(Studio studio) {
-        numbers = List.of(
-                new NumberRow(SurroundingsNumbers.PLANE_SIZE, "Alt+Shift+P", studio),
-                new NumberRow(SurroundingsNumbers.PLANE_HEIGHT, "Alt+Shift+H", studio));
+        numbers = NumberRow.of(SceneNumbers.PLANE, studio);
         Button select = new Button("Colors and material…");
         select.setId("select-plane");
         select.setTooltip(Tooltips.of("Selects the plane, so that Material shows its colors and reflectivity."));

@@ -8,7 +8,6 @@ import dev.twister.gui.model.BodyNumbers;
 import dev.twister.gui.model.SelectedBodies;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
@@ -16,8 +15,8 @@ import javafx.scene.control.Label;
 import javafx.scene.layout.VBox;
 
 /**
- * The bodies, which of them are selected, and the numbers of the active one, where it is now if it moves. A reset leads
- * back to how it was when it was selected.
+ * The list of bodies and the numbers of the active one, where it is now if it moves. A reset leads to the numbers at
+ * the time of the selection.
  */
 final class SelectionSection extends VBox {
     private static final long FOLLOW_NANOS = 100_000_000;
@@ -50,13 +49,13 @@ final class SelectionSection extends VBox {
                 listBodies();
             }
         });
-        // A row's own edit is shown too, while the slider is held.
+        // Rows follow edits also while their slider is held.
         studio.sceneProperty()
                 .subscribe(_ -> refresh(row -> !row.isRead() || !studio.motion().isOn()));
         studio.motion().motionProperty().subscribe(_ -> follow());
     }
 
-    /** Called in every pulse: follows a sphere that moves, as fast as one reads, and where the panel is seen at all. */
+    /** Called in every pulse: follows a moving sphere, a few times a second and only if the panel is visible. */
     void pulse(long nanos) {
         if (studio.motion().isOn() && nanos - followedNanos >= FOLLOW_NANOS) {
             followedNanos = nanos;
@@ -64,12 +63,12 @@ final class SelectionSection extends VBox {
         }
     }
 
-    /** The list of bodies, and the rows of the one that is selected. */
+    /** The list of bodies, and the rows of the active one. */
     List<PanelRow> rows() {
         return Stream.concat(Stream.of(bodies), numbers.stream()).toList();
     }
 
-    /** The list of all bodies, above the rest. */
+    /** The list of bodies. */
     PanelRow bodies() {
         return bodies;
     }
@@ -83,12 +82,12 @@ final class SelectionSection extends VBox {
     private void rebuild() {
         int body = studio.selection().active();
         if (BodyEdits.isRenumbered(atSelection, studio.scene(), shownBody)) {
-            // It would be taken as they lose the focus, for the body that has the number now.
+            // A field that loses the focus enters its text, now for the body that has taken over the number.
             numbers.forEach(NumberRow::forgetTyped);
         }
         shownBody = body;
         atSelection = studio.scene();
-        numbers = numbers(atSelection, body);
+        numbers = NumberRow.of(BodyNumbers.of(atSelection, body), studio);
         showHint();
         getChildren().setAll(hint);
         getChildren().addAll(numbers);
@@ -128,27 +127,6 @@ final class SelectionSection extends VBox {
                 ? scene.meshes().size()
                 : scene.spheres().size();
         return count == 1 ? "" : " of " + count;
-    }
-
-    private List<NumberRow> numbers(Scene scene, int body) {
-        if (!BodyEdits.isSolid(scene, body)) {
-            return List.of();
-        }
-        boolean mesh = BodyEdits.isMesh(scene, body);
-        BodyNumbers settings = mesh ? BodyNumbers.ofMesh(body) : BodyNumbers.ofSphere(body);
-        List<NumberRow> rows = new ArrayList<>(List.of(
-                new NumberRow(settings.x(), "Alt+4", studio),
-                new NumberRow(settings.y(), "Alt+5", studio),
-                new NumberRow(settings.z(), "Alt+6", studio)));
-        if (mesh) {
-            rows.add(new NumberRow(settings.yaw(), "Alt+Shift+4", studio));
-            rows.add(new NumberRow(settings.pitch(), "Alt+Shift+5", studio));
-            rows.add(new NumberRow(settings.roll(), "Alt+Shift+6", studio));
-            rows.add(new NumberRow(settings.scale(), "Alt+7", studio));
-        } else {
-            rows.add(new NumberRow(settings.radius(), "Alt+7", studio));
-        }
-        return rows;
     }
 
     private void follow() {

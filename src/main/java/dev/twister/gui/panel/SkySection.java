@@ -32,9 +32,7 @@ final class SkySection {
         other.setTooltip(Tooltips.of("Chooses a panorama's file: .hdr, .png or .jpg."));
         other.setOnAction(_ -> assets.chooseSky());
         sky.addControl(other);
-        numbers = List.of(
-                new NumberRow(SceneNumbers.SKY_ROTATION, "Alt+D", studio),
-                new NumberRow(SceneNumbers.SKY_STRENGTH, "Alt+O", studio));
+        numbers = NumberRow.of(SceneNumbers.SKY, studio);
         studio.sceneProperty().subscribe(_ -> refresh());
         studio.document().originalProperty().subscribe(_ -> refresh());
     }

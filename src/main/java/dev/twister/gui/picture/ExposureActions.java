@@ -57,6 +57,6 @@ public final class ExposureActions {
         studio.endGesture();
         studio.edit("exposure", scene -> SceneNumbers.EXPOSURE.write(scene, stops));
         studio.endGesture();
-        studio.notice("Exposure: " + SceneNumbers.EXPOSURE.text(stops) + " stops");
+        studio.notice("Exposure: " + SceneNumbers.EXPOSURE.scale().text(stops) + " stops");
     }
 }

@@ -14,13 +14,13 @@ import java.util.Optional;
 import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
 
-/** What moves in a film, and which of its frames are rendered. */
+/** The fields of a film: what moves, and which frames are rendered. */
 final class FilmFields {
     private static final Range RATES = new Range(0.001, 1000, "frames per second");
     private static final Range NUMBERS = new Range(0, FrameRange.MOST - 1);
     private static final double USUAL_RATE = 30;
 
-    /** Of bodies that move, which come to no end by themselves. */
+    /** Length of a film of moving bodies, which has no end of its own. */
     private static final double USUAL_SECONDS = 10;
 
     private final Runnable changed;
@@ -33,10 +33,10 @@ final class FilmFields {
     private List<CameraKeyframe> keyframes = List.of();
     private boolean showing;
 
-    /** Whether the last frame is at the film's own end, and stays there. */
+    /** Whether the last frame follows the film's own end. */
     private boolean whole = true;
 
-    /** @param changed called when something is another one */
+    /** @param changed called when a field changes */
     FilmFields(Runnable changed) {
         this.changed = changed;
         motion = new PlainBox<>("render-motion", FilmMotion::label, this::showEnd);
@@ -65,18 +65,18 @@ final class FilmFields {
         return first;
     }
 
-    /** Shows what most films have. */
+    /** Shows the defaults. */
     void showUsual() {
         first.show(0);
         rate.show(USUAL_RATE);
     }
 
-    /** Forgets an end that was typed for another scene. */
+    /** Discards an end that was typed for another scene. */
     void startAnew() {
         whole = true;
     }
 
-    /** Offers what can move in a scene. */
+    /** Offers the motions that a scene has. */
     void follow(Scene scene) {
         keyframes = scene.camera().keyframes();
         List<FilmMotion> motions = FilmMotion.of(scene);
@@ -84,7 +84,7 @@ final class FilmFields {
         showEnd();
     }
 
-    /** What is wrong, or why there is no film. */
+    /** The error message, or why there is no film. */
     Optional<String> complaint() {
         return Optional.of("Nothing moves: set two camera keyframes or more, or add spheres that fall")
                 .filter(_ -> motion.choice().isEmpty())
@@ -96,7 +96,7 @@ final class FilmFields {
                         .filter(_ -> last.number() < first.number()));
     }
 
-    /** The film; empty where {@link #complaint} says why there is none. */
+    /** The film; empty if {@link #complaint} tells why there is none. */
     Optional<FilmPlan> film() {
         return complaint().isPresent()
                 ? Optional.empty()

@@ -21,11 +21,11 @@ import java.time.Duration;
 import java.util.Optional;
 import javafx.stage.Stage;
 
-/** Renders to files beside the window, one after the other. */
+/** Renders to files in the background, one after the other. */
 public final class RenderActions implements AutoCloseable {
     private static final String FAILED = "Couldn't render to the file";
 
-    /** A slow engine may be long at a picture that nobody wants; nothing of it is left. */
+    /** Longest wait for a canceled render: a slow engine finishes its picture first. */
     private static final Duration LONGEST_END = Duration.ofSeconds(5);
 
     private final Studio studio;
@@ -50,12 +50,12 @@ public final class RenderActions implements AutoCloseable {
         });
     }
 
-    /** Shows the window that renders. */
+    /** Shows the render window. */
     public void show() {
         window.show();
     }
 
-    /** Called in every pulse: shows how far a rendering is, and what came of it. */
+    /** Called in every pulse: shows the progress or the result. */
     public void pulse() {
         job.filter(running -> running.result().isDone()).ifPresent(this::tellEnd);
         if (window.isShowing()) {
@@ -65,7 +65,7 @@ public final class RenderActions implements AutoCloseable {
         }
     }
 
-    /** Does that, which closes the window; where something is rendered, asks first whether to cancel it. */
+    /** Runs an action that closes the window; if a render is running, asks first whether to cancel it. */
     public void beforeClosing(Runnable then) {
         if (job.isPresent()) {
             dialogs.askToCancelRender(
@@ -78,13 +78,13 @@ public final class RenderActions implements AutoCloseable {
         }
     }
 
-    /** Cancels what is rendered. Returns at once. */
+    /** Cancels the render. Returns at once. */
     public void finish() {
         cancel();
         window.close();
     }
 
-    /** Waits for the end of a canceled rendering; called after {@link #finish}, by any thread. */
+    /** Waits for a canceled render to end; called after {@link #finish}, by any thread. */
     @Override
     public void close() {
         job.ifPresent(running -> {
@@ -118,7 +118,7 @@ public final class RenderActions implements AutoCloseable {
         return dot > 0 ? name.substring(0, dot) : name;
     }
 
-    /** Asks about frames that would be replaced: of others, the choice of the file did. */
+    /** Asks before numbered frames are replaced; for single files the file dialog has asked. */
     private void startWhereFree(RenderOrder order) {
         Path file = order.output().file();
         lastFolder = Optional.ofNullable(file.toAbsolutePath().getParent()).orElse(lastFolder);

@@ -36,7 +36,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 
-/** What is rendered to a file, and how; it stays as it was left. */
+/** The form of the render window; it keeps its values. */
 final class RenderForm extends GridPane {
     private final Studio studio;
     private final EngineList engines;
@@ -83,17 +83,17 @@ final class RenderForm extends GridPane {
         engines.offersProperty().subscribe(_ -> showEngines());
     }
 
-    /** What keeps the form from being rendered. */
+    /** The error message of the form. */
     ReadOnlyObjectProperty<Optional<String>> complaintProperty() {
         return complaint.getReadOnlyProperty();
     }
 
-    /** The kind of file that is wanted. */
+    /** The chosen file format. */
     RenderFormat format() {
         return format.choice().orElse(RenderFormat.PNG);
     }
 
-    /** Shows what the scene offers; called while the form is in sight. */
+    /** Shows what the scene offers; called while the form is visible. */
     void follow() {
         Scene scene = studio.scene();
         Optional<PictureSize> window = studio.pictureProperty()
@@ -117,7 +117,7 @@ final class RenderForm extends GridPane {
         films.follow(scene);
     }
 
-    /** The order that the form stands for, of the scene as it is now; empty where there is a complaint. */
+    /** The order of the form for the present scene; empty if there is an error. */
     Optional<RenderOrder> order(Path file) {
         Scene scene = studio.scene();
         return size.size()
@@ -139,7 +139,7 @@ final class RenderForm extends GridPane {
                 .withShadows(shadows.wholeNumber());
     }
 
-    /** Where bodies are seen that move. */
+    /** The picture with the bodies' present places, if they move. */
     private Optional<FrameInput> movedBodies(Scene scene) {
         return studio.pictureProperty()
                 .get()
@@ -210,7 +210,7 @@ final class RenderForm extends GridPane {
     private static RadioButton radio(String id, String label) {
         RadioButton button = new RadioButton(label);
         button.setId(id);
-        // Its underlined letter does no more than this.
+        // The mnemonic of its label does nothing else.
         button.setOnAction(_ -> button.setSelected(true));
         return button;
     }

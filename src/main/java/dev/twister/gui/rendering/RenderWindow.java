@@ -12,7 +12,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
 
-/** The window that renders to files: a form, how far a rendering is, and buttons. */
+/** The render window: a form, the progress, and buttons. */
 final class RenderWindow {
     private static final PseudoClass WRONG = PseudoClass.getPseudoClass("wrong");
 
@@ -24,14 +24,14 @@ final class RenderWindow {
     private final Label state = new Label();
     private boolean rendering;
 
-    /** What is said of the last rendering, while the form is right. */
+    /** The result of the last render, shown while the form is valid. */
     private String said = "";
 
     /**
      * A window that is not shown yet.
      *
-     * @param start called to render what the form says
-     * @param stop called to cancel it
+     * @param start starts the render of the form
+     * @param stop cancels it
      */
     RenderWindow(Stage owner, RenderForm form, Runnable start, Runnable stop) {
         this.form = form;
@@ -42,7 +42,7 @@ final class RenderWindow {
         render.setDefaultButton(true);
         render.setOnAction(_ -> start.run());
         cancel.setOnAction(_ -> {
-            // The button is about to go.
+            // The focused button is about to disappear.
             close.requestFocus();
             stop.run();
         });
@@ -82,9 +82,9 @@ final class RenderWindow {
     }
 
     /**
-     * Shows how far a rendering is.
+     * Shows the progress.
      *
-     * @param part that is done, in [0, 1]; empty where it is not known
+     * @param part that is done, in [0, 1]; empty if unknown
      */
     void showProgress(String text, Optional<Double> part) {
         rendering = true;
@@ -93,7 +93,7 @@ final class RenderWindow {
         refresh();
     }
 
-    /** Shows that nothing is rendered, and what came of the last rendering. */
+    /** Shows the result of the last render. */
     void showEnd(String text) {
         rendering = false;
         said = text;

@@ -11,7 +11,7 @@ import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 
-/** A picture's size: one that is usual, or two numbers. */
+/** The fields of a picture's size: a usual size, or two numbers. */
 final class SizeFields extends HBox {
     private static final List<PictureSize> USUAL = List.of(PictureSize.HD, PictureSize.FULL_HD, PictureSize.ULTRA_HD);
 
@@ -21,7 +21,7 @@ final class SizeFields extends HBox {
     private final Runnable changed;
     private boolean showing;
 
-    /** A usual size, that of the window's picture, or, without a size, any other. */
+    /** An item of the list: a usual size, that of the window's picture, or, without a size, a custom one. */
     private record Preset(String label, Optional<PictureSize> size) {
         static final Preset CUSTOM = new Preset("Custom", Optional.empty());
 
@@ -30,7 +30,7 @@ final class SizeFields extends HBox {
         }
     }
 
-    /** @param changed called when the size is another one */
+    /** @param changed called when the size changes */
     SizeFields(Runnable changed) {
         this.changed = changed;
         preset = new PlainBox<>("render-size", Preset::label, this::takePreset);
@@ -41,7 +41,6 @@ final class SizeFields extends HBox {
         getChildren().addAll(preset, width, new Label("×"), height);
     }
 
-    /** Shows a size. */
     void show(PictureSize size) {
         showing = true;
         width.show(size.width());
@@ -51,7 +50,7 @@ final class SizeFields extends HBox {
         changed.run();
     }
 
-    /** Offers the usual sizes, and that of the window's picture. */
+    /** Offers the usual sizes and that of the window's picture. */
     void offer(Optional<PictureSize> window) {
         preset.offer(
                 Stream.of(
@@ -64,19 +63,19 @@ final class SizeFields extends HBox {
         showPreset();
     }
 
-    /** The size; empty where {@link #complaint} says why there is none. */
+    /** The size; empty if {@link #complaint} tells why there is none. */
     Optional<PictureSize> size() {
         return complaint().isPresent()
                 ? Optional.empty()
                 : Optional.of(new PictureSize(width.wholeNumber(), height.wholeNumber()));
     }
 
-    /** What is wrong with what is typed. */
+    /** The error message; empty if the size is allowed. */
     Optional<String> complaint() {
         return width.complaint().or(height::complaint);
     }
 
-    /** What the row's name leads to. */
+    /** The control that the row's mnemonic leads to. */
     PlainBox<?> firstControl() {
         return preset;
     }

@@ -16,7 +16,7 @@ import javafx.beans.property.ReadOnlyDoubleProperty;
 import javafx.beans.property.ReadOnlyDoubleWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
 
-/** A time in the film that the camera's keyframes make; the camera follows it along their path. */
+/** The film of the camera's keyframes: its present time, at which the camera is on their path. */
 public final class CameraFilm {
     private final Document document;
     private final Consumer<String> notice;
@@ -24,7 +24,7 @@ public final class CameraFilm {
     private final BooleanProperty shown = new SimpleBooleanProperty(false);
     private final ReadOnlyBooleanWrapper playing = new ReadOnlyBooleanWrapper(false);
 
-    /** As it was when the film began to play: keyframes may leave its field of view and its focus as they are. */
+    /** The camera when playing started: keyframes may leave out the field of view and the focus. */
     private Camera start;
 
     CameraFilm(Document document, Consumer<String> notice) {
@@ -34,19 +34,19 @@ public final class CameraFilm {
         startAnew();
     }
 
-    /** Another scene is shown: its film begins, and is in sight where there is one. */
+    /** Called for another scene: goes to the start; the film is shown if it has keyframes. */
     void startAnew() {
         playing.set(false);
         seconds.set(0);
         shown.set(!keyframes().isEmpty());
     }
 
-    /** Whether the keyframes are in sight. */
+    /** Whether the film bar is shown. */
     public BooleanProperty shownProperty() {
         return shown;
     }
 
-    /** Seconds since the film's beginning. */
+    /** Seconds since the start of the film. */
     public ReadOnlyDoubleProperty secondsProperty() {
         return seconds.getReadOnlyProperty();
     }
@@ -64,7 +64,7 @@ public final class CameraFilm {
         return KeyframeEdits.at(keyframes(), seconds.get());
     }
 
-    /** Goes to a time, and ends a film that plays. Before the first keyframe and after the last, the camera stays. */
+    /** Goes to a time and stops playing. Outside of the keyframes the camera stays where it is. */
     public void goTo(double time) {
         playing.set(false);
         seconds.set(KeyframeEdits.time(time));
@@ -76,12 +76,12 @@ public final class CameraFilm {
         }
     }
 
-    /** Goes to a keyframe, by its place in their list. */
+    /** Goes to a keyframe by its index. */
     public void goToKeyframe(int index) {
         goTo(keyframes().get(index).seconds());
     }
 
-    /** Goes to the next keyframe, or to the one before; says so where there is none. */
+    /** Goes to the next or previous keyframe; tells it if there is none. */
     public void goAlong(boolean forward) {
         List<Double> times = keyframes().stream().map(CameraKeyframe::seconds).toList();
         (forward ? times : times.reversed())
@@ -99,7 +99,7 @@ public final class CameraFilm {
                                                 : forward ? "No later keyframe" : "No earlier keyframe"));
     }
 
-    /** Makes the camera as it is now a keyframe of the present time. */
+    /** Sets a keyframe with the present camera at the present time. */
     public void setKeyframe() {
         if (keyframes().size() >= SceneLimits.MAX_KEYFRAMES && present().isEmpty()) {
             notice.accept("A camera has at most " + SceneLimits.MAX_KEYFRAMES + " keyframes");
@@ -114,7 +114,7 @@ public final class CameraFilm {
         notice.accept("Keyframe set at " + KeyframeEdits.text(time) + " s; change the time for the next one");
     }
 
-    /** Deletes the keyframe of the present time; says so where there is none. */
+    /** Deletes the keyframe at the present time; tells it if there is none. */
     public void deleteKeyframe() {
         present()
                 .ifPresentOrElse(
@@ -125,14 +125,14 @@ public final class CameraFilm {
                         () -> notice.accept("No keyframe at " + KeyframeEdits.text(seconds.get()) + " s"));
     }
 
-    /** Moves a keyframe to another time, and goes along with it. */
+    /** Moves a keyframe to another time, and goes there. */
     public void moveKeyframe(int index, double time) {
         playing.set(false);
         document.edit("move keyframe", scene -> KeyframeEdits.moved(scene, index, time));
         seconds.set(keyframes().get(index).seconds());
     }
 
-    /** Plays from the present time, from the first keyframe where that is the end; or stops. */
+    /** Starts or stops playing. Starts from the present time; at the end, from the first keyframe. */
     public void togglePlaying() {
         List<CameraKeyframe> keys = keyframes();
         if (playing.get()) {
@@ -148,13 +148,17 @@ public final class CameraFilm {
         }
     }
 
-    /** Called in every pulse, with the time since the one before. */
+    /**
+     * Called in every pulse.
+     *
+     * @param passed seconds since the last one
+     */
     void pulse(double passed) {
         if (!playing.get()) {
             return;
         }
         if (keyframes().size() < 2) {
-            // They were deleted, or undone.
+            // Keyframes were deleted.
             playing.set(false);
             return;
         }

@@ -11,7 +11,7 @@ import java.util.function.Consumer;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleObjectProperty;
 
-/** Moves a studio's camera as long as a person wants it to, and to the views that the scene keeps. */
+/** Walks and turns the camera while keys are held, and keeps and recalls views. */
 public final class CameraHand {
     public static final String FULL = "The scene has " + SceneLimits.MAX_VIEWS + " views, and can't have more";
 
@@ -26,17 +26,17 @@ public final class CameraHand {
         this.notice = notice;
     }
 
-    /** Meters per second that a walk has, above 0. */
+    /** Walking speed in meters per second, above 0. */
     public ObjectProperty<Double> speedProperty() {
         return speed;
     }
 
-    /** Back to where the scene's file has the camera. */
+    /** Moves the camera to its place in the scene's file. */
     public void goHome() {
         document.moveCamera(_ -> document.original().camera());
     }
 
-    /** Keeps the camera as it is now as the view that a number key leads to, or as another one behind the last. */
+    /** Keeps the present camera as the view of a number key, or as a new view after the last. */
     public void keepView(int digit) {
         int index = ViewEdits.ofKey(digit);
         boolean there = index < document.scene().views().size();
@@ -58,7 +58,7 @@ public final class CameraHand {
                 + views.get(kept).name());
     }
 
-    /** Goes to the view that a number key leads to; says so where there is none. */
+    /** Goes to the view of a number key; tells it if there is none. */
     public void recallView(int digit) {
         int index = ViewEdits.ofKey(digit);
         List<CameraView> views = document.scene().views();
@@ -74,17 +74,21 @@ public final class CameraHand {
         notice.accept("View: " + view.name());
     }
 
-    /** From now on each pulse moves the camera that way, until told otherwise. */
+    /** Sets how each pulse moves the camera. */
     public void setWalk(Walk newWalk) {
         walk = newWalk;
     }
 
-    /** From now on each pulse turns the camera that way, until told otherwise. */
+    /** Sets how each pulse turns the camera. */
     public void setTurn(Turn newTurn) {
         turn = newTurn;
     }
 
-    /** Called in every pulse, with the time since the one before. */
+    /**
+     * Called in every pulse.
+     *
+     * @param seconds since the last one
+     */
     void pulse(double seconds) {
         document.moveCamera(camera -> CameraMotion.walk(
                 CameraMotion.turn(camera, turn, seconds),

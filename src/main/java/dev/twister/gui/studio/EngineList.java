@@ -13,8 +13,8 @@ import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.util.Subscription;
 
 /**
- * The engines that a person can choose from: those of the JVM at once, devices later. Looking for devices takes
- * TornadoVM a second of the processor's time, which at the start is the compiler's and the first pictures'.
+ * The engines to choose from: those of the JVM at once, devices later. Looking for devices takes TornadoVM a second of
+ * processor time, which compilation needs at the start.
  */
 public final class EngineList {
     private final Studio studio;
@@ -37,7 +37,7 @@ public final class EngineList {
                 .toList());
     }
 
-    /** Looks for devices once the first picture rests, or earlier where they are {@link #want wanted}. */
+    /** Looks for devices once the first picture rests, or earlier if they are {@link #want wanted}. */
     public static EngineList load(Studio studio, Errands errands) {
         EngineList list = new EngineList(studio, errands);
         list.waiting = Subscription.combine(
@@ -50,18 +50,18 @@ public final class EngineList {
         return offers.getReadOnlyProperty();
     }
 
-    /** The engine of that name, where there is one. */
+    /** The engine of that id. */
     public Optional<EngineOffer> find(String id) {
         return offers.get().stream().filter(offer -> offer.id().equals(id)).findFirst();
     }
 
-    /** Someone is about to choose. */
+    /** Looks for devices now, because the user opens the list. */
     public void want() {
         wanted = true;
         look();
     }
 
-    /** Not while an engine is being opened: two threads do not start TornadoVM at once. */
+    /** Not while an engine is being opened: two threads must not start TornadoVM at once. */
     private void look() {
         Optional<DrawnPicture> picture = studio.pictureProperty().get();
         boolean due = picture.filter(seen -> wanted || rests(seen)).isPresent();
@@ -73,7 +73,7 @@ public final class EngineList {
         }
     }
 
-    /** The usual one first; the arrow keys lead past none that cannot be had. */
+    /** Sorts available engines first, and among them the usual one. */
     static List<EngineOffer> workableFirst(List<EngineOffer> offers) {
         return offers.stream()
                 .sorted(Comparator.comparing(

@@ -10,15 +10,15 @@ import java.util.function.Consumer;
 import javafx.application.Platform;
 
 /**
- * Works beside JavaFX's thread, and tells it how it went: scenes are written on one thread, pictures on another, and
- * what need not be kept is done on a third, each one after the other. Used by JavaFX's thread, but for its end.
+ * Runs tasks in the background and reports to JavaFX's thread: one thread writes scenes, one writes pictures, one does
+ * the rest. Used by JavaFX's thread, except for {@link #close}.
  */
 public final class Errands implements AutoCloseable {
     private final ExecutorService passing = thread("errands");
     private final ExecutorService scenes = thread("scenes");
     private final ExecutorService pictures = thread("pictures");
 
-    /** Each done as soon as an errand that is to be kept is with its thread. */
+    /** Each completes when its picture task has been passed to the thread. */
     private final Collection<CompletableFuture<?>> handedOver = new ConcurrentLinkedQueue<>();
 
     private volatile boolean closed;
@@ -29,10 +29,10 @@ public final class Errands implements AutoCloseable {
     }
 
     /**
-     * Does that, but not where the window is closed before it is begun; after that it does nothing.
+     * Runs a task, unless the window is closed first.
      *
      * @param done gets the result, on JavaFX's thread
-     * @param failed gets whatever was thrown, on JavaFX's thread
+     * @param failed gets what was thrown, on JavaFX's thread
      */
     public <T> void run(Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
         if (!closed) {
@@ -44,12 +44,12 @@ public final class Errands implements AutoCloseable {
         }
     }
 
-    /** Writes a scene, which a person wants to keep: the window is not closed before, and nothing else delays it. */
+    /** Runs a task that writes a scene: closing the window waits for it, and other tasks do not delay it. */
     public <T> void keepScene(Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
         scenes.execute(() -> doNow(errand, done, failed));
     }
 
-    /** The same for a picture, begun when what it needs is there or has failed; until then it holds up no other one. */
+    /** Runs a task that writes a picture once what it needs is complete; closing the window waits for it. */
     public <T> void keepPicture(
             CompletableFuture<?> needed, Callable<T> errand, Consumer<T> done, Consumer<Throwable> failed) {
         handedOver.removeIf(CompletableFuture::isDone);
@@ -64,17 +64,17 @@ public final class Errands implements AutoCloseable {
             T result = errand.call();
             Platform.runLater(() -> done.accept(result));
         } catch (Exception | Error problem) {
-            // A file too large for the memory, for one, is that file's failure and not the window's.
+            // Errors too: a file may be too large for the memory.
             Platform.runLater(() -> failed.accept(problem));
         }
     }
 
-    /** From now on only what is to be kept is begun. Returns at once. */
+    /** Starts no more tasks except those that write. Returns at once. */
     public void finish() {
         closed = true;
     }
 
-    /** Waits for what is to be kept; called by any thread. */
+    /** Waits for the tasks that write; called by any thread. */
     @Override
     public void close() {
         finish();

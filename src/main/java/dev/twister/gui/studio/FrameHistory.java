@@ -5,16 +5,15 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 
-/** The pictures of the last ten seconds: when they came and where their time went. */
+/** The pictures of the last ten seconds: when they were finished and where their time went. */
 public final class FrameHistory {
-    /** How far back it goes. */
     public static final double SECONDS = 10;
 
     private static final double NANOS_PER_SECOND = 1e9;
     private static final double NANOS_PER_MILLI = 1e6;
     private static final double RATE_SECONDS = 1;
 
-    /** Where no picture has come for that long, and for several times what one takes, nothing is being drawn. */
+    /** Without a picture for this time, and for several times the time of one, drawing has stopped. */
     private static final double REST_SECONDS = 2;
 
     private static final int PICTURES_MISSED = 3;
@@ -22,17 +21,17 @@ public final class FrameHistory {
     private final Deque<Entry> entries = new ArrayDeque<>();
 
     /**
-     * One picture that was shown.
+     * A picture that was shown.
      *
      * @param nanos when it was finished, by {@link System#nanoTime}
      * @param number counts every picture drawn, shown or not
-     * @param renderMillis from the call of the engine to the pixels, the transfer left out
+     * @param renderMillis of the engine, without transfers
      * @param transferMillis to the device and back
-     * @param displayMillis of the interface's thread in the pulse that showed the picture before
+     * @param displayMillis of JavaFX's thread in the pulse that showed the previous picture
      */
     public record Entry(long nanos, long number, double renderMillis, double transferMillis, double displayMillis) {}
 
-    /** Adds a picture, and forgets those that are too old. */
+    /** Adds a picture and removes those that are too old. */
     public void add(DrawnPicture picture, double displayMillis) {
         long transfer = picture.times().copyInNanos() + picture.times().copyOutNanos();
         entries.addLast(new Entry(
@@ -46,7 +45,11 @@ public final class FrameHistory {
         }
     }
 
-    /** Those of the last ten seconds at a time by {@link System#nanoTime}, oldest first. */
+    /**
+     * The entries of the last ten seconds, oldest first.
+     *
+     * @param nanos now, by {@link System#nanoTime}
+     */
     public List<Entry> entries(long nanos) {
         return entries.stream()
                 .filter(entry -> (nanos - entry.nanos()) / NANOS_PER_SECOND <= SECONDS)
@@ -54,8 +57,8 @@ public final class FrameHistory {
     }
 
     /**
-     * Pictures drawn in a second, over the last second or the last two pictures; 0 before there are two, and where none
-     * is being drawn any more.
+     * Pictures per second, over the last second or the last two pictures; 0 if there are fewer than two, or if drawing
+     * has stopped.
      *
      * @param nanos now, by {@link System#nanoTime}
      */
@@ -79,7 +82,7 @@ public final class FrameHistory {
         return seconds > 0 && !rests ? (last.number() - first.number()) / seconds : 0;
     }
 
-    /** Each time's mean over the last second, as an entry of the last picture's number. */
+    /** The mean times of the last second, with the last picture's number. */
     public Entry mean() {
         Entry last = entries.isEmpty() ? new Entry(0, 0, 0, 0, 0) : entries.getLast();
         List<Entry> recent = entries.stream()

@@ -7,7 +7,7 @@ import java.util.function.Consumer;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 
-/** Starts, pauses and ends the motion of a studio's bodies. */
+/** Starts, pauses and stops physics. */
 public final class MotionControl {
     private final Document document;
     private final Selection selection;
@@ -33,12 +33,12 @@ public final class MotionControl {
         return motion.getReadOnlyProperty();
     }
 
-    /** Whether bodies are not where the scene has them: they move, or the motion is paused. */
+    /** Whether physics is on, paused or not. */
     public boolean isOn() {
         return motion.get().isOn();
     }
 
-    /** Starts the motion from where the scene has the bodies, or puts them back there. */
+    /** Starts physics, or stops it, which returns the bodies to their places in the scene. */
     public void setOn(boolean on) {
         starts++;
         boolean moved = isOn();
@@ -50,7 +50,7 @@ public final class MotionControl {
         }
     }
 
-    /** Pauses the motion or resumes it; starts it where there is none. */
+    /** Pauses or resumes physics; starts it if it is off. */
     public void togglePause() {
         Motion now = motion.get();
         if (now.isOn()) {
@@ -61,7 +61,7 @@ public final class MotionControl {
         }
     }
 
-    /** Simulates one step of the physics, then pauses. */
+    /** Simulates one step, then pauses. */
     public void stepOnce() {
         if (!isOn()) {
             setOn(true);
@@ -70,7 +70,7 @@ public final class MotionControl {
         set(new Motion(now.start(), false, now.steps() + 1));
     }
 
-    /** Ends the motion before another scene is shown. */
+    /** Stops physics before another scene is shown. */
     void reset() {
         motion.set(Motion.NONE);
     }

@@ -15,21 +15,21 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 
 /**
- * A scene whose spheres may be elsewhere by now than it says.
+ * A scene whose spheres may have been moved by physics.
  *
  * @param standing the scene, its spheres where they start
- * @param seen the picture that shows where they are; empty where they stand
+ * @param seen the picture that shows where they are; empty if they have not moved
  */
 record MovedScene(Scene standing, Optional<DrawnPicture> seen) {
     /**
      * An edit of moving bodies.
      *
-     * @param before the scene as it is to be returned to: a sphere that the edit puts elsewhere is where it was seen
+     * @param before the scene to which undo leads: a sphere that the edit moves is where it was seen
      * @param after the edited scene: all other spheres start where they did
      */
     record Edit(Scene before, Scene after) {}
 
-    /** The scene as the picture shows it; as it stands where nothing moves or the picture is of another motion. */
+    /** The scene as a picture shows it; unmoved if physics is off or the picture is of another start. */
     static MovedScene of(Scene scene, Motion motion, Optional<DrawnPicture> picture) {
         return new MovedScene(
                 scene,
@@ -37,7 +37,7 @@ record MovedScene(Scene standing, Optional<DrawnPicture> seen) {
                         shown -> motion.isOn() && shown.request().motion().start() == motion.start()));
     }
 
-    /** Where a sphere is, by its place in the list. */
+    /** The position of a sphere, by its index. */
     Vector3 position(int index) {
         int[] same = sameInPicture();
         return position(same, index);
@@ -80,7 +80,7 @@ record MovedScene(Scene standing, Optional<DrawnPicture> seen) {
         return new Edit(standing.withSpheres(before), edited.withSpheres(after));
     }
 
-    /** For each sphere, which one of the picture's scene it is. */
+    /** For each sphere its index in the picture's scene. */
     private int[] sameInPicture() {
         return seen.map(shown -> SameSpheres.of(shown.request().scene().spheres(), standing.spheres()))
                 .orElseGet(() -> new int[0]);
@@ -89,7 +89,7 @@ record MovedScene(Scene standing, Optional<DrawnPicture> seen) {
     private Vector3 position(int[] same, int index) {
         Vector3 start = standing.spheres().get(index).position();
         return seen.filter(shown -> same[index] != SameSpheres.NONE
-                        // One that was put elsewhere since is there.
+                        // A sphere that was edited since then is at its new place.
                         && shown.request()
                                 .scene()
                                 .spheres()

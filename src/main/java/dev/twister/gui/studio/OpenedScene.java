@@ -7,31 +7,31 @@ import dev.twister.scene.format.SceneReader;
 import java.nio.file.Path;
 
 /**
- * A scene that was read and can be shown.
+ * A scene that has been read.
  *
  * @param file where it came from
  */
 public record OpenedScene(EditedFile file, Scene scene) {
-    /** A scene that no file has yet. */
+    /** A scene that is in no file yet. */
     public OpenedScene(Path file, Scene scene) {
         this(new EditedFile(file, FileMark.NONE), scene);
     }
 
     /**
-     * Reads a scene's file.
+     * Reads a scene file.
      *
-     * @throws dev.twister.scene.SceneException where it is not a scene
+     * @throws dev.twister.scene.SceneException if it is not a scene
      */
     public static OpenedScene read(Path file) {
-        // First, so that a file that is replaced meanwhile counts as changed.
+        // First: a file that is replaced while it is read counts as changed.
         FileMark mark = FileMark.of(file);
         return new OpenedScene(new EditedFile(file, mark), SceneReader.read(file));
     }
 
     /**
-     * The same with another sky than the file's.
+     * Reads a scene file with another sky.
      *
-     * @throws dev.twister.scene.SceneException where it is not a scene
+     * @throws dev.twister.scene.SceneException if it is not a scene
      */
     public static OpenedScene readUnder(Path skybox, Path file) {
         FileMark mark = FileMark.of(file);

@@ -8,26 +8,25 @@ import dev.twister.scene.Scene;
 import java.util.List;
 
 /**
- * Which body of the scene that a picture shows is which one of the scene, which may have been edited since the picture
- * was asked for. See {@link BodyNumber}.
+ * Maps bodies of a picture's scene to bodies of the present scene, see {@link BodyNumber}.
  *
  * @param pictured the scene that the picture shows
- * @param standing the scene as it is now
- * @param renumbered whether bodies came or went in between: as many as before may be others
+ * @param standing the present scene
+ * @param renumbered whether bodies were added or deleted in between, even if their count is the same
  */
 public record PictureBodies(Scene pictured, Scene standing, boolean renumbered) {
-    /** The scene's body that is this one of the picture's scene. */
+    /** The present number of a body of the picture. */
     public int inScene(int body) {
         return same(standing, pictured, body);
     }
 
-    /** The body of the picture's scene that is this one of the scene. */
+    /** The number in the picture of a body of the present scene. */
     public int inPicture(int body) {
         return same(pictured, standing, body);
     }
 
     private int same(Scene wanted, Scene given, int body) {
-        // As long as bodies neither come nor go, each keeps its number; half a million need not be counted for each
+        // Without additions and deletions numbers stay the same; this avoids comparing half a million bodies per
         // picture.
         if (BodyNumber.sphere(body) < 0 || !renumbered) {
             return body;
@@ -38,7 +37,7 @@ public record PictureBodies(Scene pictured, Scene standing, boolean renumbered) 
     }
 
     private static int sameSphere(Scene wanted, Scene given, int index) {
-        // Poured ones are in the picture, but not in the scene: which is which is not known.
+        // Poured spheres are in the picture only, and not identified in the scene.
         int found = index < given.spheres().size()
                 ? SameSpheres.byPlace(wanted.spheres(), given.spheres())[index]
                 : SameSpheres.NONE;

@@ -12,18 +12,15 @@ import dev.twister.world.World;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/**
- * The panoramas, textures and meshes that scenes name, which drawing threads find here once they are read. Any thread
- * may read.
- */
+/** The panoramas, textures and meshes of scenes, shared by all drawing threads. Any thread may read. */
 public final class SceneAssets {
     private final SkyShelf skies = new SkyShelf();
     private final MeshShelf meshes = new MeshShelf(SceneMeshes.reader(skies::warn));
 
-    /** Used by JavaFX's thread. */
+    /** Used only by JavaFX's thread. */
     private long meshesEdition;
 
-    /** A drawing thread, not started yet, that has these files at hand. */
+    /** A drawing loop, not started yet, that uses these files. */
     public DrawingLoop drawingLoop() {
         return new DrawingLoop(skies, meshes, JvmEngines.parallel());
     }
@@ -31,8 +28,8 @@ public final class SceneAssets {
     /**
      * Reads a scene, its sky and its textures.
      *
-     * @throws dev.twister.scene.SceneException where it is not a scene
-     * @throws dev.twister.sky.SkyException where its sky or a texture cannot be read
+     * @throws dev.twister.scene.SceneException if it is not a scene
+     * @throws dev.twister.sky.SkyException if its sky or a texture cannot be read
      */
     public OpenedScene readScene(Path file) {
         OpenedScene read = OpenedScene.read(file);
@@ -40,72 +37,58 @@ public final class SceneAssets {
         return read;
     }
 
-    /**
-     * Reads a panorama.
-     *
-     * @throws dev.twister.sky.SkyException where it cannot be read
-     */
+    /** @throws dev.twister.sky.SkyException if it cannot be read */
     public void readSky(Path panorama) {
         skies.refresh(panorama);
     }
 
-    /**
-     * Reads a scene's textures.
-     *
-     * @throws dev.twister.sky.SkyException where one cannot be read
-     */
+    /** @throws dev.twister.sky.SkyException if one cannot be read */
     public void readTextures(Scene textured) {
         skies.refreshTextures(textured);
     }
 
     /**
-     * Reads a texture that a scene does not have yet.
+     * Reads a texture that the scene does not use yet.
      *
-     * @throws dev.twister.sky.SkyException where it cannot be read
+     * @throws dev.twister.sky.SkyException if it cannot be read
      */
     public void readTexture(Scene textured, Path file) {
         skies.refreshTexture(textured, file);
     }
 
-    /**
-     * Reads a mesh's file.
-     *
-     * @throws dev.twister.mesh.MeshException where it is not a mesh that can be read
-     */
+    /** @throws dev.twister.mesh.MeshException if it cannot be read */
     public MeshFile readMesh(Mesh mesh) {
         return SceneMeshes.reader(skies::warn).apply(SceneMeshes.Source.of(mesh));
     }
 
-    /** Keeps a mesh's file that was read for a scene that is shown next, or is edited to have it. */
+    /** Caches a mesh file that was read for the next scene or edit. */
     public void keepMesh(Mesh mesh, MeshFile file) {
         meshes.keep(mesh, file);
     }
 
-    /** A scene's world, of what is at hand; the rest is read. */
+    /** The world of a scene; reads the meshes that are not in {@code atHand}. */
     public World world(Scene wanted, SceneMeshes atHand) {
         SceneMeshes all = atHand.changedTo(wanted.meshes(), SceneMeshes.reader(skies::warn));
         return World.of(wanted, skies.images(wanted, all), all);
     }
 
-    /**
-     * The panorama or texture that a drawing thread waits for, or the meshes that it draws without until they are read.
-     */
+    /** The panorama or texture that a drawing thread waits for, or the meshes that are being read. */
     public Optional<String> beingRead() {
         return skies.beingRead().map(file -> String.valueOf(file.getFileName())).or(meshes::progress);
     }
 
-    /** Stops reading what {@link #beingRead} names: drawing threads draw without it. */
+    /** Cancels reading what {@link #beingRead} names; drawing goes on without it. */
     public void cancelReading() {
         skies.cancel();
         meshes.cancel();
     }
 
-    /** What was found wrong with files since this was asked last. */
+    /** Warnings about files since the last call. */
     Optional<String> takeWarnings() {
         return Optional.of(skies.takeWarnings()).filter(warnings -> !warnings.isEmpty());
     }
 
-    /** Whether meshes were read since this was asked last, so that a new picture shows them. */
+    /** Whether meshes were read since the last call. */
     boolean takeMeshesRead() {
         long before = meshesEdition;
         meshesEdition = meshes.edition();

@@ -11,10 +11,7 @@ import javafx.beans.property.ReadOnlyIntegerWrapper;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 
-/**
- * The bodies that a person works on. Several at a time are movable ones; the plane and a poured sphere are selected
- * alone.
- */
+/** The selected bodies. Several at a time must be movable; the plane or a poured sphere is selected alone. */
 public final class Selection {
     private final Document document;
     private final Consumer<String> notice;
@@ -43,12 +40,14 @@ public final class Selection {
         return bodies.get().active();
     }
 
-    /** Selects the light, the plane, a sphere, a mesh, or a sphere that is poured; any other number selects nothing. */
+    /**
+     * Selects one body: the light, the plane, a sphere, a mesh or a poured sphere; any other number selects nothing.
+     */
     public void select(int body) {
         set(SelectedBodies.of(BodyEdits.isSelectable(document.scene(), body) ? body : BodyNumber.NONE));
     }
 
-    /** Selects the movable ones of several bodies, the last of them active; one alone as {@link #select(int)}. */
+    /** Selects the movable ones of several bodies, the last of them active; a single one as {@link #select(int)}. */
     public void select(Collection<Integer> several) {
         if (several.size() == 1) {
             select(several.iterator().next());
@@ -57,7 +56,7 @@ public final class Selection {
         }
     }
 
-    /** Adds a body to the selection as the active one, or takes it out; says so where it can only be alone. */
+    /** Adds a body to the selection and makes it active, or removes it; tells it if it can only be selected alone. */
     public void toggle(int body) {
         SelectedBodies selected = bodies.get();
         boolean movable = isMovable(body);
@@ -77,18 +76,18 @@ public final class Selection {
         set(bodies.get().withActive(body));
     }
 
-    /** Selects all movable bodies; the active one stays it. */
+    /** Selects all movable bodies; the active one stays active. */
     public void selectAll() {
         SelectedBodies all = SelectedBodies.of(BodyEdits.movable(document.scene()));
         set(all.contains(active()) ? all.withActive(active()) : all);
         notice.accept(all.count() + " bodies selected");
     }
 
-    /** Keeps those bodies alone whose numbers mean the same ones in the scene as it is now. */
+    /** Removes bodies whose numbers have changed their meaning. */
     void follow(Scene before, Scene now) {
         boolean renumbered = before.spheres().size() != now.spheres().size()
                 || before.meshes().size() != now.meshes().size();
-        // A poured sphere is no body of the scene; all others stay as long as none comes or goes.
+        // A poured sphere is no body of the scene; the others keep their numbers unless bodies were added or deleted.
         if (renumbered || BodyEdits.isPoured(before, active())) {
             set(bodies.get()
                     .where(body -> !BodyEdits.isRenumbered(before, now, body) && BodyEdits.isSelectable(now, body)));
@@ -101,7 +100,7 @@ public final class Selection {
 
     private void set(SelectedBodies selected) {
         if (!selected.equals(bodies.get())) {
-            // The next edit may have the same name, but is of other bodies.
+            // The next edit may have the same name, but edits other bodies.
             document.endGesture();
             bodies.set(selected);
             active.set(selected.active());

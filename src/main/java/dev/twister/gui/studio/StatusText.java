@@ -2,7 +2,7 @@ package dev.twister.gui.studio;
 
 import dev.twister.gui.drawing.DrawingStatus;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.model.CameraNumbers;
 import dev.twister.gui.model.ShownPictures;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Scene;
@@ -12,13 +12,13 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** What the status line says. */
+/** Texts of the status line. */
 public final class StatusText {
     private static final String BETWEEN = " · ";
 
     private StatusText() {}
 
-    /** Scene, engine, size, bodies that are there, and where a lens is focused. */
+    /** Scene, engine, size, number of bodies, and focus of the lens. */
     public static String facts(DrawnPicture picture) {
         String chosen = picture.request().engine().offer().id();
         String name = picture.request().scene().title().name();
@@ -43,17 +43,17 @@ public final class StatusText {
         return count == 0 ? "" : count + (count == 1 ? " mesh" : " meshes");
     }
 
-    /** What the camera has been focused on. */
+    /** The distance that the camera is focused at. */
     public static String focused(Camera camera) {
         return "Focus distance: " + meters(camera)
                 + (camera.aperture() > 0 ? "" : ". The aperture is 0: everything is in focus");
     }
 
     private static String meters(Camera camera) {
-        return SceneNumbers.FOCUS_DISTANCE.text(camera.focusDistance()) + " m";
+        return CameraNumbers.FOCUS_DISTANCE.scale().text(camera.focusDistance()) + " m";
     }
 
-    /** Whether {@link #facts} are known to be the same for both, told without putting them together. */
+    /** Whether {@link #facts} are the same for both, without formatting them. */
     public static boolean isSame(DrawnPicture one, DrawnPicture other) {
         return one.request().number() == other.request().number()
                 && one.samples() == other.samples()
@@ -63,7 +63,7 @@ public final class StatusText {
                 && other.isWhole();
     }
 
-    /** What moves in a scene when its physics is switched on. */
+    /** What physics will move in a scene. */
     static String whatFalls(Scene scene) {
         int spheres = scene.spheres().size();
         boolean pours = scene.pour().isPresent();
@@ -77,7 +77,7 @@ public final class StatusText {
                 + (pours ? ", and more are poured" : "");
     }
 
-    /** What is going on, or went wrong; may be empty. */
+    /** What the drawing thread does, or what failed; may be empty. */
     public static String message(DrawingStatus status) {
         return Stream.of(
                         status.opening().map(id -> "making engine " + id + " ready…"),

@@ -94,9 +94,9 @@ class BodyMaterialsTest {
 
     @Test
     void reflectivityIsPerCentWithTheFilesNumberBesideIt() {
-        NumberSetting setting = MaterialNumbers.of(FIRST + 1).reflectivity();
+        NumberProperty<Scene> setting = MaterialNumbers.of(FIRST + 1, MaterialNumbers.REFLECTIVITY);
 
-        assertThat(setting.text(setting.read(scene))).isEqualTo("81.3");
+        assertThat(setting.scale().text(setting.read(scene))).isEqualTo("81.3");
         assertThat(MaterialNumbers.percentUnit(STEEL)).isEqualTo("% (p 104)");
         Scene edited = setting.write(scene, 33.3);
         assertThat(BodyMaterials.of(edited, FIRST + 1).reflectivity()).isEqualTo(42.624);

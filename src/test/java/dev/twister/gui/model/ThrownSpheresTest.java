@@ -119,7 +119,8 @@ class ThrownSpheresTest {
                 .isFalse();
         assertThat(ThrownSpheres.fit(
                         thrown,
-                        BodyNumbers.ofSphere(Layout.FIRST_SPHERE).radius().write(before, 2)))
+                        BodyNumbers.ofSphere(Layout.FIRST_SPHERE, BodyNumbers.SPHERE.getLast())
+                                .write(before, 2)))
                 .isFalse();
     }
 

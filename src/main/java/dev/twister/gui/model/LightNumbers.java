@@ -1,0 +1,70 @@
+package dev.twister.gui.model;
+
+import dev.twister.gui.model.NumberScale.Spread;
+import dev.twister.scene.Light;
+import dev.twister.scene.Lights;
+import dev.twister.scene.Range;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneLimits;
+import dev.twister.scene.Shading;
+import java.util.List;
+import java.util.stream.Stream;
+
+/** The numbers of the light, and ambient light. */
+public final class LightNumbers {
+    public static final NumberProperty<Light> RADIUS = new NumberProperty<>(
+            "Light size",
+            "The light's radius. A larger light makes softer shadows.",
+            "Alt+L",
+            new NumberScale(SceneLimits.LENGTH, new Range(0.05, 10), Spread.LOGARITHMIC, 2, "m"),
+            Light::radius,
+            Light::withRadius);
+
+    public static final NumberProperty<Light> STRENGTH = new NumberProperty<>(
+            "Light strength",
+            "The brightest channel of the light's color; 1 is white paper lit from straight above.",
+            "Alt+Q",
+            new NumberScale(SceneLimits.RADIANCE, new Range(0.05, 20), Spread.LOGARITHMIC, 2, ""),
+            light -> Radiance.of(light.color()).strength(),
+            (light, strength) ->
+                    light.withColor(new Radiance(Radiance.of(light.color()).hue(), strength).color()));
+
+    private static final NumberProperty<Scene> AMBIENT = new NumberProperty<>(
+            "Ambient light",
+            "Brightness of surfaces in shadow, as a share of their color.",
+            "Alt+Shift+L",
+            new NumberScale(SceneLimits.AMBIENT, new Range(0, 1), Spread.LINEAR, 2, ""),
+            scene -> scene.shading().ambient(),
+            (scene, ambient) -> scene.withShading(new Shading(ambient)));
+
+    /** The rows of the panel, in their order. */
+    public static final List<NumberProperty<Scene>> ALL = Stream.concat(
+                    Stream.of(
+                                    place(Axis.X, "The light's position from left to right.", "Alt+1"),
+                                    place(Axis.Y, "The light's height.", "Alt+2"),
+                                    place(Axis.Z, "The light's position from near to far.", "Alt+3"),
+                                    RADIUS,
+                                    STRENGTH)
+                            .map(LightNumbers::ofScene),
+                    Stream.of(AMBIENT))
+            .toList();
+
+    private LightNumbers() {}
+
+    public static NumberProperty<Scene> ofScene(NumberProperty<Light> number) {
+        return number.in(
+                scene -> scene.lights().first(),
+                (scene, edit) ->
+                        scene.withLights(Lights.of(edit.apply(scene.lights().first()))));
+    }
+
+    private static NumberProperty<Light> place(Axis axis, String hint, String key) {
+        return new NumberProperty<>(
+                "Light " + axis.label(),
+                hint,
+                key,
+                SceneNumbers.PLACE,
+                light -> axis.of(light.position()),
+                (light, number) -> light.withPosition(axis.with(light.position(), number)));
+    }
+}
