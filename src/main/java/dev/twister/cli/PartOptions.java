@@ -80,7 +80,8 @@ final class PartOptions {
         if (sampling.isNoiseGiven() || (samples.isPresent() && sampling.isGiven())) {
             throw new BadInputException(
                     sampling.isNoiseGiven()
-                            ? "--noise looks at the whole picture, so --tile and --sample-range exclude it; give --samples"
+                            ? "--noise looks at the whole picture, so --tile and --sample-range exclude it; give"
+                                    + " --samples"
                             : "--samples and --sample-range exclude each other; give one of them");
         }
     }

@@ -22,7 +22,8 @@ final class PictureOptions {
             converter = PictureConverter.OfView.class,
             completionCandidates = Completions.OfView.class,
             description =
-                    "Render values per pixel: ${COMPLETION-CANDIDATES}. Several names, separated by commas, become layers of an"
+                    "Render values per pixel: ${COMPLETION-CANDIDATES}. Several names, separated by commas, become"
+                            + " layers of an"
                             + " .exr file.")
     private List<Picture> views = List.of();
 

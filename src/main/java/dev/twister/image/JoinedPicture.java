@@ -54,10 +54,9 @@ public final class JoinedPicture {
 
     private static Provenance provenance(Path file, ExrPicture part) {
         return part.provenance()
-                .orElseThrow(
-                        () -> new IllegalArgumentException(
-                                file
-                                        + " does not say how it was made; parts are written by 'twister render --tile' and '--sample-range'"));
+                .orElseThrow(() -> new IllegalArgumentException(file
+                        + " does not say how it was made; parts are written by 'twister render"
+                        + " --tile' and '--sample-range'"));
     }
 
     /**

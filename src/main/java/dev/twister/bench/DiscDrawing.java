@@ -1,4 +1,4 @@
-package dev.twister.cli;
+package dev.twister.bench;
 
 import java.util.Locale;
 import tools.jackson.databind.JsonNode;
