@@ -11,7 +11,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Makes pictures by the commands that it gives for them. */
+/** Renders figures by the commands that the page shows for them. */
 final class FigureRenderer implements AutoCloseable {
     private static final String ENDING = ".json";
     private static final String LAUNCHER = "scripts/twister ";
@@ -35,7 +35,7 @@ final class FigureRenderer implements AutoCloseable {
      * Renders a scene.
      *
      * @param scene a shipped scene's name, or a file in Twister's folder
-     * @param name of the picture's file, without its ending
+     * @param name name of the picture's file, without its ending
      * @param options of {@code twister render}
      */
     RenderedFigure.Picture rendered(String caption, String scene, String name, String... options) throws IOException {
@@ -59,7 +59,7 @@ final class FigureRenderer implements AutoCloseable {
                 HEIGHT);
     }
 
-    /** The targets of a pixel's first shadow rays on the light's disc. */
+    /** Draws the targets of a pixel's first shadow rays on the light's disc. */
     RenderedFigure.Picture disc(String scene, String pixel, int samples) {
         Path file = sceneFile(scene);
         List<String> options =
@@ -80,7 +80,7 @@ final class FigureRenderer implements AutoCloseable {
                 DiscDrawing.SIDE);
     }
 
-    /** Where a scene of a command is; a file of that name in the current folder is another one. */
+    /** The scene file of a command, in Twister's folder instead of the current one. */
     private Path sceneFile(String scene) {
         return home.resolve(shown(scene));
     }

@@ -24,7 +24,7 @@ public record JitRuns(String program, List<String> arguments) {
     private static final String JIT = "--jit";
     private static final String JSON = "--json";
 
-    /** What the JVM has from there is among its options already. */
+    /** Environment variables whose options this JVM already has. */
     private static final List<String> VARIABLES = List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS", "_JAVA_OPTIONS");
 
     /**
@@ -47,7 +47,7 @@ public record JitRuns(String program, List<String> arguments) {
     }
 
     private JsonNode run(Jit jit, Path json, Path options) throws IOException {
-        // Windows' command lines are too short for an SDK's options.
+        // The options of an SDK exceed the length of command lines on Windows.
         Files.write(
                 options,
                 jvmOptions(jit).stream().map(JitRuns::quoted).toList(),
@@ -76,7 +76,7 @@ public record JitRuns(String program, List<String> arguments) {
         try {
             Runtime.getRuntime().removeShutdownHook(hook);
         } catch (IllegalStateException _) {
-            // The process ends already.
+            // The process is ending.
         }
         return code;
     }
@@ -91,12 +91,12 @@ public record JitRuns(String program, List<String> arguments) {
                 .toList();
     }
 
-    /** As argument files of the JDK have it. */
+    /** Quotes an option for the JDK's argument files. */
     private static String quoted(String option) {
         return '"' + option.replace("\\", "\\\\").replace("\"", "\\\"") + '"';
     }
 
-    /** The command line without its own compilers and report, with another report. */
+    /** The command line without its compilers, with another report file. */
     List<String> childArguments(Path json) {
         List<String> kept = new ArrayList<>();
         boolean isValue = false;

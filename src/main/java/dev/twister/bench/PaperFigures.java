@@ -5,11 +5,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The paper's rendered figures, in the order of its sections: what each shows, and the commands that make it. */
+/** The paper's rendered figures in the order of its sections, with the commands that render them. */
 public final class PaperFigures {
     private static final String BENCHMARK = "benchmark";
 
-    /** A point on the plane that two spheres hide a part of the light from. */
+    /** A point on the plane in the half shadow of two spheres. */
     private static final String PENUMBRA = "258,250";
 
     private PaperFigures() {}
