@@ -1,14 +1,14 @@
 package dev.twister.benchmarks;
 
-import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.Material;
 import dev.twister.kernel.Shadow;
+import dev.twister.kernel.Variant;
 import dev.twister.scene.Rendering;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SphereHierarchy;
 import dev.twister.world.World;
+import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -45,6 +45,7 @@ public class CrowdBenchmark {
     private final float[] scratch = new float[Layout.SCRATCH_LENGTH];
     private World world;
     private FrameInput input;
+    private float[] places;
 
     /** What the lowest and the highest center leave between them, along x, y and z. */
     private final float[] low = new float[3];
@@ -55,6 +56,7 @@ public class CrowdBenchmark {
     public void fill() {
         world = BenchmarkScene.withSpheres(spheres, Rendering.DEFAULT.withShadows(SHADOW_SAMPLES));
         input = world.snapshot();
+        places = Arrays.copyOf(input.bodies().floats(), input.bodies().spheres());
         for (int axis = 0; axis < 3; axis++) {
             low[axis] = Float.MAX_VALUE;
             high[axis] = -Float.MAX_VALUE;
@@ -68,7 +70,7 @@ public class CrowdBenchmark {
     @Benchmark
     @OutputTimeUnit(TimeUnit.MILLISECONDS)
     public float[] build() {
-        return SphereHierarchy.of(input.bodies().places(), input.bodyCount());
+        return SphereHierarchy.of(places, input.bodyCount());
     }
 
     /** Rays into the crowd from above it, slanting. */
@@ -88,16 +90,12 @@ public class CrowdBenchmark {
             path[Layout.ORIGIN + 2] = z(i);
             sum += Hit.find(
                     path,
-                    input.bodies().places(),
-                    input.bodies().looks(),
-                    input.bodies().hierarchy(),
-                    input.bodies().meshes(),
-                    input.bodyCount(),
                     scratch,
-                    Hit.WALK,
-                    Layout.NO_MESHES,
-                    Material.PLAIN,
-                    Aspect.FULL);
+                    input.view().frame(),
+                    input.bodies().floats(),
+                    input.bodies().looks(),
+                    input.bodies().meshes(),
+                    Variant.WALK);
         }
         return sum;
     }
@@ -112,8 +110,8 @@ public class CrowdBenchmark {
         path[Layout.TO_LIGHT + 2] = 0f;
         path[Layout.LIGHT_DISTANCE] = 2f * (high[1] - low[1]) + 10f * LIGHT_DISC_RADIUS;
         path[Layout.NORMAL_DOT_LIGHT] = 1f;
-        float[] light = new float[Layout.PLACE_STRIDE];
-        light[Layout.PLACE_SIZE] = 0.5f * LIGHT_DISC_RADIUS;
+        float[] bodies = input.bodies().floats().clone();
+        bodies[Layout.PLACE_SIZE] = 0.5f * LIGHT_DISC_RADIUS;
         float sum = 0;
         for (int i = 0; i < CALLS; i++) {
             path[Layout.POINT] = x(i);
@@ -122,17 +120,12 @@ public class CrowdBenchmark {
             sum += Shadow.visible(
                     path,
                     Layout.PLANE,
-                    input.view().properties(),
-                    light,
-                    input.bodies().looks(),
-                    input.view().shadowDisc(),
-                    input.bodies().hierarchy(),
-                    Layout.root(input.bodyCount()),
-                    input.bodies().meshes(),
                     scratch,
-                    Layout.NO_MESHES,
-                    Material.PLAIN,
-                    Aspect.FULL);
+                    input.view().frame(),
+                    bodies,
+                    input.bodies().looks(),
+                    input.bodies().meshes(),
+                    Variant.WALK);
         }
         return sum;
     }

@@ -1,11 +1,9 @@
 package dev.twister.benchmarks;
 
-import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Camera;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Light;
-import dev.twister.kernel.Material;
 import dev.twister.kernel.Shadow;
 import dev.twister.kernel.Sky;
 import dev.twister.scene.Rendering;
@@ -66,12 +64,7 @@ public class KernelStepBenchmark {
     public float viewRay() {
         float sum = 0;
         for (int i = 0; i < CALLS; i++) {
-            Camera.start(
-                    path,
-                    i & 1023,
-                    i >> 3,
-                    input.view().dimensions(),
-                    input.view().camera());
+            Camera.start(path, i & 1023, i >> 3, input.view().frame());
             sum += path[Layout.DIRECTION];
         }
         return sum;
@@ -79,7 +72,7 @@ public class KernelStepBenchmark {
 
     @Benchmark
     public int closestHit() {
-        System.arraycopy(input.view().camera(), Layout.CAMERA_POSITION, path, Layout.ORIGIN, 3);
+        System.arraycopy(input.view().frame(), Layout.CAMERA_POSITION, path, Layout.ORIGIN, 3);
         path[Layout.LEAVING] = Layout.NOTHING;
         int sum = 0;
         for (int i = 0; i < CALLS; i++) {
@@ -88,16 +81,12 @@ public class KernelStepBenchmark {
             path[Layout.DIRECTION + 2] = directionZ[i];
             sum += Hit.find(
                     path,
-                    input.bodies().places(),
-                    input.bodies().looks(),
-                    input.bodies().hierarchy(),
-                    input.bodies().meshes(),
-                    input.bodyCount(),
                     scratch,
-                    Hit.ALL,
-                    Layout.NO_MESHES,
-                    Material.PLAIN,
-                    Aspect.FULL);
+                    input.view().frame(),
+                    input.bodies().floats(),
+                    input.bodies().looks(),
+                    input.bodies().meshes(),
+                    0);
         }
         return sum;
     }
@@ -130,17 +119,12 @@ public class KernelStepBenchmark {
             sum += Shadow.visible(
                     path,
                     Layout.PLANE,
-                    input.view().properties(),
-                    input.bodies().places(),
-                    input.bodies().looks(),
-                    input.view().shadowDisc(),
-                    input.bodies().hierarchy(),
-                    Layout.root(input.bodyCount()),
-                    input.bodies().meshes(),
                     scratch,
-                    Layout.NO_MESHES,
-                    Material.PLAIN,
-                    Aspect.FULL);
+                    input.view().frame(),
+                    input.bodies().floats(),
+                    input.bodies().looks(),
+                    input.bodies().meshes(),
+                    0);
         }
         return sum;
     }
@@ -157,14 +141,14 @@ public class KernelStepBenchmark {
 
     @Benchmark
     public float skyLookup() {
-        int width = input.panorama().dimensions()[Layout.SKY_WIDTH];
-        int height = input.panorama().dimensions()[Layout.SKY_HEIGHT];
+        int width = (int) input.view().frame()[Layout.SKY_WIDTH];
+        int height = (int) input.view().frame()[Layout.SKY_HEIGHT];
         float sum = 0;
         for (int i = 0; i < CALLS; i++) {
             float column = Sky.column(directionX[i], directionZ[i], 0f, width);
             float row = Sky.row(directionX[i], directionY[i], directionZ[i], height);
             for (int channel = 0; channel < 3; channel++) {
-                sum += Sky.radiance(input.panorama().texels(), width, height, column, row, channel);
+                sum += Sky.radiance(width, height, column, row, channel, input.images());
             }
         }
         return sum;

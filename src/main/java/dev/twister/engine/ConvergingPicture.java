@@ -88,12 +88,9 @@ public final class ConvergingPicture {
     }
 
     private float shown(float sum) {
-        float[] properties = input.view().properties();
+        float[] values = input.view().frame();
         return Tone.shown(
-                sum / samplesOfHalf,
-                properties[Layout.EXPOSURE_SCALE],
-                (int) properties[Layout.TONE_MAP],
-                properties[Layout.SRGB]);
+                sum / samplesOfHalf, values[Layout.EXPOSURE_SCALE], (int) values[Layout.TONE_MAP], values[Layout.SRGB]);
     }
 
     private void write(Frame frame) {
@@ -106,7 +103,7 @@ public final class ConvergingPicture {
             float[] path = new float[Layout.PATH_LENGTH];
             for (int pixel = 0; pixel < frame.argb().length; pixel++) {
                 System.arraycopy(radiance, CHANNELS * pixel, path, Layout.RADIANCE, CHANNELS);
-                frame.argb()[pixel] = Tone.argb(path, 1, input.view().properties());
+                frame.argb()[pixel] = Tone.argb(path, 1, input.view().frame());
             }
         }
         frame.setTimes(times);

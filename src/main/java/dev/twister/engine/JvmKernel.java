@@ -1,13 +1,11 @@
 package dev.twister.engine;
 
 import dev.twister.image.Frame;
-import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Path;
 import dev.twister.kernel.PixelKernel;
 import dev.twister.world.Bodies;
 import dev.twister.world.FrameInput;
-import dev.twister.world.Panorama;
 import dev.twister.world.View;
 
 /** Calls the kernel on the JVM. Each thread needs its own instance. */
@@ -22,37 +20,22 @@ public final class JvmKernel {
 
     /** Renders the pixels of one row of the band, from {@code firstColumn} to before {@code endColumn}. */
     public void drawRow(FrameInput input, Frame frame, int row, int firstColumn, int endColumn) {
-        int search = HitSearch.of(input);
-        int materials = input.bodies().materials();
-        int aspect = input.aspect();
-        int output = frame.isLinear() ? PixelKernel.LINEAR : PixelKernel.ARGB;
         View view = input.view();
         Bodies bodies = input.bodies();
-        Panorama panorama = input.panorama();
+        int variant = input.variant(frame.isLinear());
         for (int column = firstColumn; column < endColumn; column++) {
             PixelKernel.draw(
                     column,
                     row,
-                    frame.argb(),
-                    frame.radiance(),
-                    view.dimensions(),
-                    view.camera(),
-                    view.properties(),
-                    bodies.places(),
-                    bodies.looks(),
-                    bodies.hierarchy(),
-                    bodies.meshes(),
-                    panorama.texels(),
-                    panorama.dimensions(),
-                    view.shadowDisc(),
-                    view.pixelSamples(),
                     path,
                     scratch,
-                    search,
-                    bodies.firstMesh(),
-                    materials,
-                    aspect,
-                    output);
+                    view.frame(),
+                    bodies.floats(),
+                    bodies.looks(),
+                    bodies.meshes(),
+                    input.images(),
+                    variant);
+            PixelKernel.store(column, row, frame.argb(), frame.radiance(), path, view.frame(), variant);
         }
     }
 
@@ -62,36 +45,12 @@ public final class JvmKernel {
      * @param bounce number of surfaces that the path has left
      */
     public float visible(FrameInput input, int body, int bounce) {
-        View view = input.view();
+        float[] frame = input.view().frame();
         Bodies bodies = input.bodies();
-        Panorama panorama = input.panorama();
-        Path.meet(
-                path,
-                body,
-                view.properties(),
-                bodies.places(),
-                bodies.looks(),
-                bodies.hierarchy(),
-                bodies.meshes(),
-                panorama.texels(),
-                panorama.dimensions(),
-                bodies.firstMesh(),
-                bodies.materials());
+        int variant = input.variant(false);
+        Path.meet(path, body, frame, bodies.floats(), bodies.looks(), bodies.meshes(), input.images(), variant);
         return Path.visible(
-                path,
-                body,
-                bounce,
-                view.properties(),
-                bodies.places(),
-                bodies.looks(),
-                bodies.hierarchy(),
-                bodies.meshes(),
-                input.bodyCount(),
-                view.shadowDisc(),
-                scratch,
-                bodies.firstMesh(),
-                bodies.materials(),
-                Aspect.FULL);
+                path, body, bounce, scratch, frame, bodies.floats(), bodies.looks(), bodies.meshes(), variant);
     }
 
     /** Follows the {@link #path} from a bounce on: {@link Path#follow}. */
@@ -99,20 +58,12 @@ public final class JvmKernel {
         Path.follow(
                 path,
                 bounce,
-                input.view().properties(),
-                input.bodies().places(),
-                input.bodies().looks(),
-                input.bodies().hierarchy(),
-                input.bodies().meshes(),
-                input.bodyCount(),
-                input.panorama().texels(),
-                input.panorama().dimensions(),
-                input.view().shadowDisc(),
-                input.view().pixelSamples(),
                 scratch,
-                HitSearch.of(input),
-                input.bodies().firstMesh(),
-                input.bodies().materials(),
-                Aspect.FULL);
+                input.view().frame(),
+                input.bodies().floats(),
+                input.bodies().looks(),
+                input.bodies().meshes(),
+                input.images(),
+                input.variant(false));
     }
 }

@@ -1,7 +1,5 @@
 package dev.twister.explain;
 
-import dev.twister.engine.HitSearch;
-import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Vector3;
@@ -44,16 +42,12 @@ final class LightSamples {
                 path,
                 own,
                 sample,
-                input.view().properties(),
-                bodies.places(),
-                bodies.looks(),
-                input.view().shadowDisc(),
-                bodies.hierarchy(),
-                Layout.root(input.bodyCount()),
-                bodies.meshes(),
                 scratch,
-                bodies.firstMesh(),
-                bodies.materials());
+                input.view().frame(),
+                input.bodies().floats(),
+                input.bodies().looks(),
+                input.bodies().meshes(),
+                input.variant(false));
         float[] way = way(sample);
         Vector3 origin = bodies.origin();
         Vector3 target = new Vector3(
@@ -66,8 +60,8 @@ final class LightSamples {
     /** From the point to a sample of the disc, which the kernel has just faced. */
     private float[] way(int sample) {
         float discRadius = 2 * input.bodies().size(Layout.LIGHT);
-        float u = input.view().shadowDisc()[2 * sample] * discRadius;
-        float w = input.view().shadowDisc()[2 * sample + 1] * discRadius;
+        float u = input.view().frame()[Layout.DISC + 2 * sample] * discRadius;
+        float w = input.view().frame()[Layout.DISC + 2 * sample + 1] * discRadius;
         float distance = path[Layout.LIGHT_DISTANCE];
         return new float[] {
             distance * path[Layout.TO_LIGHT] + w * path[Layout.DISC_W],
@@ -88,16 +82,12 @@ final class LightSamples {
         Bodies bodies = input.bodies();
         int body = Hit.find(
                 ray,
-                bodies.places(),
-                bodies.looks(),
-                bodies.hierarchy(),
-                bodies.meshes(),
-                input.bodyCount(),
                 scratch,
-                HitSearch.of(input),
-                bodies.firstMesh(),
-                bodies.materials(),
-                Aspect.FULL);
+                input.view().frame(),
+                input.bodies().floats(),
+                input.bodies().looks(),
+                input.bodies().meshes(),
+                input.variant(false));
         boolean between = body >= Layout.PLANE && ray[Layout.DISTANCE] < length;
         return between ? body : Layout.NOTHING;
     }

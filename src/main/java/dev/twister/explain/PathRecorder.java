@@ -1,7 +1,5 @@
 package dev.twister.explain;
 
-import dev.twister.engine.HitSearch;
-import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Branch;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
@@ -40,7 +38,7 @@ final class PathRecorder {
 
     List<PathStep> record(int column, int sample) {
         View view = input.view();
-        PixelKernel.start(path, column, 0, sample, view.dimensions(), view.camera(), view.pixelSamples());
+        PixelKernel.start(path, column, 0, sample, input.view().frame());
         Source source = new Source(PathStep.NO_PARENT, RayKind.VIEW);
         int bounce = 0;
         int waiting = 0;
@@ -61,13 +59,7 @@ final class PathRecorder {
                 goesOn = Path.carriesLight(path) != 0;
             } else {
                 float[] ray = path.clone();
-                Path.end(
-                        path,
-                        body,
-                        view.properties(),
-                        input.bodies().looks(),
-                        input.panorama().texels(),
-                        input.panorama().dimensions());
+                Path.end(path, body, input.view().frame(), input.bodies().looks(), input.images());
                 steps.add(step(source, bounce, body, ray, Optional.empty()));
                 goesOn = false;
             }
@@ -87,16 +79,12 @@ final class PathRecorder {
         Bodies bodies = input.bodies();
         return Hit.find(
                 path,
-                bodies.places(),
-                bodies.looks(),
-                bodies.hierarchy(),
-                bodies.meshes(),
-                input.bodyCount(),
                 scratch,
-                HitSearch.of(input),
-                bodies.firstMesh(),
-                bodies.materials(),
-                Aspect.FULL);
+                input.view().frame(),
+                input.bodies().floats(),
+                input.bodies().looks(),
+                input.bodies().meshes(),
+                input.variant(false));
     }
 
     /** So that what a step adds is there by itself, with all its digits. */

@@ -1,6 +1,5 @@
 package dev.twister.explain;
 
-import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Light;
 import dev.twister.kernel.Path;
@@ -27,46 +26,37 @@ final class SurfaceRecorder {
         this.body = body;
         this.bounce = bounce;
         Bodies bodies = input.bodies();
-        float[] properties = input.view().properties();
+        float[] properties = input.view().frame();
         Path.meet(
                 path,
                 body,
-                properties,
-                bodies.places(),
-                bodies.looks(),
-                bodies.hierarchy(),
-                bodies.meshes(),
-                input.panorama().texels(),
-                input.panorama().dimensions(),
-                bodies.firstMesh(),
-                bodies.materials());
+                input.view().frame(),
+                input.bodies().floats(),
+                input.bodies().looks(),
+                input.bodies().meshes(),
+                input.images(),
+                input.variant(false));
         visible = Path.visible(
                 path,
                 body,
                 bounce,
-                properties,
-                bodies.places(),
-                bodies.looks(),
-                bodies.hierarchy(),
-                bodies.meshes(),
-                input.bodyCount(),
-                input.view().shadowDisc(),
                 scratch,
-                bodies.firstMesh(),
-                bodies.materials(),
-                Aspect.FULL);
+                input.view().frame(),
+                input.bodies().floats(),
+                input.bodies().looks(),
+                input.bodies().meshes(),
+                input.variant(false));
         before = path.clone();
         waiting = Path.scatter(
                 path,
                 body,
                 bounce,
                 visible,
-                properties,
-                bodies.looks(),
-                input.view().pixelSamples(),
                 scratch,
                 waitingBefore,
-                bodies.materials());
+                input.view().frame(),
+                input.bodies().looks(),
+                input.variant(false));
         facet = path.clone();
     }
 
@@ -88,9 +78,8 @@ final class SurfaceRecorder {
     }
 
     ShadedSurface shading() {
-        float[] properties = input.view().properties();
-        float transmission =
-                Path.transmission(before, bounce, properties, input.bodies().materials());
+        float[] properties = input.view().frame();
+        float transmission = Path.transmission(before, bounce, input.view().frame(), input.variant(false));
         Vector3 origin = input.bodies().origin();
         return new ShadedSurface(
                 Floats.place(before, Layout.POINT, origin),
@@ -104,7 +93,7 @@ final class SurfaceRecorder {
                 visible,
                 Light.lit(properties[Layout.AMBIENT], before[Layout.NORMAL_DOT_LIGHT], visible),
                 Light.highlight(before, visible),
-                Path.mirror(before, bounce, properties),
+                Path.mirror(before, bounce, input.view().frame()),
                 transmission,
                 transmission > 0 ? reflectance() : 0,
                 shadowRays());
@@ -117,9 +106,9 @@ final class SurfaceRecorder {
     }
 
     private List<LightSample> shadowRays() {
-        float[] properties = input.view().properties();
-        int traced = Path.isShaded(before, bounce, properties, input.bodies().materials())
-                & Shadow.matters(before, properties);
+        float[] properties = input.view().frame();
+        int traced = Path.isShaded(before, bounce, input.view().frame(), input.variant(false))
+                & Shadow.matters(before, input.view().frame());
         return traced == 0 ? List.of() : LightSamples.of(input, before, body);
     }
 

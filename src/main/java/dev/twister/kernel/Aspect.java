@@ -43,25 +43,25 @@ public final class Aspect {
     private Aspect() {}
 
     /** 1 if the value is known at the first hit, else 0. */
-    static int endsAtFirstHit(int aspect) {
-        return (aspect > FULL ? 1 : 0) & (aspect < BOUNCES ? 1 : 0);
+    static int endsAtFirstHit(int variant) {
+        return (Variant.aspect(variant) > FULL ? 1 : 0) & (Variant.aspect(variant) < BOUNCES ? 1 : 0);
     }
 
     /** 1 if the value is a count along the whole path, else 0. */
-    public static int isCount(int aspect) {
-        return aspect >= BOUNCES ? 1 : 0;
+    public static int isCount(int variant) {
+        return Variant.aspect(variant) >= BOUNCES ? 1 : 0;
     }
 
     /** Resets the count of a pixel, if the aspect is a count. */
-    static void start(float[] path, int aspect) {
-        if (isCount(aspect) != 0) {
+    static void start(float[] path, int variant) {
+        if (isCount(variant) != 0) {
             path[Layout.COUNT] = 0f;
         }
     }
 
     /** Copies the count to the radiance, if the aspect is a count. */
-    static void finish(float[] path, int aspect) {
-        if (isCount(aspect) != 0) {
+    static void finish(float[] path, int variant) {
+        if (isCount(variant) != 0) {
             path[Layout.RADIANCE] = path[Layout.COUNT];
             path[Layout.RADIANCE + 1] = path[Layout.COUNT];
             path[Layout.RADIANCE + 2] = path[Layout.COUNT];
@@ -69,8 +69,8 @@ public final class Aspect {
     }
 
     /** Adds to the count, if the aspect is {@code counted}. */
-    static void count(float[] path, int aspect, int counted, int number) {
-        if (aspect == counted) {
+    static void count(float[] path, int counted, int number, int variant) {
+        if (Variant.aspect(variant) == counted) {
             path[Layout.COUNT] = path[Layout.COUNT] + number;
         }
     }

@@ -11,23 +11,21 @@ public final class Camera {
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param x in pixels from the picture's left border
      * @param y in pixels from its top border
-     * @param dimensions {@link Layout#DIMENSIONS_LENGTH} ints
-     * @param camera {@link Layout#CAMERA_LENGTH} floats
      */
-    public static void start(float[] path, float x, float y, int[] dimensions, float[] camera) {
-        float u = u(x, dimensions[Layout.WIDTH], dimensions[Layout.HEIGHT]);
-        float v = v(y, dimensions[Layout.WIDTH], dimensions[Layout.HEIGHT]);
-        float directionX = turned(u, v, camera, 0);
-        float directionY = turned(u, v, camera, 1);
-        float directionZ = turned(u, v, camera, 2);
+    public static void start(float[] path, float x, float y, float[] frame) {
+        float u = u(x, (int) frame[Layout.WIDTH], (int) frame[Layout.HEIGHT]);
+        float v = v(y, (int) frame[Layout.WIDTH], (int) frame[Layout.HEIGHT]);
+        float directionX = turned(u, v, 0, frame);
+        float directionY = turned(u, v, 1, frame);
+        float directionZ = turned(u, v, 2, frame);
         float inverse =
                 KernelMath.inverseRoot(directionX * directionX + directionY * directionY + directionZ * directionZ);
         path[Layout.DIRECTION] = directionX * inverse;
         path[Layout.DIRECTION + 1] = directionY * inverse;
         path[Layout.DIRECTION + 2] = directionZ * inverse;
-        path[Layout.ORIGIN] = camera[Layout.CAMERA_POSITION];
-        path[Layout.ORIGIN + 1] = camera[Layout.CAMERA_POSITION + 1];
-        path[Layout.ORIGIN + 2] = camera[Layout.CAMERA_POSITION + 2];
+        path[Layout.ORIGIN] = frame[Layout.CAMERA_POSITION];
+        path[Layout.ORIGIN + 1] = frame[Layout.CAMERA_POSITION + 1];
+        path[Layout.ORIGIN + 2] = frame[Layout.CAMERA_POSITION + 2];
         path[Layout.LEAVING] = Layout.NOTHING;
         path[Layout.INSIDE] = 0f;
         path[Layout.THROUGHPUT] = 1f;
@@ -55,9 +53,9 @@ public final class Camera {
      *
      * @param axis 0 for x, 1 for y, 2 for z
      */
-    public static float turned(float u, float v, float[] camera, int axis) {
-        return u * camera[Layout.CAMERA_RIGHT + axis]
-                + v * camera[Layout.CAMERA_UP + axis]
-                + camera[Layout.CAMERA_EYE_DISTANCE] * camera[Layout.CAMERA_FORWARD + axis];
+    public static float turned(float u, float v, int axis, float[] frame) {
+        return u * frame[Layout.CAMERA_RIGHT + axis]
+                + v * frame[Layout.CAMERA_UP + axis]
+                + frame[Layout.CAMERA_EYE_DISTANCE] * frame[Layout.CAMERA_FORWARD + axis];
     }
 }

@@ -16,16 +16,15 @@ public final class Facet {
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param bounce number of surfaces that the path has left before
-     * @param pixelSamples {@link Layout#SAMPLE_STRIDE} floats per sample
      */
-    public static void find(float[] path, int bounce, float[] pixelSamples) {
+    public static void find(float[] path, int bounce, float[] frame) {
         float side = directionDot(path, Layout.NORMAL) > 0f ? -1f : 1f;
         path[Layout.FACET] = side * path[Layout.NORMAL];
         path[Layout.FACET + 1] = side * path[Layout.NORMAL + 1];
         path[Layout.FACET + 2] = side * path[Layout.NORMAL + 2];
         if (path[Layout.ROUGHNESS] > 0f) {
             int place = Noise.surface(bounce);
-            sample(path, Noise.number(path, pixelSamples, place), Noise.number(path, pixelSamples, place + 1));
+            sample(path, Noise.number(path, place, frame), Noise.number(path, place + 1, frame));
         }
     }
 

@@ -8,34 +8,22 @@ final class FirstHit {
      * Adds the value of the path's view ray to {@link Layout#RADIANCE}. {@link Layout} describes the arrays.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
-     * @param bodies number of bodies
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
-     * @param search {@link Hit#ALL} or {@link Hit#WALK}
-     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
-     * @param materials {@link Material#PLAIN} or {@link Material#ANY}
-     * @param aspect a constant of {@link Aspect} that ends at the first hit
      */
     static void add(
             float[] path,
-            float[] properties,
-            float[] places,
-            float[] looks,
-            float[] hierarchy,
-            float[] meshes,
-            int bodies,
-            float[] sky,
-            int[] skyDimensions,
-            float[] shadowDisc,
             float[] scratch,
-            int search,
-            int firstMesh,
-            int materials,
-            int aspect) {
-        int body =
-                Hit.find(path, places, looks, hierarchy, meshes, bodies, scratch, search, firstMesh, materials, aspect);
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            float[] images,
+            int variant) {
+        int aspect = Variant.aspect(variant);
+        int body = Hit.find(path, scratch, frame, bodies, looks, meshes, variant);
         int sees = (body == Layout.NOTHING ? 1 : 0) & (aspect <= Aspect.HIGHLIGHTS ? 1 : 0);
         if (sees != 0) {
-            Sky.add(path, sky, skyDimensions, properties);
+            Sky.add(path, frame, images);
         }
         float number = 0f;
         number = aspect == Aspect.BODY ? body : number;
@@ -44,31 +32,17 @@ final class FirstHit {
         float green = number;
         float blue = number;
         if (body >= Layout.LIGHT) {
-            Path.meet(
-                    path, body, properties, places, looks, hierarchy, meshes, sky, skyDimensions, firstMesh, materials);
+            Path.meet(path, body, frame, bodies, looks, meshes, images, variant);
             float lit = 1f;
             float specular = 0f;
             if (body >= Layout.PLANE) {
                 int shaded = (aspect == Aspect.DIFFUSE ? 1 : 0) | (aspect == Aspect.HIGHLIGHTS ? 1 : 0);
-                lit = shaded != 0 ? Light.lit(properties[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], 1f) : 1f;
+                lit = shaded != 0 ? Light.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], 1f) : 1f;
                 if (aspect == Aspect.HIGHLIGHTS) {
                     specular = Light.highlight(path, 1f);
                 }
                 if (aspect == Aspect.SHADOW) {
-                    number = Shadow.visible(
-                            path,
-                            body,
-                            properties,
-                            places,
-                            looks,
-                            shadowDisc,
-                            hierarchy,
-                            Layout.root(bodies),
-                            meshes,
-                            scratch,
-                            firstMesh,
-                            materials,
-                            aspect);
+                    number = Shadow.visible(path, body, scratch, frame, bodies, looks, meshes, variant);
                 }
             }
             number = aspect == Aspect.DEPTH ? path[Layout.DISTANCE] : number;

@@ -7,47 +7,50 @@ public final class Instance {
     /**
      * One coordinate of a transformed point.
      *
-     * @param row place of the coordinate's row in the hierarchy
+     * @param row place of the coordinate's row
      */
-    public static float point(float[] hierarchy, int row, float x, float y, float z) {
-        return vector(hierarchy, row, x, y, z) + hierarchy[row + 3];
+    public static float point(float[] bodies, int row, float x, float y, float z) {
+        return vector(bodies, row, x, y, z) + bodies[row + 3];
     }
 
     /** One component of a transformed vector. */
-    public static float vector(float[] hierarchy, int row, float x, float y, float z) {
-        return hierarchy[row] * x + hierarchy[row + 1] * y + hierarchy[row + 2] * z;
+    public static float vector(float[] bodies, int row, float x, float y, float z) {
+        return bodies[row] * x + bodies[row + 1] * y + bodies[row + 2] * z;
     }
 
     /** One component of a mesh's normal in world space; the vector is not normalized. */
-    public static float normal(float[] hierarchy, int instance, int axis, float x, float y, float z) {
+    public static float normal(float[] bodies, int instance, int axis, float x, float y, float z) {
         int column = instance + Layout.INSTANCE_TO_MESH + axis;
-        return hierarchy[column] * x + hierarchy[column + 4] * y + hierarchy[column + 8] * z;
+        return bodies[column] * x + bodies[column + 4] * y + bodies[column + 8] * z;
     }
 
-    /** Place of an instance in the hierarchy. */
-    public static int at(float[] hierarchy, int firstMesh, int number) {
-        int section = Layout.instances(firstMesh);
-        return section + 1 + Layout.NODE_STRIDE * (int) hierarchy[section] + Layout.INSTANCE_STRIDE * number;
+    /**
+     * Place of an instance.
+     *
+     * @param hierarchy place of the meshes' hierarchy
+     */
+    public static int at(int number, int hierarchy, float[] bodies) {
+        return hierarchy + 1 + Layout.NODE_STRIDE * (int) bodies[hierarchy] + Layout.INSTANCE_STRIDE * number;
     }
 
     /** Start of the instance's nodes in {@code meshes}. */
-    public static int nodes(float[] hierarchy, int instance) {
-        return Layout.MESH_ALIGNMENT * (int) hierarchy[instance + Layout.INSTANCE_MESH];
+    public static int nodes(float[] bodies, int instance) {
+        return Layout.ALIGNMENT * (int) bodies[instance + Layout.INSTANCE_MESH];
     }
 
     /** Start of its triangles. */
-    public static int triangles(float[] hierarchy, int instance) {
-        return nodes(hierarchy, instance) + Layout.NODE_STRIDE * (int) hierarchy[instance + Layout.INSTANCE_NODES];
+    public static int triangles(float[] bodies, int instance) {
+        return nodes(bodies, instance) + Layout.NODE_STRIDE * (int) bodies[instance + Layout.INSTANCE_NODES];
     }
 
     /** Start of its vertex normals. */
-    public static int normals(float[] hierarchy, int instance) {
-        return triangles(hierarchy, instance)
-                + Layout.TRIANGLE_STRIDE * (int) hierarchy[instance + Layout.INSTANCE_TRIANGLES];
+    public static int normals(float[] bodies, int instance) {
+        return triangles(bodies, instance)
+                + Layout.TRIANGLE_STRIDE * (int) bodies[instance + Layout.INSTANCE_TRIANGLES];
     }
 
     /** Start of its vertices' texture coordinates. */
-    public static int texturePlaces(float[] hierarchy, int instance) {
-        return normals(hierarchy, instance) + 3 * (int) hierarchy[instance + Layout.INSTANCE_NORMALS];
+    public static int texturePlaces(float[] bodies, int instance) {
+        return normals(bodies, instance) + 3 * (int) bodies[instance + Layout.INSTANCE_NORMALS];
     }
 }

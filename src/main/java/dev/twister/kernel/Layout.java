@@ -3,20 +3,9 @@ package dev.twister.kernel;
 /** Layout of the kernel's arrays; nothing else defines it. */
 public final class Layout {
     /**
-     * {@code int[] dimensions}: width and height of the whole picture, the range of rows to render, number of bodies.
+     * {@code float[] frame}, what may change with each frame; counts and places are integers that a float holds
+     * exactly. First the camera: position; unit vectors right, up and forward; eye distance; lens.
      */
-    public static final int WIDTH = 0;
-
-    public static final int HEIGHT = 1;
-    public static final int FIRST_ROW = 2;
-    public static final int ROWS = 3;
-
-    /** Number of bodies without meshes: light, plane and spheres. */
-    public static final int BODIES = 4;
-
-    public static final int DIMENSIONS_LENGTH = 5;
-
-    /** {@code float[] camera}: position; unit vectors right, up and forward; eye distance; lens. */
     public static final int CAMERA_POSITION = 0;
 
     public static final int CAMERA_RIGHT = 3;
@@ -34,9 +23,71 @@ public final class Layout {
 
     public static final int CAMERA_LENGTH = 15;
 
+    public static final int SHADOW_SAMPLES = 15;
+    public static final int BOUNCES = 16;
+    public static final int PIXEL_SAMPLES = 17;
+
+    /** 2^exposure. */
+    public static final int EXPOSURE_SCALE = 18;
+
+    /** A tone map's number in {@link Tone}. */
+    public static final int TONE_MAP = 19;
+
+    /** 1 if the sRGB transfer function follows the tone map, else 0. */
+    public static final int SRGB = 20;
+
+    public static final int AMBIENT = 21;
+
+    /** The plane's second color (three floats); its first is the body's own. */
+    public static final int PLANE_ODD_COLOR = 22;
+
+    /** Rotation of the panorama to the right, in turns, in [0, 1). */
+    public static final int SKY_TURN = 25;
+
+    /** Factor for the panorama's radiance, at least 0. */
+    public static final int SKY_STRENGTH = 26;
+
+    /** The panorama's width and height in texels. */
+    public static final int SKY_WIDTH = 27;
+
+    public static final int SKY_HEIGHT = 28;
+
+    /** Width and height of the whole picture in pixels, and the range of rows to render. */
+    public static final int WIDTH = 29;
+
+    public static final int HEIGHT = 30;
+    public static final int FIRST_ROW = 31;
+    public static final int ROWS = 32;
+
+    /** Number of bodies without meshes: light, plane and spheres. */
+    public static final int BODIES = 33;
+
     /**
-     * {@code float[] pixelSamples}, {@value #SAMPLE_STRIDE} floats per sample: its position in the pixel, x and y in
-     * (0, 1); then pairs of numbers in [0, 1), one pair for the lens and one for the surface of each of the first
+     * The first mesh's body; it is 0 if there are no meshes. Meshes are numbered after all spheres, including those not
+     * poured yet.
+     */
+    public static final int FIRST_MESH = 34;
+
+    /** Place of the spheres' root in {@code bodies}. */
+    public static final int ROOT = 35;
+
+    /** Place of the meshes' hierarchy in {@code bodies}. */
+    public static final int INSTANCES = 36;
+
+    /** Place of the textures' table in {@code looks}. */
+    public static final int TEXTURES = 37;
+
+    /** Place of the pixel's samples in {@code frame}. */
+    public static final int SAMPLES = 38;
+
+    /**
+     * The points of the unit sunflower, x and y of each shadow sample; then, at {@link #SAMPLES}, the pixel's samples.
+     */
+    public static final int DISC = 39;
+
+    /**
+     * A sample of the pixel, {@value #SAMPLE_STRIDE} floats: its position in the pixel, x and y in (0, 1); then pairs
+     * of numbers in [0, 1), one pair for the lens and one for the surface of each of the first
      * {@value #SAMPLE_SURFACES} bounces; later bounces reuse them.
      */
     public static final int SAMPLE_LENS = 2;
@@ -44,34 +95,6 @@ public final class Layout {
     public static final int SAMPLE_SURFACE = 4;
     public static final int SAMPLE_SURFACES = 6;
     public static final int SAMPLE_STRIDE = SAMPLE_SURFACE + 2 * SAMPLE_SURFACES;
-
-    /** {@code float[] properties}; counts are integers that a float holds exactly. */
-    public static final int SHADOW_SAMPLES = 0;
-
-    public static final int BOUNCES = 1;
-    public static final int PIXEL_SAMPLES = 2;
-
-    /** 2^exposure. */
-    public static final int EXPOSURE_SCALE = 3;
-
-    /** A tone map's number in {@link Tone}. */
-    public static final int TONE_MAP = 4;
-
-    /** 1 if the sRGB transfer function follows the tone map, else 0. */
-    public static final int SRGB = 5;
-
-    public static final int AMBIENT = 6;
-
-    /** The plane's second color (three floats); its first is the body's own. */
-    public static final int PLANE_ODD_COLOR = 7;
-
-    /** Rotation of the panorama to the right, in turns, in [0, 1). */
-    public static final int SKY_TURN = 10;
-
-    /** Factor for the panorama's radiance, at least 0. */
-    public static final int SKY_STRENGTH = 11;
-
-    public static final int PROPERTIES_LENGTH = 12;
 
     /** Numbers of bodies. */
     public static final int LIGHT = 0;
@@ -82,15 +105,12 @@ public final class Layout {
     /** Number of a miss instead of a body. */
     public static final int NOTHING = -1;
 
-    /**
-     * Value of the argument {@code firstMesh} if there are no meshes; otherwise it is the first mesh's body. Meshes are
-     * numbered after all spheres, including those not poured yet.
-     */
+    /** Value of {@link #FIRST_MESH} if there are no meshes. */
     public static final int NO_MESHES = 0;
 
     /**
-     * {@code float[] places}, {@value #PLACE_STRIDE} floats per body: the center, then a sphere's radius or the plane's
-     * side. A mesh has its bounding sphere.
+     * {@code float[] bodies}, what changes when bodies move. First, for each body, {@value #PLACE_STRIDE} floats: the
+     * center, then a sphere's radius or the plane's side. A mesh has its bounding sphere.
      */
     public static final int PLACE_SIZE = 3;
 
@@ -114,22 +134,25 @@ public final class Layout {
     public static final int LOOK_STRIDE = 8;
 
     /**
-     * {@code int[] skyDimensions}: the panorama's width and height in texels; then, for each texture, the index of its
-     * first float in {@code sky}, its width and its height.
+     * After the bodies' looks, from {@link #TEXTURES} on, a table of the textures: the place of the first texel in
+     * {@code images}, divided by {@value #ALIGNMENT}, so that it is exact as a float; width and height in texels.
      */
-    public static final int SKY_WIDTH = 0;
-
-    public static final int SKY_HEIGHT = 1;
-    public static final int SKY_DIMENSIONS_LENGTH = 2;
     public static final int TEXTURE_START = 0;
+
     public static final int TEXTURE_WIDTH = 1;
     public static final int TEXTURE_HEIGHT = 2;
     public static final int TEXTURE_STRIDE = 3;
 
+    /** Meshes and textures start at multiples of it. */
+    public static final int ALIGNMENT = 256;
+
+    /** {@code float[] images}, three floats per texel, row by row from the top: the panorama, then the textures. */
+    public static final int TEXEL_STRIDE = 3;
+
     /**
-     * {@code float[] hierarchy}, a bounding volume hierarchy over the spheres: first the spheres, contiguous per leaf,
-     * then the nodes. A sphere has its center and radius as in {@code places}, then its body number (an integer, exact
-     * as a float).
+     * In {@code bodies}, after the places, a bounding volume hierarchy over the spheres: first the spheres, contiguous
+     * per leaf, then the nodes, the root first, at {@link #ROOT}. A sphere has its center and radius as in the places,
+     * then its body number.
      */
     public static final int SPHERE_RADIUS = PLACE_SIZE;
 
@@ -143,7 +166,9 @@ public final class Layout {
 
     public static final int NODE_HALF = 3;
 
-    /** Place of a leaf's first sphere, or of a node's first child; the second child follows the first. */
+    /**
+     * Place in {@code bodies} of a leaf's first sphere, or of a node's first child; the second child follows the first.
+     */
     public static final int NODE_LINK = 6;
 
     /** Number of spheres (or meshes, or triangles) in a leaf; negative for a node with children. */
@@ -153,7 +178,7 @@ public final class Layout {
     public static final int NODE_STRIDE = 8;
 
     /**
-     * After the spheres' part, from {@link #instances} on: the number of nodes over the meshes, those nodes with the
+     * After the spheres' hierarchy, at {@link #INSTANCES}: the number of nodes over the meshes, those nodes with the
      * root first, then the instances of {@code meshes} in the order of the leaves. Links are numbers of nodes and
      * instances. An instance starts with three rows of three coefficients and an offset that transform a point of the
      * world to the mesh's coordinates, then three rows for the inverse.
@@ -165,7 +190,7 @@ public final class Layout {
     /** The instance's body number. */
     public static final int INSTANCE_BODY = 24;
 
-    /** Start of the mesh in {@code meshes}, divided by {@value #MESH_ALIGNMENT}, so that it is exact as a float. */
+    /** Start of the mesh in {@code meshes}, divided by {@value #ALIGNMENT}. */
     public static final int INSTANCE_MESH = 25;
 
     /** The mesh's numbers of nodes, triangles, vertex normals and texture coordinates. */
@@ -177,14 +202,12 @@ public final class Layout {
     public static final int INSTANCE_STRIDE = 30;
 
     /**
-     * {@code float[] meshes}, all distinct meshes. A mesh has nodes as in {@code hierarchy}, the root first, with
-     * numbers of nodes and triangles as links; then the triangles in the order of the leaves; then, if it has them, the
-     * vertices' unit normals and texture coordinates (u, v). A triangle has its three corners, then their vertex
-     * numbers.
+     * {@code float[] meshes}, all distinct meshes. A mesh has nodes as above, the root first, with numbers of nodes and
+     * triangles as links; then the triangles in the order of the leaves; then, if it has them, the vertices' unit
+     * normals and texture coordinates (u, v). A triangle has its three corners, then their vertex numbers.
      */
-    public static final int MESH_ALIGNMENT = 256;
-
     public static final int TRIANGLE_VERTICES = 9;
+
     public static final int TRIANGLE_STRIDE = 12;
 
     /** Value for no node. */
@@ -229,7 +252,7 @@ public final class Layout {
 
     public static final int SCRATCH_SHADOW_NODES = SCRATCH_STACK + MOST_ANCESTORS;
 
-    /** Length of the scratch if all materials are {@link Material#PLAIN} and there are no meshes. */
+    /** Length of the scratch if all materials are plain and there are no meshes. */
     public static final int PLAIN_SCRATCH_LENGTH = SCRATCH_TRANSMISSIONS;
 
     public static final int SCRATCH_LENGTH = SCRATCH_RAYS + RAY_STRIDE * MOST_WAITING_RAYS;
@@ -251,7 +274,7 @@ public final class Layout {
     public static final int THROUGHPUT = 9;
     public static final int RADIANCE = 12;
 
-    /** Column and row of the pixel in the whole picture, and the place of its sample in {@code pixelSamples}. */
+    /** Column and row of the pixel in the whole picture, and the place of its sample in {@code frame}. */
     public static final int PIXEL_COLUMN = 15;
 
     public static final int PIXEL_ROW = 16;
@@ -281,53 +304,58 @@ public final class Layout {
     public static final int DISC_TANGENT = 39;
     public static final int DISC_SECANT = 40;
 
-    /** Length of the path if all materials are {@link Material#PLAIN}, there are no meshes, and nothing is counted. */
-    public static final int PLAIN_PATH_LENGTH = 41;
+    /** The factor from the unit disc to the plane at distance 1. */
+    public static final int DISC_SCALE = 41;
+
+    /** Length of the path if all materials are plain, there are no meshes, and nothing is counted. */
+    public static final int PLAIN_PATH_LENGTH = 42;
 
     /** Whether the ray comes from inside the body (1, else 0), and the other material properties. */
-    public static final int FROM_INSIDE = 41;
+    public static final int FROM_INSIDE = 42;
 
-    public static final int ROUGHNESS = 42;
-    public static final int TRANSMISSION = 43;
-    public static final int IOR = 44;
+    public static final int ROUGHNESS = 43;
+    public static final int TRANSMISSION = 44;
+    public static final int IOR = 45;
 
     /** Normal of the microfacet that reflects and refracts, turned toward the ray's origin. */
-    public static final int FACET = 45;
+    public static final int FACET = 46;
 
     /** The count of {@link Aspect}, over all samples. */
-    public static final int COUNT = 48;
+    public static final int COUNT = 49;
 
     /** The instance that the ray hits, and its triangle. */
-    public static final int INSTANCE = 49;
+    public static final int INSTANCE = 50;
 
-    public static final int TRIANGLE = 50;
+    public static final int TRIANGLE = 51;
 
     /** The triangle's unit face normal, on the side from which its corners appear counterclockwise. */
-    public static final int FACE = 51;
+    public static final int FACE = 52;
 
     /** The hit point's texture coordinates u and v on the mesh. */
-    public static final int TEXTURE_PLACE = 54;
+    public static final int TEXTURE_PLACE = 55;
 
-    public static final int PATH_LENGTH = 56;
+    /** The ray in the coordinates of a mesh, see {@link MeshRay}: origin, direction and its dominant axis. */
+    public static final int MESH_ORIGIN = 57;
+
+    public static final int MESH_DIRECTION = 60;
+    public static final int MESH_AXIS = 63;
+
+    /** The origin along the two axes after the dominant one, and along that. */
+    public static final int MESH_SHEARED = 64;
+
+    /** The direction's components along the two other axes divided by the dominant one, and the inverse of that. */
+    public static final int MESH_SHEAR = 67;
+
+    public static final int PATH_LENGTH = 70;
 
     /** The largest reflectivity, that of a perfect mirror. */
     public static final float MAX_REFLECTIVITY = 128f;
 
     private Layout() {}
 
-    /** Length of the spheres' part of the hierarchy for a number of bodies without meshes. */
+    /** Length of the spheres' hierarchy for a number of bodies without meshes. */
     public static int spheresLength(int room) {
         int spheres = room - FIRST_SPHERE;
-        return root(room) + NODE_STRIDE * (spheres > 0 ? 2 * spheres - 1 : 1);
-    }
-
-    /** Start of the meshes' part in the hierarchy. */
-    static int instances(int firstMesh) {
-        return spheresLength(firstMesh);
-    }
-
-    /** Place of the root in the hierarchy of a scene with that number of bodies: after the spheres. */
-    public static int root(int bodies) {
-        return SPHERE_STRIDE * (bodies - FIRST_SPHERE);
+        return SPHERE_STRIDE * spheres + NODE_STRIDE * (spheres > 0 ? 2 * spheres - 1 : 1);
     }
 }

@@ -11,7 +11,6 @@ public final class Light {
      * Adds the light's own color if the path ends at it.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
-     * @param looks {@link Layout#LOOK_STRIDE} floats per body
      */
     public static void add(float[] path, float[] looks) {
         for (int channel = 0; channel < 3; channel++) {
@@ -25,12 +24,11 @@ public final class Light {
      * with the normal.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
-     * @param places {@link Layout#PLACE_STRIDE} floats per body
      */
-    public static void aim(float[] path, float[] places) {
-        float x = places[Layout.PLACE_STRIDE * Layout.LIGHT] - path[Layout.POINT];
-        float y = places[Layout.PLACE_STRIDE * Layout.LIGHT + 1] - path[Layout.POINT + 1];
-        float z = places[Layout.PLACE_STRIDE * Layout.LIGHT + 2] - path[Layout.POINT + 2];
+    public static void aim(float[] path, float[] bodies) {
+        float x = bodies[Layout.PLACE_STRIDE * Layout.LIGHT] - path[Layout.POINT];
+        float y = bodies[Layout.PLACE_STRIDE * Layout.LIGHT + 1] - path[Layout.POINT + 1];
+        float z = bodies[Layout.PLACE_STRIDE * Layout.LIGHT + 2] - path[Layout.POINT + 2];
         float distanceSquared = x * x + y * y + z * z;
         float inverse = KernelMath.inverseRoot(distanceSquared);
         x = x * inverse;

@@ -5,11 +5,6 @@ public final class Material {
     /** Shift of the checker in meters, so that no edge is at a round number, where rounding alone would decide. */
     public static final float CHECKER_SHIFT = 0x1p-10f;
 
-    /** Values of the argument {@code materials}: all bodies have only color and reflectivity, or some may have more. */
-    public static final int PLAIN = 0;
-
-    public static final int ANY = 1;
-
     private Material() {}
 
     /**
@@ -17,43 +12,29 @@ public final class Material {
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param body any except the light
-     * @param looks {@link Layout#LOOK_STRIDE} floats per body
-     * @param properties {@link Layout#PROPERTIES_LENGTH} floats
-     * @param sky the panorama's texels, then the textures'
-     * @param skyDimensions of the panorama and the textures
-     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
-     * @param materials {@link #PLAIN} or {@link #ANY}
      */
-    public static void find(
-            float[] path,
-            int body,
-            float[] looks,
-            float[] properties,
-            float[] sky,
-            int[] skyDimensions,
-            int firstMesh,
-            int materials) {
+    public static void find(float[] path, int body, float[] frame, float[] looks, float[] images, int variant) {
         int look = Layout.LOOK_STRIDE * body;
         float red = looks[look];
         float green = looks[look + 1];
         float blue = looks[look + 2];
         if (body == Layout.PLANE) {
             int even = isEvenSquare(path[Layout.POINT], path[Layout.POINT + 2]);
-            red = even != 0 ? red : properties[Layout.PLANE_ODD_COLOR];
-            green = even != 0 ? green : properties[Layout.PLANE_ODD_COLOR + 1];
-            blue = even != 0 ? blue : properties[Layout.PLANE_ODD_COLOR + 2];
+            red = even != 0 ? red : frame[Layout.PLANE_ODD_COLOR];
+            green = even != 0 ? green : frame[Layout.PLANE_ODD_COLOR + 1];
+            blue = even != 0 ? blue : frame[Layout.PLANE_ODD_COLOR + 2];
         }
         path[Layout.ALBEDO] = red;
         path[Layout.ALBEDO + 1] = green;
         path[Layout.ALBEDO + 2] = blue;
         path[Layout.REFLECTIVITY] = looks[look + Layout.LOOK_REFLECTIVITY];
-        if (materials == ANY) {
+        if ((variant & Variant.MATERIALS) != 0) {
             path[Layout.ROUGHNESS] = looks[look + Layout.LOOK_ROUGHNESS];
             path[Layout.TRANSMISSION] = looks[look + Layout.LOOK_TRANSMISSION];
             path[Layout.IOR] = looks[look + Layout.LOOK_IOR];
             int texture = (int) looks[look + Layout.LOOK_TEXTURE];
             if (texture > 0) {
-                Texture.multiply(path, body, texture, sky, skyDimensions, firstMesh);
+                Texture.multiply(path, body, texture, frame, looks, images, variant);
             }
         }
     }

@@ -11,34 +11,32 @@ final class MeshHit {
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param closest the closest body so far
-     * @param firstMesh the first mesh's body
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
-     * @param aspect a constant of {@link Aspect}
      */
     static int find(
-            float[] path, int closest, float[] hierarchy, float[] meshes, int firstMesh, float[] scratch, int aspect) {
+            float[] path, int closest, float[] scratch, float[] frame, float[] bodies, float[] meshes, int variant) {
         float originX = path[Layout.ORIGIN];
         float originY = path[Layout.ORIGIN + 1];
         float originZ = path[Layout.ORIGIN + 2];
         float inverseX = NodeBox.inverse(path[Layout.DIRECTION]);
         float inverseY = NodeBox.inverse(path[Layout.DIRECTION + 1]);
         float inverseZ = NodeBox.inverse(path[Layout.DIRECTION + 2]);
-        int nodes = Layout.instances(firstMesh) + 1;
+        int nodes = (int) frame[Layout.INSTANCES] + 1;
         int hit = closest;
-        float rootEntry = NodeBox.entry(hierarchy, nodes, originX, originY, originZ, inverseX, inverseY, inverseZ);
+        float rootEntry = NodeBox.entry(bodies, nodes, originX, originY, originZ, inverseX, inverseY, inverseZ);
         int node = rootEntry <= path[Layout.DISTANCE] ? nodes : Layout.NO_NODE;
         int waiting = 0;
-        Aspect.count(path, aspect, Aspect.TESTS, 1);
+        Aspect.count(path, Aspect.TESTS, 1, variant);
         while (node != Layout.NO_NODE) {
-            int link = (int) hierarchy[node + Layout.NODE_LINK];
-            int count = (int) hierarchy[node + Layout.NODE_SPHERES];
+            int link = (int) bodies[node + Layout.NODE_LINK];
+            int count = (int) bodies[node + Layout.NODE_SPHERES];
             int next = Layout.NO_NODE;
             if (count < 0) {
-                Aspect.count(path, aspect, Aspect.TESTS, 2);
+                Aspect.count(path, Aspect.TESTS, 2, variant);
                 int child = nodes + Layout.NODE_STRIDE * link;
-                float left = NodeBox.entry(hierarchy, child, originX, originY, originZ, inverseX, inverseY, inverseZ);
+                float left = NodeBox.entry(bodies, child, originX, originY, originZ, inverseX, inverseY, inverseZ);
                 float right = NodeBox.entry(
-                        hierarchy, child + Layout.NODE_STRIDE, originX, originY, originZ, inverseX, inverseY, inverseZ);
+                        bodies, child + Layout.NODE_STRIDE, originX, originY, originZ, inverseX, inverseY, inverseZ);
                 int swapped = right < left ? 1 : 0;
                 float near = right < left ? right : left;
                 float far = right < left ? left : right;
@@ -50,7 +48,7 @@ final class MeshHit {
                 next = near <= path[Layout.DISTANCE] ? child + Layout.NODE_STRIDE * swapped : Layout.NO_NODE;
             }
             for (int i = 0; i < count; i++) {
-                hit = inMesh(path, hit, link + i, hierarchy, meshes, firstMesh, scratch, aspect);
+                hit = inMesh(path, hit, link + i, scratch, frame, bodies, meshes, variant);
             }
             while (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
                 waiting = waiting - 1;
@@ -68,52 +66,43 @@ final class MeshHit {
             float[] path,
             int closest,
             int number,
-            float[] hierarchy,
-            float[] meshes,
-            int firstMesh,
             float[] scratch,
-            int aspect) {
-        int instance = Instance.at(hierarchy, firstMesh, number);
-        int row = instance + Layout.INSTANCE_TO_MESH;
-        float worldX = path[Layout.ORIGIN];
-        float worldY = path[Layout.ORIGIN + 1];
-        float worldZ = path[Layout.ORIGIN + 2];
-        float x = Instance.point(hierarchy, row, worldX, worldY, worldZ);
-        float y = Instance.point(hierarchy, row + 4, worldX, worldY, worldZ);
-        float z = Instance.point(hierarchy, row + 8, worldX, worldY, worldZ);
-        float alongX = path[Layout.DIRECTION];
-        float alongY = path[Layout.DIRECTION + 1];
-        float alongZ = path[Layout.DIRECTION + 2];
-        float directionX = Instance.vector(hierarchy, row, alongX, alongY, alongZ);
-        float directionY = Instance.vector(hierarchy, row + 4, alongX, alongY, alongZ);
-        float directionZ = Instance.vector(hierarchy, row + 8, alongX, alongY, alongZ);
-        float inverseX = NodeBox.inverse(directionX);
-        float inverseY = NodeBox.inverse(directionY);
-        float inverseZ = NodeBox.inverse(directionZ);
-        int nodes = Instance.nodes(hierarchy, instance);
-        int triangles = Instance.triangles(hierarchy, instance);
-        int body = (int) hierarchy[instance + Layout.INSTANCE_BODY];
+            float[] frame,
+            float[] bodies,
+            float[] meshes,
+            int variant) {
+        int instance = Instance.at(number, (int) frame[Layout.INSTANCES], bodies);
+        MeshRay.enter(
+                path,
+                instance,
+                path[Layout.ORIGIN],
+                path[Layout.ORIGIN + 1],
+                path[Layout.ORIGIN + 2],
+                path[Layout.DIRECTION],
+                path[Layout.DIRECTION + 1],
+                path[Layout.DIRECTION + 2],
+                bodies);
+        float x = path[Layout.MESH_ORIGIN];
+        float y = path[Layout.MESH_ORIGIN + 1];
+        float z = path[Layout.MESH_ORIGIN + 2];
+        float inverseX = NodeBox.inverse(path[Layout.MESH_DIRECTION]);
+        float inverseY = NodeBox.inverse(path[Layout.MESH_DIRECTION + 1]);
+        float inverseZ = NodeBox.inverse(path[Layout.MESH_DIRECTION + 2]);
+        int nodes = Instance.nodes(bodies, instance);
+        int triangles = Instance.triangles(bodies, instance);
+        int body = (int) bodies[instance + Layout.INSTANCE_BODY];
         int ignored = body == (int) path[Layout.LEAVING] ? (int) path[Layout.LEAVING_TRIANGLE] : Layout.NOTHING;
-        int axis = Triangle.longestAxis(directionX, directionY, directionZ);
-        int firstAxis = Triangle.after(axis);
-        int secondAxis = Triangle.after(firstAxis);
-        float first = Triangle.along(firstAxis, x, y, z);
-        float second = Triangle.along(secondAxis, x, y, z);
-        float third = Triangle.along(axis, x, y, z);
-        float inverse = 1f / Triangle.along(axis, directionX, directionY, directionZ);
-        float shearFirst = Triangle.along(firstAxis, directionX, directionY, directionZ) * inverse;
-        float shearSecond = Triangle.along(secondAxis, directionX, directionY, directionZ) * inverse;
         int hit = closest;
         float distance = path[Layout.DISTANCE];
         float rootEntry = NodeBox.entry(meshes, nodes, x, y, z, inverseX, inverseY, inverseZ);
         int node = rootEntry <= distance ? nodes : Layout.NO_NODE;
         int waiting = 0;
-        Aspect.count(path, aspect, Aspect.TESTS, 1);
+        Aspect.count(path, Aspect.TESTS, 1, variant);
         while (node != Layout.NO_NODE) {
             int link = (int) meshes[node + Layout.NODE_LINK];
             int count = (int) meshes[node + Layout.NODE_SPHERES];
             int next = Layout.NO_NODE;
-            Aspect.count(path, aspect, Aspect.TESTS, count < 0 ? 2 : count);
+            Aspect.count(path, Aspect.TESTS, count < 0 ? 2 : count, variant);
             if (count < 0) {
                 int child = nodes + Layout.NODE_STRIDE * link;
                 float left = NodeBox.entry(meshes, child, x, y, z, inverseX, inverseY, inverseZ);
@@ -130,16 +119,7 @@ final class MeshHit {
             }
             for (int i = 0; i < count; i++) {
                 int triangle = link + i;
-                float met = Triangle.distance(
-                        meshes,
-                        triangles + Layout.TRIANGLE_STRIDE * triangle,
-                        axis,
-                        first,
-                        second,
-                        third,
-                        shearFirst,
-                        shearSecond,
-                        inverse);
+                float met = Triangle.distance(path, triangles + Layout.TRIANGLE_STRIDE * triangle, meshes);
                 if (met <= distance) {
                     int lower = (body < hit ? 1 : 0)
                             | ((body == hit ? 1 : 0) & (triangle < (int) path[Layout.TRIANGLE] ? 1 : 0));

@@ -9,29 +9,28 @@ final class MeshShadow {
      * them.
      *
      * @param path {@link Layout#PATH_LENGTH} floats, with the disc's axes
-     * @param firstMesh the first mesh's body
      */
-    static int mayBlock(float[] path, float[] hierarchy, int firstMesh, float[] scratch, int aspect) {
+    static int mayBlock(float[] path, float[] scratch, float[] frame, float[] bodies, int variant) {
         float inverseX = NodeBox.inverse(path[Layout.TO_LIGHT]);
         float inverseY = NodeBox.inverse(path[Layout.TO_LIGHT + 1]);
         float inverseZ = NodeBox.inverse(path[Layout.TO_LIGHT + 2]);
-        int nodes = Layout.instances(firstMesh) + 1;
-        Aspect.count(path, aspect, Aspect.TESTS, 1);
-        float rootEntry = NodeBox.coneEntry(path, hierarchy, nodes, inverseX, inverseY, inverseZ);
+        int nodes = (int) frame[Layout.INSTANCES] + 1;
+        Aspect.count(path, Aspect.TESTS, 1, variant);
+        float rootEntry = NodeBox.coneEntry(path, bodies, nodes, inverseX, inverseY, inverseZ);
         int node = rootEntry < NodeBox.PASSED ? nodes : Layout.NO_NODE;
         int waiting = 0;
         int met = 0;
         while (node != Layout.NO_NODE) {
             int next = Layout.NO_NODE;
-            if (hierarchy[node + Layout.NODE_SPHERES] < 0f) {
-                Aspect.count(path, aspect, Aspect.TESTS, 2);
-                int child = nodes + Layout.NODE_STRIDE * (int) hierarchy[node + Layout.NODE_LINK];
+            if (bodies[node + Layout.NODE_SPHERES] < 0f) {
+                Aspect.count(path, Aspect.TESTS, 2, variant);
+                int child = nodes + Layout.NODE_STRIDE * (int) bodies[node + Layout.NODE_LINK];
                 int other = child + Layout.NODE_STRIDE;
-                float first = NodeBox.coneEntry(path, hierarchy, child, inverseX, inverseY, inverseZ);
-                float second = NodeBox.coneEntry(path, hierarchy, other, inverseX, inverseY, inverseZ);
+                float first = NodeBox.coneEntry(path, bodies, child, inverseX, inverseY, inverseZ);
+                float second = NodeBox.coneEntry(path, bodies, other, inverseX, inverseY, inverseZ);
                 int both = (first < NodeBox.PASSED ? 1 : 0) & (second < NodeBox.PASSED ? 1 : 0);
                 if (both != 0) {
-                    scratch[Layout.SCRATCH_STACK + waiting] = (int) hierarchy[node + Layout.NODE_LINK] + 1;
+                    scratch[Layout.SCRATCH_STACK + waiting] = (int) bodies[node + Layout.NODE_LINK] + 1;
                     waiting = waiting + 1;
                 }
                 int only = second < NodeBox.PASSED ? other : Layout.NO_NODE;
@@ -59,13 +58,12 @@ final class MeshShadow {
             int own,
             float x,
             float y,
-            float[] looks,
-            float[] hierarchy,
-            float[] meshes,
-            int firstMesh,
             float[] scratch,
-            int materials,
-            int aspect) {
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            int variant) {
         float distance = path[Layout.LIGHT_DISTANCE];
         float pointX = path[Layout.POINT];
         float pointY = path[Layout.POINT + 1];
@@ -78,20 +76,20 @@ final class MeshShadow {
         float inverseX = NodeBox.inverse(directionX);
         float inverseY = NodeBox.inverse(directionY);
         float inverseZ = NodeBox.inverse(directionZ);
-        int nodes = Layout.instances(firstMesh) + 1;
+        int nodes = (int) frame[Layout.INSTANCES] + 1;
         float light = 1f;
         int node = nodes;
         int waiting = 0;
         while (node != Layout.NO_NODE) {
-            int link = (int) hierarchy[node + Layout.NODE_LINK];
-            int count = (int) hierarchy[node + Layout.NODE_SPHERES];
+            int link = (int) bodies[node + Layout.NODE_LINK];
+            int count = (int) bodies[node + Layout.NODE_SPHERES];
             int next = Layout.NO_NODE;
             if (count < 0) {
-                Aspect.count(path, aspect, Aspect.TESTS, 2);
+                Aspect.count(path, Aspect.TESTS, 2, variant);
                 int child = nodes + Layout.NODE_STRIDE * link;
-                float first = NodeBox.entry(hierarchy, child, pointX, pointY, pointZ, inverseX, inverseY, inverseZ);
+                float first = NodeBox.entry(bodies, child, pointX, pointY, pointZ, inverseX, inverseY, inverseZ);
                 float second = NodeBox.entry(
-                        hierarchy, child + Layout.NODE_STRIDE, pointX, pointY, pointZ, inverseX, inverseY, inverseZ);
+                        bodies, child + Layout.NODE_STRIDE, pointX, pointY, pointZ, inverseX, inverseY, inverseZ);
                 int both = (first <= 1f ? 1 : 0) & (second <= 1f ? 1 : 0);
                 if (both != 0) {
                     scratch[Layout.SCRATCH_STACK + waiting] = link + 1;
@@ -102,8 +100,8 @@ final class MeshShadow {
             }
             int lit = light > 0f ? 1 : 0;
             for (int i = 0; i < count && lit != 0; i++) {
-                int instance = Instance.at(hierarchy, firstMesh, link + i);
-                int body = (int) hierarchy[instance + Layout.INSTANCE_BODY];
+                int instance = Instance.at(link + i, (int) frame[Layout.INSTANCES], bodies);
+                int body = (int) bodies[instance + Layout.INSTANCE_BODY];
                 int met = isMet(
                         path,
                         instance,
@@ -111,11 +109,11 @@ final class MeshShadow {
                         directionX,
                         directionY,
                         directionZ,
-                        hierarchy,
-                        meshes,
                         scratch,
-                        aspect);
-                light = met != 0 ? light * Shadow.transmission(looks, body, materials) : light;
+                        bodies,
+                        meshes,
+                        variant);
+                light = met != 0 ? light * Shadow.transmission(body, looks, variant) : light;
                 lit = light > 0f ? 1 : 0;
             }
             if (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
@@ -135,35 +133,29 @@ final class MeshShadow {
             float worldX,
             float worldY,
             float worldZ,
-            float[] hierarchy,
-            float[] meshes,
             float[] scratch,
-            int aspect) {
-        int row = instance + Layout.INSTANCE_TO_MESH;
-        float pointX = path[Layout.POINT];
-        float pointY = path[Layout.POINT + 1];
-        float pointZ = path[Layout.POINT + 2];
-        float x = Instance.point(hierarchy, row, pointX, pointY, pointZ);
-        float y = Instance.point(hierarchy, row + 4, pointX, pointY, pointZ);
-        float z = Instance.point(hierarchy, row + 8, pointX, pointY, pointZ);
-        float directionX = Instance.vector(hierarchy, row, worldX, worldY, worldZ);
-        float directionY = Instance.vector(hierarchy, row + 4, worldX, worldY, worldZ);
-        float directionZ = Instance.vector(hierarchy, row + 8, worldX, worldY, worldZ);
-        float inverseX = NodeBox.inverse(directionX);
-        float inverseY = NodeBox.inverse(directionY);
-        float inverseZ = NodeBox.inverse(directionZ);
-        int nodes = Instance.nodes(hierarchy, instance);
-        int triangles = Instance.triangles(hierarchy, instance);
-        int axis = Triangle.longestAxis(directionX, directionY, directionZ);
-        int firstAxis = Triangle.after(axis);
-        int secondAxis = Triangle.after(firstAxis);
-        float first = Triangle.along(firstAxis, x, y, z);
-        float second = Triangle.along(secondAxis, x, y, z);
-        float third = Triangle.along(axis, x, y, z);
-        float inverse = 1f / Triangle.along(axis, directionX, directionY, directionZ);
-        float shearFirst = Triangle.along(firstAxis, directionX, directionY, directionZ) * inverse;
-        float shearSecond = Triangle.along(secondAxis, directionX, directionY, directionZ) * inverse;
-        Aspect.count(path, aspect, Aspect.TESTS, 1);
+            float[] bodies,
+            float[] meshes,
+            int variant) {
+        MeshRay.enter(
+                path,
+                instance,
+                path[Layout.POINT],
+                path[Layout.POINT + 1],
+                path[Layout.POINT + 2],
+                worldX,
+                worldY,
+                worldZ,
+                bodies);
+        float x = path[Layout.MESH_ORIGIN];
+        float y = path[Layout.MESH_ORIGIN + 1];
+        float z = path[Layout.MESH_ORIGIN + 2];
+        float inverseX = NodeBox.inverse(path[Layout.MESH_DIRECTION]);
+        float inverseY = NodeBox.inverse(path[Layout.MESH_DIRECTION + 1]);
+        float inverseZ = NodeBox.inverse(path[Layout.MESH_DIRECTION + 2]);
+        int nodes = Instance.nodes(bodies, instance);
+        int triangles = Instance.triangles(bodies, instance);
+        Aspect.count(path, Aspect.TESTS, 1, variant);
         int node = NodeBox.entry(meshes, nodes, x, y, z, inverseX, inverseY, inverseZ) <= 1f ? nodes : Layout.NO_NODE;
         int waiting = 0;
         int met = 0;
@@ -171,7 +163,7 @@ final class MeshShadow {
             int link = (int) meshes[node + Layout.NODE_LINK];
             int count = (int) meshes[node + Layout.NODE_SPHERES];
             int next = Layout.NO_NODE;
-            Aspect.count(path, aspect, Aspect.TESTS, count < 0 ? 2 : count);
+            Aspect.count(path, Aspect.TESTS, count < 0 ? 2 : count, variant);
             if (count < 0) {
                 int child = nodes + Layout.NODE_STRIDE * link;
                 float left = NodeBox.entry(meshes, child, x, y, z, inverseX, inverseY, inverseZ);
@@ -185,16 +177,7 @@ final class MeshShadow {
                 next = left <= 1f ? child : only;
             }
             for (int i = 0; i < count; i++) {
-                float distance = Triangle.distance(
-                        meshes,
-                        triangles + Layout.TRIANGLE_STRIDE * (link + i),
-                        axis,
-                        first,
-                        second,
-                        third,
-                        shearFirst,
-                        shearSecond,
-                        inverse);
+                float distance = Triangle.distance(path, triangles + Layout.TRIANGLE_STRIDE * (link + i), meshes);
                 met = met | ((distance < 1f ? 1 : 0) & (link + i != ignored ? 1 : 0));
             }
             if (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {

@@ -23,11 +23,10 @@ public final class Noise {
      * independent noise.
      *
      * @param path with {@link Layout#PIXEL_COLUMN}, {@link Layout#PIXEL_ROW} and {@link Layout#PIXEL_SAMPLE}
-     * @param pixelSamples {@link Layout#SAMPLE_STRIDE} floats per sample
      * @param place from {@link Layout#SAMPLE_LENS} to before {@link Layout#SAMPLE_STRIDE}
      */
-    static float number(float[] path, float[] pixelSamples, int place) {
-        float number = pixelSamples[(int) path[Layout.PIXEL_SAMPLE] + place]
+    static float number(float[] path, int place, float[] frame) {
+        float number = frame[(int) path[Layout.PIXEL_SAMPLE] + place]
                 + STEP * hash((int) path[Layout.PIXEL_COLUMN], (int) path[Layout.PIXEL_ROW], place);
         return number >= 1f ? number - 1f : number;
     }

@@ -10,72 +10,33 @@ public final class Path {
      * @param path {@link Layout#PATH_LENGTH} floats: the ray, the body that it leaves, throughput and radiance so far,
      *     the pixel and its sample
      * @param firstBounce number of surfaces that the path has already left, in [0, bounces]
-     * @param bodies number of bodies
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
-     * @param search {@link Hit#ALL} or {@link Hit#WALK}
-     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
-     * @param materials {@link Material#PLAIN} or {@link Material#ANY}
-     * @param aspect {@link Aspect#FULL}, or the count to accumulate in {@link Layout#COUNT}
+     * @param variant bits of {@link Variant} of a full picture or of a count in {@link Layout#COUNT}
      */
     public static void follow(
             float[] path,
             int firstBounce,
-            float[] properties,
-            float[] places,
-            float[] looks,
-            float[] hierarchy,
-            float[] meshes,
-            int bodies,
-            float[] sky,
-            int[] skyDimensions,
-            float[] shadowDisc,
-            float[] pixelSamples,
             float[] scratch,
-            int search,
-            int firstMesh,
-            int materials,
-            int aspect) {
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            float[] images,
+            int variant) {
         int bounce = firstBounce;
         int waiting = 0;
         int goesOn = 1;
         while (goesOn != 0) {
-            int body = Hit.find(
-                    path, places, looks, hierarchy, meshes, bodies, scratch, search, firstMesh, materials, aspect);
+            int body = Hit.find(path, scratch, frame, bodies, looks, meshes, variant);
             goesOn = 0;
             if (body >= Layout.PLANE) {
-                meet(
-                        path,
-                        body,
-                        properties,
-                        places,
-                        looks,
-                        hierarchy,
-                        meshes,
-                        sky,
-                        skyDimensions,
-                        firstMesh,
-                        materials);
-                float visible = visible(
-                        path,
-                        body,
-                        bounce,
-                        properties,
-                        places,
-                        looks,
-                        hierarchy,
-                        meshes,
-                        bodies,
-                        shadowDisc,
-                        scratch,
-                        firstMesh,
-                        materials,
-                        aspect);
-                waiting = scatter(
-                        path, body, bounce, visible, properties, looks, pixelSamples, scratch, waiting, materials);
+                meet(path, body, frame, bodies, looks, meshes, images, variant);
+                float visible = visible(path, body, bounce, scratch, frame, bodies, looks, meshes, variant);
+                waiting = scatter(path, body, bounce, visible, scratch, waiting, frame, looks, variant);
                 goesOn = carriesLight(path);
             }
             if (body < Layout.PLANE) {
-                end(path, body, properties, looks, sky, skyDimensions);
+                end(path, body, frame, looks, images);
             }
             bounce = bounce + 1;
             if (((goesOn == 0 ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
@@ -84,15 +45,14 @@ public final class Path {
                 waiting = waiting - 1;
                 goesOn = 1;
             }
-            Aspect.count(path, aspect, Aspect.BOUNCES, goesOn);
+            Aspect.count(path, Aspect.BOUNCES, goesOn, variant);
         }
     }
 
     /** Adds the light's own color, or the sky, for a ray that hits no surface. */
-    public static void end(
-            float[] path, int body, float[] properties, float[] looks, float[] sky, int[] skyDimensions) {
+    public static void end(float[] path, int body, float[] frame, float[] looks, float[] images) {
         if (body == Layout.NOTHING) {
-            Sky.add(path, sky, skyDimensions, properties);
+            Sky.add(path, frame, images);
         }
         if (body == Layout.LIGHT) {
             Light.add(path, looks);
@@ -105,21 +65,18 @@ public final class Path {
     public static void meet(
             float[] path,
             int body,
-            float[] properties,
-            float[] places,
+            float[] frame,
+            float[] bodies,
             float[] looks,
-            float[] hierarchy,
             float[] meshes,
-            float[] sky,
-            int[] skyDimensions,
-            int firstMesh,
-            int materials) {
-        Surface.find(path, body, places, hierarchy, meshes, firstMesh);
-        Material.find(path, body, looks, properties, sky, skyDimensions, firstMesh, materials);
-        if (materials == Material.ANY) {
-            Surface.face(path, body, firstMesh);
+            float[] images,
+            int variant) {
+        Surface.find(path, body, frame, bodies, meshes, variant);
+        Material.find(path, body, frame, looks, images, variant);
+        if ((variant & Variant.MATERIALS) != 0) {
+            Surface.face(path, body, frame, variant);
         }
-        Light.aim(path, places);
+        Light.aim(path, bodies);
     }
 
     /** S at the surface that the ray has hit: {@link Shadow#visible}; 1 if the surface is not shaded. */
@@ -127,33 +84,15 @@ public final class Path {
             float[] path,
             int body,
             int bounce,
-            float[] properties,
-            float[] places,
-            float[] looks,
-            float[] hierarchy,
-            float[] meshes,
-            int bodies,
-            float[] shadowDisc,
             float[] scratch,
-            int firstMesh,
-            int materials,
-            int aspect) {
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            int variant) {
         float visible = 1f;
-        if (isShaded(path, bounce, properties, materials) != 0) {
-            visible = Shadow.visible(
-                    path,
-                    body,
-                    properties,
-                    places,
-                    looks,
-                    shadowDisc,
-                    hierarchy,
-                    Layout.root(bodies),
-                    meshes,
-                    scratch,
-                    firstMesh,
-                    materials,
-                    aspect);
+        if (isShaded(path, bounce, frame, variant) != 0) {
+            visible = Shadow.visible(path, body, scratch, frame, bodies, looks, meshes, variant);
         }
         return visible;
     }
@@ -171,19 +110,18 @@ public final class Path {
             int body,
             int bounce,
             float visible,
-            float[] properties,
-            float[] looks,
-            float[] pixelSamples,
             float[] scratch,
             int waiting,
-            int materials) {
-        float mirror = mirror(path, bounce, properties);
-        float transmission = transmission(path, bounce, properties, materials);
-        float lit = Light.lit(properties[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible);
+            float[] frame,
+            float[] looks,
+            int variant) {
+        float mirror = mirror(path, bounce, frame);
+        float transmission = transmission(path, bounce, frame, variant);
+        float lit = Light.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible);
         Scatter.shade(path, visible, mirror, transmission, lit, looks);
         int waitingNow = waiting;
-        if (materials == Material.ANY) {
-            Facet.find(path, bounce, pixelSamples);
+        if ((variant & Variant.MATERIALS) != 0) {
+            Facet.find(path, bounce, frame);
             waitingNow = Branch.split(path, body, bounce, mirror, transmission, lit, scratch, waiting);
         } else {
             Scatter.reflect(path, body, mirror * lit);
@@ -192,21 +130,20 @@ public final class Path {
     }
 
     /** 0 for perfectly clear glass, whose color does not depend on shadows, else 1. */
-    public static int isShaded(float[] path, int bounce, float[] properties, int materials) {
-        return (transmission(path, bounce, properties, materials) < 1f ? 1 : 0)
-                | (path[Layout.REFLECTIVITY] > 0f ? 1 : 0);
+    public static int isShaded(float[] path, int bounce, float[] frame, int variant) {
+        return (transmission(path, bounce, frame, variant) < 1f ? 1 : 0) | (path[Layout.REFLECTIVITY] > 0f ? 1 : 0);
     }
 
     /** m of the surface hit, in [0, 1]; 0 at the last bounce. */
-    public static float mirror(float[] path, int bounce, float[] properties) {
-        return bounce < (int) properties[Layout.BOUNCES] ? path[Layout.REFLECTIVITY] / Layout.MAX_REFLECTIVITY : 0f;
+    public static float mirror(float[] path, int bounce, float[] frame) {
+        return bounce < frame[Layout.BOUNCES] ? path[Layout.REFLECTIVITY] / Layout.MAX_REFLECTIVITY : 0f;
     }
 
     /** t of the surface hit, in [0, 1]; 0 at the last bounce. */
-    public static float transmission(float[] path, int bounce, float[] properties, int materials) {
+    public static float transmission(float[] path, int bounce, float[] frame, int variant) {
         float transmission = 0f;
-        if (materials == Material.ANY) {
-            transmission = bounce < (int) properties[Layout.BOUNCES] ? path[Layout.TRANSMISSION] : 0f;
+        if ((variant & Variant.MATERIALS) != 0) {
+            transmission = bounce < frame[Layout.BOUNCES] ? path[Layout.TRANSMISSION] : 0f;
         }
         return transmission;
     }

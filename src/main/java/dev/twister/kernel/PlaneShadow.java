@@ -11,12 +11,11 @@ final class PlaneShadow {
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param own the body that the point lies on
      * @param discRadius in meters
-     * @param places {@link Layout#PLACE_STRIDE} floats per body
      */
-    static int mayBlock(float[] path, int own, float discRadius, float[] places) {
-        float height = places[Layout.PLACE_STRIDE * Layout.PLANE + 1];
+    static int mayBlock(float[] path, int own, float discRadius, float[] bodies) {
+        float height = bodies[Layout.PLACE_STRIDE * Layout.PLANE + 1];
         float above = path[Layout.POINT + 1] - height;
-        float light = places[Layout.PLACE_STRIDE * Layout.LIGHT + 1] - height;
+        float light = bodies[Layout.PLACE_STRIDE * Layout.LIGHT + 1] - height;
         float reach = discRadius * Shadow.RELATIVE_MARGIN;
         int below = (above > 0f ? 1 : 0) & (light < reach ? 1 : 0);
         int over = (above < 0f ? 1 : 0) & (light > -reach ? 1 : 0);
@@ -30,25 +29,25 @@ final class PlaneShadow {
      * @param x the sample's position along U, at distance 1
      * @param y the sample's position along W, at distance 1
      */
-    static int blocks(float[] path, float x, float y, float[] places) {
+    static int blocks(float[] path, float x, float y, float[] bodies) {
         int light = Layout.PLACE_STRIDE * Layout.LIGHT;
         int plane = Layout.PLACE_STRIDE * Layout.PLANE;
         float distance = path[Layout.LIGHT_DISTANCE];
-        float above = path[Layout.POINT + 1] - places[plane + 1];
-        float sampleAbove = places[light + 1]
-                - places[plane + 1]
+        float above = path[Layout.POINT + 1] - bodies[plane + 1];
+        float sampleAbove = bodies[light + 1]
+                - bodies[plane + 1]
                 + distance * (path[Layout.DISC_U_Y] * x + path[Layout.DISC_W + 1] * y);
         int blocks = 0;
         if (above * sampleAbove < 0f) {
             float part = above / (above - sampleAbove);
-            float toX = places[light] + distance * (path[Layout.DISC_W] * y) - path[Layout.POINT];
-            float toZ = places[light + 2]
+            float toX = bodies[light] + distance * (path[Layout.DISC_W] * y) - path[Layout.POINT];
+            float toZ = bodies[light + 2]
                     + distance * (path[Layout.DISC_U_Z] * x + path[Layout.DISC_W + 2] * y)
                     - path[Layout.POINT + 2];
             blocks = Intersection.isOnSquare(
-                    path[Layout.POINT] + part * toX - places[plane],
-                    path[Layout.POINT + 2] + part * toZ - places[plane + 2],
-                    places[plane + Layout.PLACE_SIZE]);
+                    path[Layout.POINT] + part * toX - bodies[plane],
+                    path[Layout.POINT + 2] + part * toZ - bodies[plane + 2],
+                    bodies[plane + Layout.PLACE_SIZE]);
         }
         return blocks;
     }

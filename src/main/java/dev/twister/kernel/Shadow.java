@@ -41,88 +41,56 @@ public final class Shadow {
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param own the body that the point lies on
-     * @param properties {@link Layout#PROPERTIES_LENGTH} floats
-     * @param places {@link Layout#PLACE_STRIDE} floats per body
-     * @param looks {@link Layout#LOOK_STRIDE} floats per body
-     * @param shadowDisc points of the unit sunflower, {@code float[2 * samples]}
-     * @param hierarchy hierarchies over the spheres and the meshes
-     * @param root place of the spheres' root in the hierarchy, see {@link Layout#root}
-     * @param meshes all meshes, see {@link Layout}
      * @param scratch {@link Layout#SCRATCH_LENGTH} floats
-     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
-     * @param materials {@link Material#PLAIN} or {@link Material#ANY}
-     * @param aspect a constant of {@link Aspect}; for {@link Aspect#SHADOW}, S is computed even if it has no effect
      */
     public static float visible(
             float[] path,
             int own,
-            float[] properties,
-            float[] places,
-            float[] looks,
-            float[] shadowDisc,
-            float[] hierarchy,
-            int root,
-            float[] meshes,
             float[] scratch,
-            int firstMesh,
-            int materials,
-            int aspect) {
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            int variant) {
         float visible = 1f;
-        if (Surface.isMesh(own, firstMesh) != 0) {
+        if (Surface.isMesh(own, frame, variant) != 0) {
             visible = MeshSurface.looksAway(path) != 0 ? 0f : 1f;
         }
-        int matters = (aspect == Aspect.SHADOW ? 1 : 0) | matters(path, properties);
+        int matters = (Variant.aspect(variant) == Aspect.SHADOW ? 1 : 0) | matters(path, frame);
         if ((matters & (visible > 0f ? 1 : 0)) != 0) {
-            int samples = (int) properties[Layout.SHADOW_SAMPLES];
-            float discRadius = 2f * places[Layout.PLACE_STRIDE * Layout.LIGHT + Layout.PLACE_SIZE];
-            float sampleScale = face(path, discRadius, samples, shadowDisc);
-            int plane = PlaneShadow.mayBlock(path, own, discRadius, places);
-            int count = candidates(path, own, looks, hierarchy, root, scratch, materials, aspect);
+            float discRadius = 2f * bodies[Layout.PLACE_STRIDE * Layout.LIGHT + Layout.PLACE_SIZE];
+            face(path, discRadius, frame);
+            int plane = PlaneShadow.mayBlock(path, own, discRadius, bodies);
+            int count = candidates(path, own, scratch, frame, bodies, looks, variant);
             visible = count == ALL_HIDDEN ? 0f : 1f;
             int mesh = 0;
-            if (firstMesh > Layout.NO_MESHES) {
-                mesh = MeshShadow.mayBlock(path, hierarchy, firstMesh, scratch, aspect);
+            if ((variant & Variant.MESHES) != 0) {
+                mesh = MeshShadow.mayBlock(path, scratch, frame, bodies, variant);
             }
             int inDoubt = (count > 0 ? 1 : 0) | ((count == 0 ? 1 : 0) & (plane | mesh));
             if (inDoubt != 0) {
-                float blocked = blocked(
-                        path,
-                        own,
-                        plane,
-                        mesh,
-                        count,
-                        samples,
-                        sampleScale,
-                        places,
-                        looks,
-                        shadowDisc,
-                        hierarchy,
-                        root,
-                        meshes,
-                        scratch,
-                        firstMesh,
-                        materials,
-                        aspect);
-                visible = 1f - blocked / samples;
+                float blocked =
+                        blocked(path, own, plane | (mesh << 1), count, scratch, frame, bodies, looks, meshes, variant);
+                visible = 1f - blocked / (int) frame[Layout.SHADOW_SAMPLES];
             }
         }
         return visible;
     }
 
     /** 1 if S affects the surface's reflected light, else 0. */
-    public static int matters(float[] path, float[] properties) {
+    public static int matters(float[] path, float[] frame) {
         float cosine = path[Layout.NORMAL_DOT_LIGHT];
-        return (cosine > properties[Layout.AMBIENT] ? 1 : 0)
+        return (cosine > frame[Layout.AMBIENT] ? 1 : 0)
                 | ((cosine > 0f ? 1 : 0) & (path[Layout.REFLECTIVITY] > 0f ? 1 : 0));
     }
 
     /**
-     * Writes the disc's axes and its half angle, seen from the point.
+     * Writes the disc's axes, scale and half angle, seen from the point.
      *
      * @param discRadius twice the light's radius, in meters: the radius of the sunflower
-     * @return the factor from the unit disc to the plane at distance 1
      */
-    static float face(float[] path, float discRadius, int samples, float[] shadowDisc) {
+    static void face(float[] path, float discRadius, float[] frame) {
+        int samples = (int) frame[Layout.SHADOW_SAMPLES];
         float axisX = path[Layout.TO_LIGHT];
         float axisY = path[Layout.TO_LIGHT + 1];
         float axisZ = path[Layout.TO_LIGHT + 2];
@@ -137,62 +105,60 @@ public final class Shadow {
         path[Layout.DISC_W + 2] = -uY * axisX;
         float distance = path[Layout.LIGHT_DISTANCE];
         float sampleScale = discRadius * (distance > 0f ? 1f / distance : 0f);
-        float rimX = shadowDisc[2 * samples - 2];
-        float rimY = shadowDisc[2 * samples - 1];
+        float rimX = frame[Layout.DISC + 2 * samples - 2];
+        float rimY = frame[Layout.DISC + 2 * samples - 1];
         float tangent = sampleScale * (float) Math.sqrt(rimX * rimX + rimY * rimY);
+        path[Layout.DISC_SCALE] = sampleScale;
         path[Layout.DISC_TANGENT] = tangent;
         path[Layout.DISC_SECANT] = (float) Math.sqrt(1f + tangent * tangent);
-        return sampleScale;
     }
 
     /**
      * The number of samples blocked by the plane, the candidates in the scratch (or, if there are more, any sphere) and
      * the meshes.
      *
-     * @param plane 1 if the plane may block any, else 0
-     * @param mesh 1 if a mesh may block any, else 0
+     * @param own the body that the point lies on
+     * @param occluders 1 if the plane may block any, plus 2 if a mesh may
+     * @param count result of {@link #candidates}
      */
     private static float blocked(
             float[] path,
             int own,
-            int plane,
-            int mesh,
+            int occluders,
             int count,
-            int samples,
-            float sampleScale,
-            float[] places,
-            float[] looks,
-            float[] shadowDisc,
-            float[] hierarchy,
-            int root,
-            float[] meshes,
             float[] scratch,
-            int firstMesh,
-            int materials,
-            int aspect) {
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            int variant) {
         float distance = path[Layout.LIGHT_DISTANCE];
+        int plane = occluders & 1;
+        int mesh = occluders >> 1;
+        int samples = (int) frame[Layout.SHADOW_SAMPLES];
+        float sampleScale = path[Layout.DISC_SCALE];
         int remembered = Math.min(count, Layout.MOST_CANDIDATES);
         int alone = ((count == 1 ? 1 : 0) & (1 - (plane | mesh))) != 0 ? liesBetween(scratch, distance) : 0;
         float blocked = alone != 0
-                ? blockedByOne(scratch, shadowDisc, sampleScale, samples)
-                        * (1f - rememberedTransmission(scratch, 0, materials))
+                ? blockedByOne(scratch, sampleScale, samples, frame)
+                        * (1f - rememberedTransmission(scratch, 0, variant))
                 : 0f;
-        Aspect.count(path, aspect, Aspect.TESTS, alone != 0 ? samples : 0);
+        Aspect.count(path, Aspect.TESTS, alone != 0 ? samples : 0, variant);
         int firstSample = alone != 0 ? samples : 0;
         for (int sample = firstSample; sample < samples; sample++) {
-            float x = shadowDisc[2 * sample] * sampleScale;
-            float y = shadowDisc[2 * sample + 1] * sampleScale;
+            float x = frame[Layout.DISC + 2 * sample] * sampleScale;
+            float y = frame[Layout.DISC + 2 * sample + 1] * sampleScale;
             float pastPlane = 1f;
             if (plane != 0) {
-                Aspect.count(path, aspect, Aspect.TESTS, 1);
+                Aspect.count(path, Aspect.TESTS, 1, variant);
                 pastPlane =
-                        PlaneShadow.blocks(path, x, y, places) != 0 ? transmission(looks, Layout.PLANE, materials) : 1f;
+                        PlaneShadow.blocks(path, x, y, bodies) != 0 ? transmission(Layout.PLANE, looks, variant) : 1f;
             }
             float light = pastPlane;
             int lit = light > 0f ? 1 : 0;
             for (int candidate = 0; candidate < remembered && lit != 0; candidate++) {
-                Aspect.count(path, aspect, Aspect.TESTS, 1);
-                float transmission = rememberedTransmission(scratch, candidate, materials);
+                Aspect.count(path, Aspect.TESTS, 1, variant);
+                float transmission = rememberedTransmission(scratch, candidate, variant);
                 int hit = blocks(
                         scratch[Layout.CANDIDATE_STRIDE * candidate],
                         scratch[Layout.CANDIDATE_STRIDE * candidate + 1],
@@ -207,14 +173,11 @@ public final class Shadow {
             }
             int forgotten = (count > Layout.MOST_CANDIDATES ? 1 : 0) & lit;
             if (forgotten != 0) {
-                light = pastPlane
-                        * ShadowRay.light(path, own, x, y, looks, hierarchy, root, scratch, materials, aspect);
+                light = pastPlane * ShadowRay.light(path, own, x, y, scratch, frame, bodies, looks, variant);
             }
-            if (firstMesh > Layout.NO_MESHES) {
+            if ((variant & Variant.MESHES) != 0) {
                 if ((mesh & (light > 0f ? 1 : 0)) != 0) {
-                    light = light
-                            * MeshShadow.light(
-                                    path, own, x, y, looks, hierarchy, meshes, firstMesh, scratch, materials, aspect);
+                    light = light * MeshShadow.light(path, own, x, y, scratch, frame, bodies, looks, meshes, variant);
                 }
             }
             blocked = blocked + (1f - light);
@@ -223,18 +186,18 @@ public final class Shadow {
     }
 
     /** Transmission of a stored candidate, in [0, 1]. */
-    private static float rememberedTransmission(float[] scratch, int candidate, int materials) {
+    private static float rememberedTransmission(float[] scratch, int candidate, int variant) {
         float transmission = 0f;
-        if (materials == Material.ANY) {
+        if ((variant & Variant.MATERIALS) != 0) {
             transmission = scratch[Layout.SCRATCH_TRANSMISSIONS + candidate];
         }
         return transmission;
     }
 
     /** Transmission of a body, in [0, 1]. */
-    static float transmission(float[] looks, int body, int materials) {
+    static float transmission(int body, float[] looks, int variant) {
         float transmission = 0f;
-        if (materials == Material.ANY) {
+        if ((variant & Variant.MATERIALS) != 0) {
             transmission = looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION];
         }
         return transmission;
@@ -247,29 +210,21 @@ public final class Shadow {
      * @return their number, or a lower bound if there are more than that, or {@link #ALL_HIDDEN}
      */
     private static int candidates(
-            float[] path,
-            int own,
-            float[] looks,
-            float[] hierarchy,
-            int root,
-            float[] scratch,
-            int materials,
-            int aspect) {
+            float[] path, int own, float[] scratch, float[] frame, float[] bodies, float[] looks, int variant) {
         float inverseX = NodeBox.inverse(path[Layout.TO_LIGHT]);
         float inverseY = NodeBox.inverse(path[Layout.TO_LIGHT + 1]);
         float inverseZ = NodeBox.inverse(path[Layout.TO_LIGHT + 2]);
         int count = 0;
-        int node = root;
+        int node = (int) frame[Layout.ROOT];
         int waiting = 0;
         while (node != Layout.NO_NODE) {
-            int link = (int) hierarchy[node + Layout.NODE_LINK];
-            int spheres = (int) hierarchy[node + Layout.NODE_SPHERES];
+            int link = (int) bodies[node + Layout.NODE_LINK];
+            int spheres = (int) bodies[node + Layout.NODE_SPHERES];
             int next = Layout.NO_NODE;
             if (spheres < 0) {
-                Aspect.count(path, aspect, Aspect.TESTS, 2);
-                float first = NodeBox.coneEntry(path, hierarchy, link, inverseX, inverseY, inverseZ);
-                float second =
-                        NodeBox.coneEntry(path, hierarchy, link + Layout.NODE_STRIDE, inverseX, inverseY, inverseZ);
+                Aspect.count(path, Aspect.TESTS, 2, variant);
+                float first = NodeBox.coneEntry(path, bodies, link, inverseX, inverseY, inverseZ);
+                float second = NodeBox.coneEntry(path, bodies, link + Layout.NODE_STRIDE, inverseX, inverseY, inverseZ);
                 int swapped = second < first ? Layout.NODE_STRIDE : 0;
                 float near = second < first ? second : first;
                 float far = second < first ? first : second;
@@ -279,7 +234,7 @@ public final class Shadow {
                 }
                 next = near < NodeBox.PASSED ? link + swapped : Layout.NO_NODE;
             }
-            count = addLeaf(path, own, count, looks, hierarchy, link, spheres, scratch, materials, aspect);
+            count = addLeaf(path, own, count, link, spheres, scratch, bodies, looks, variant);
             if (((next == Layout.NO_NODE ? 1 : 0) & (waiting > 0 ? 1 : 0)) != 0) {
                 waiting = waiting - 1;
                 next = (int) scratch[Layout.SCRATCH_STACK + waiting];
@@ -299,23 +254,22 @@ public final class Shadow {
             float[] path,
             int own,
             int found,
-            float[] looks,
-            float[] hierarchy,
             int link,
             int spheres,
             float[] scratch,
-            int materials,
-            int aspect) {
+            float[] bodies,
+            float[] looks,
+            int variant) {
         int count = found;
         for (int sphere = 0; sphere < spheres && count != ALL_HIDDEN; sphere++) {
             int at = link + Layout.SPHERE_STRIDE * sphere;
-            int body = (int) hierarchy[at + Layout.SPHERE_BODY];
+            int body = (int) bodies[at + Layout.SPHERE_BODY];
             if (body != own) {
-                Aspect.count(path, aspect, Aspect.TESTS, 1);
-                float x = hierarchy[at] - path[Layout.POINT];
-                float y = hierarchy[at + 1] - path[Layout.POINT + 1];
-                float z = hierarchy[at + 2] - path[Layout.POINT + 2];
-                float radius = hierarchy[at + Layout.SPHERE_RADIUS];
+                Aspect.count(path, Aspect.TESTS, 1, variant);
+                float x = bodies[at] - path[Layout.POINT];
+                float y = bodies[at + 1] - path[Layout.POINT + 1];
+                float z = bodies[at + 2] - path[Layout.POINT + 2];
+                float radius = bodies[at + Layout.SPHERE_RADIUS];
                 float a = x * path[Layout.TO_LIGHT] + y * path[Layout.TO_LIGHT + 1] + z * path[Layout.TO_LIGHT + 2];
                 float u = path[Layout.DISC_U_Y] * y + path[Layout.DISC_U_Z] * z;
                 float w = path[Layout.DISC_W] * x + path[Layout.DISC_W + 1] * y + path[Layout.DISC_W + 2] * z;
@@ -323,13 +277,13 @@ public final class Shadow {
                 float tangent = path[Layout.DISC_TANGENT];
                 float secant = path[Layout.DISC_SECANT];
                 int judgment = judge(a, u, w, radius, distance, tangent, secant);
-                if (transmission(looks, body, materials) > 0f) {
+                if (transmission(body, looks, variant) > 0f) {
                     judgment =
                             mayReach(a, u * u + w * w, radius, distance, tangent, secant) != 0 ? CANDIDATE : HARMLESS;
                 }
                 if (judgment == CANDIDATE) {
                     remember(count, a, u, w, radius, scratch);
-                    rememberTransmission(count, transmission(looks, body, materials), scratch, materials);
+                    rememberTransmission(count, transmission(body, looks, variant), scratch, variant);
                     count = count + 1;
                 }
                 count = judgment == HIDES_ALL ? ALL_HIDDEN : count;
@@ -347,8 +301,8 @@ public final class Shadow {
         }
     }
 
-    private static void rememberTransmission(int candidate, float transmission, float[] scratch, int materials) {
-        if (materials == Material.ANY) {
+    private static void rememberTransmission(int candidate, float transmission, float[] scratch, int variant) {
+        if ((variant & Variant.MATERIALS) != 0) {
             if (candidate < Layout.MOST_CANDIDATES) {
                 scratch[Layout.SCRATCH_TRANSMISSIONS + candidate] = transmission;
             }
@@ -398,15 +352,15 @@ public final class Shadow {
      * The number of samples blocked by the first candidate, which lies entirely between. Most points in a penumbra have
      * only one.
      */
-    private static int blockedByOne(float[] scratch, float[] shadowDisc, float sampleScale, int samples) {
+    private static int blockedByOne(float[] scratch, float sampleScale, int samples, float[] frame) {
         float a = scratch[0];
         float u = scratch[1];
         float w = scratch[2];
         float radiusSquared = scratch[3];
         int blocked = 0;
         for (int sample = 0; sample < samples; sample++) {
-            float x = shadowDisc[2 * sample] * sampleScale;
-            float y = shadowDisc[2 * sample + 1] * sampleScale;
+            float x = frame[Layout.DISC + 2 * sample] * sampleScale;
+            float y = frame[Layout.DISC + 2 * sample + 1] * sampleScale;
             float p = u - a * x;
             float q = w - a * y;
             float moment = p * y - q * x;

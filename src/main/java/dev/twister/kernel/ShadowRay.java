@@ -10,35 +10,29 @@ public final class ShadowRay {
      *
      * @param sample in [0, shadow samples)
      * @param own the body that the point lies on
-     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      */
     public static float light(
             float[] path,
             int own,
             int sample,
-            float[] properties,
-            float[] places,
-            float[] looks,
-            float[] shadowDisc,
-            float[] hierarchy,
-            int root,
-            float[] meshes,
             float[] scratch,
-            int firstMesh,
-            int materials) {
-        float discRadius = 2f * places[Layout.PLACE_STRIDE * Layout.LIGHT + Layout.PLACE_SIZE];
-        float scale = Shadow.face(path, discRadius, (int) properties[Layout.SHADOW_SAMPLES], shadowDisc);
-        float x = shadowDisc[2 * sample] * scale;
-        float y = shadowDisc[2 * sample + 1] * scale;
-        int blocked = PlaneShadow.mayBlock(path, own, discRadius, places) & PlaneShadow.blocks(path, x, y, places);
-        float pastPlane = blocked != 0 ? Shadow.transmission(looks, Layout.PLANE, materials) : 1f;
-        float light = pastPlane * light(path, own, x, y, looks, hierarchy, root, scratch, materials, Aspect.FULL);
-        if (firstMesh > Layout.NO_MESHES) {
-            light = light
-                    * MeshShadow.light(
-                            path, own, x, y, looks, hierarchy, meshes, firstMesh, scratch, materials, Aspect.FULL);
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            float[] meshes,
+            int variant) {
+        float discRadius = 2f * bodies[Layout.PLACE_STRIDE * Layout.LIGHT + Layout.PLACE_SIZE];
+        Shadow.face(path, discRadius, frame);
+        float scale = path[Layout.DISC_SCALE];
+        float x = frame[Layout.DISC + 2 * sample] * scale;
+        float y = frame[Layout.DISC + 2 * sample + 1] * scale;
+        int blocked = PlaneShadow.mayBlock(path, own, discRadius, bodies) & PlaneShadow.blocks(path, x, y, bodies);
+        float pastPlane = blocked != 0 ? Shadow.transmission(Layout.PLANE, looks, variant) : 1f;
+        float light = pastPlane * light(path, own, x, y, scratch, frame, bodies, looks, variant);
+        if ((variant & Variant.MESHES) != 0) {
+            light = light * MeshShadow.light(path, own, x, y, scratch, frame, bodies, looks, meshes, variant);
         }
-        if (Surface.isMesh(own, firstMesh) != 0) {
+        if (Surface.isMesh(own, frame, variant) != 0) {
             light = MeshSurface.looksAway(path) != 0 ? 0f : light;
         }
         return light;
@@ -47,20 +41,17 @@ public final class ShadowRay {
     /**
      * The light in [0, 1] that the spheres transmit along the ray through (1, x, y) * distance, in the frame of A, U
      * (with x = 0) and W; 0 if an opaque one blocks it.
-     *
-     * @param start the node to start at, or {@link Layout#NO_NODE} for no spheres
      */
     static float light(
             float[] path,
             int own,
             float x,
             float y,
-            float[] looks,
-            float[] hierarchy,
-            int start,
             float[] scratch,
-            int materials,
-            int aspect) {
+            float[] frame,
+            float[] bodies,
+            float[] looks,
+            int variant) {
         float pointX = path[Layout.POINT];
         float pointY = path[Layout.POINT + 1];
         float pointZ = path[Layout.POINT + 2];
@@ -78,17 +69,17 @@ public final class ShadowRay {
         float inverseZ = NodeBox.inverse(axisZ + uZ * x + wZ * y);
         float end = distance * Shadow.RELATIVE_MARGIN;
         float light = 1f;
-        int node = start;
+        int node = (int) frame[Layout.ROOT];
         int waiting = 0;
         while (node != Layout.NO_NODE) {
-            int link = (int) hierarchy[node + Layout.NODE_LINK];
-            int spheres = (int) hierarchy[node + Layout.NODE_SPHERES];
+            int link = (int) bodies[node + Layout.NODE_LINK];
+            int spheres = (int) bodies[node + Layout.NODE_SPHERES];
             int next = Layout.NO_NODE;
             if (spheres < 0) {
-                Aspect.count(path, aspect, Aspect.TESTS, 2);
-                float first = NodeBox.entry(hierarchy, link, pointX, pointY, pointZ, inverseX, inverseY, inverseZ);
+                Aspect.count(path, Aspect.TESTS, 2, variant);
+                float first = NodeBox.entry(bodies, link, pointX, pointY, pointZ, inverseX, inverseY, inverseZ);
                 float second = NodeBox.entry(
-                        hierarchy, link + Layout.NODE_STRIDE, pointX, pointY, pointZ, inverseX, inverseY, inverseZ);
+                        bodies, link + Layout.NODE_STRIDE, pointX, pointY, pointZ, inverseX, inverseY, inverseZ);
                 int both = (first < end ? 1 : 0) & (second < end ? 1 : 0);
                 if (both != 0) {
                     scratch[Layout.SCRATCH_STACK + waiting] = link + Layout.NODE_STRIDE;
@@ -100,14 +91,14 @@ public final class ShadowRay {
             int lit = light > 0f ? 1 : 0;
             for (int sphere = 0; sphere < spheres && lit != 0; sphere++) {
                 int at = link + Layout.SPHERE_STRIDE * sphere;
-                int body = (int) hierarchy[at + Layout.SPHERE_BODY];
+                int body = (int) bodies[at + Layout.SPHERE_BODY];
                 if (body != own) {
-                    Aspect.count(path, aspect, Aspect.TESTS, 1);
-                    float toX = hierarchy[at] - pointX;
-                    float toY = hierarchy[at + 1] - pointY;
-                    float toZ = hierarchy[at + 2] - pointZ;
-                    float radius = hierarchy[at + Layout.SPHERE_RADIUS];
-                    float transmission = Shadow.transmission(looks, body, materials);
+                    Aspect.count(path, Aspect.TESTS, 1, variant);
+                    float toX = bodies[at] - pointX;
+                    float toY = bodies[at + 1] - pointY;
+                    float toZ = bodies[at + 2] - pointZ;
+                    float radius = bodies[at + Layout.SPHERE_RADIUS];
+                    float transmission = Shadow.transmission(body, looks, variant);
                     int hit = Shadow.blocks(
                             toX * axisX + toY * axisY + toZ * axisZ,
                             uY * toY + uZ * toZ,

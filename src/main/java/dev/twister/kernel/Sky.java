@@ -11,19 +11,18 @@ public final class Sky {
      * Adds the sky in the direction of the path's ray.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
-     * @param sky three floats per texel: linear radiance, row by row from the top
-     * @param skyDimensions width and height in texels
-     * @param properties {@link Layout#PROPERTIES_LENGTH} floats
      */
-    public static void add(float[] path, float[] sky, int[] skyDimensions, float[] properties) {
-        int width = skyDimensions[Layout.SKY_WIDTH];
-        int height = skyDimensions[Layout.SKY_HEIGHT];
-        float column = column(path[Layout.DIRECTION], path[Layout.DIRECTION + 2], properties[Layout.SKY_TURN], width);
+    public static void add(float[] path, float[] frame, float[] images) {
+        int width = (int) frame[Layout.SKY_WIDTH];
+        int height = (int) frame[Layout.SKY_HEIGHT];
+        float column = column(path[Layout.DIRECTION], path[Layout.DIRECTION + 2], frame[Layout.SKY_TURN], width);
         float row = row(path[Layout.DIRECTION], path[Layout.DIRECTION + 1], path[Layout.DIRECTION + 2], height);
-        float strength = properties[Layout.SKY_STRENGTH];
+        float strength = frame[Layout.SKY_STRENGTH];
         for (int channel = 0; channel < 3; channel++) {
             path[Layout.RADIANCE + channel] = path[Layout.RADIANCE + channel]
-                    + path[Layout.THROUGHPUT + channel] * strength * radiance(sky, width, height, column, row, channel);
+                    + path[Layout.THROUGHPUT + channel]
+                            * strength
+                            * radiance(width, height, column, row, channel, images);
         }
     }
 
@@ -48,7 +47,7 @@ public final class Sky {
     }
 
     /** Linear radiance of one channel (0 red, 1 green, 2 blue) at a column and row as above. */
-    public static float radiance(float[] sky, int width, int height, float column, float row, int channel) {
+    public static float radiance(int width, int height, float column, float row, int channel, float[] images) {
         int left = KernelMath.floor(column);
         int top = KernelMath.floor(row);
         float toRight = column - left;
@@ -57,10 +56,10 @@ public final class Sky {
         int wrappedRight = left + 1 >= width ? 0 : left + 1;
         int clampedTop = Math.min(Math.max(top, 0), height - 1);
         int clampedBottom = Math.min(Math.max(top + 1, 0), height - 1);
-        float topLeft = sky[3 * (clampedTop * width + wrappedLeft) + channel];
-        float topRight = sky[3 * (clampedTop * width + wrappedRight) + channel];
-        float bottomLeft = sky[3 * (clampedBottom * width + wrappedLeft) + channel];
-        float bottomRight = sky[3 * (clampedBottom * width + wrappedRight) + channel];
+        float topLeft = images[3 * (clampedTop * width + wrappedLeft) + channel];
+        float topRight = images[3 * (clampedTop * width + wrappedRight) + channel];
+        float bottomLeft = images[3 * (clampedBottom * width + wrappedLeft) + channel];
+        float bottomRight = images[3 * (clampedBottom * width + wrappedRight) + channel];
         float upper = topLeft + (topRight - topLeft) * toRight;
         float lower = bottomLeft + (bottomRight - bottomLeft) * toRight;
         return upper + (lower - upper) * toBottom;

@@ -10,13 +10,13 @@ public final class Surface {
      *
      * @param path {@link Layout#PATH_LENGTH} floats, after {@link #find} and {@link Material#find}
      * @param body any except the light
-     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      */
-    static void face(float[] path, int body, int firstMesh) {
-        int mesh = isMesh(body, firstMesh);
-        int outward = mesh != 0 ? Layout.FACE : Layout.NORMAL;
+    static void face(float[] path, int body, float[] frame, int variant) {
+        int mesh = isMesh(body, frame, variant);
+        // A place that is known only at run time would keep the whole path in memory on some devices.
+        float along = mesh != 0 ? Facet.directionDot(path, Layout.FACE) : Facet.directionDot(path, Layout.NORMAL);
         int transmits = (body == Layout.PLANE ? 0 : 1) & (path[Layout.TRANSMISSION] > 0f ? 1 : 0);
-        int inside = transmits & (Facet.directionDot(path, outward) > 0f ? 1 : 0);
+        int inside = transmits & (along > 0f ? 1 : 0);
         path[Layout.FROM_INSIDE] = inside;
         int turned = inside & (1 - mesh);
         for (int axis = 0; axis < 3; axis++) {
@@ -31,31 +31,33 @@ public final class Surface {
      *
      * @param path {@link Layout#PATH_LENGTH} floats
      * @param body the result of {@link Hit#find}
-     * @param places {@link Layout#PLACE_STRIDE} floats per body
-     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      */
-    public static void find(float[] path, int body, float[] places, float[] hierarchy, float[] meshes, int firstMesh) {
-        if (isMesh(body, firstMesh) != 0) {
-            MeshSurface.find(path, hierarchy, meshes, firstMesh);
+    public static void find(float[] path, int body, float[] frame, float[] bodies, float[] meshes, int variant) {
+        if (isMesh(body, frame, variant) != 0) {
+            MeshSurface.find(path, frame, bodies, meshes, variant);
         } else {
-            findOnPlaneOrSphere(path, body, places);
+            findOnPlaneOrSphere(path, body, bodies);
         }
     }
 
     /** 1 if the body is a mesh, else 0. */
-    static int isMesh(int body, int firstMesh) {
-        return (firstMesh > Layout.NO_MESHES ? 1 : 0) & (body >= firstMesh ? 1 : 0);
+    static int isMesh(int body, float[] frame, int variant) {
+        int mesh = 0;
+        if ((variant & Variant.MESHES) != 0) {
+            mesh = body >= frame[Layout.FIRST_MESH] ? 1 : 0;
+        }
+        return mesh;
     }
 
-    private static void findOnPlaneOrSphere(float[] path, int body, float[] places) {
+    private static void findOnPlaneOrSphere(float[] path, int body, float[] bodies) {
         float distance = path[Layout.DISTANCE];
         float pointX = path[Layout.ORIGIN] + distance * path[Layout.DIRECTION];
         float pointY = path[Layout.ORIGIN + 1] + distance * path[Layout.DIRECTION + 1];
         float pointZ = path[Layout.ORIGIN + 2] + distance * path[Layout.DIRECTION + 2];
-        float centerX = places[Layout.PLACE_STRIDE * body];
-        float centerY = places[Layout.PLACE_STRIDE * body + 1];
-        float centerZ = places[Layout.PLACE_STRIDE * body + 2];
-        float size = places[Layout.PLACE_STRIDE * body + Layout.PLACE_SIZE];
+        float centerX = bodies[Layout.PLACE_STRIDE * body];
+        float centerY = bodies[Layout.PLACE_STRIDE * body + 1];
+        float centerZ = bodies[Layout.PLACE_STRIDE * body + 2];
+        float size = bodies[Layout.PLACE_STRIDE * body + Layout.PLACE_SIZE];
         float normalX = 0f;
         float normalY = 1f;
         float normalZ = 0f;

@@ -12,20 +12,18 @@ public final class Texture {
      * @param path {@link Layout#PATH_LENGTH} floats, with the outward normal
      * @param body any except the light
      * @param texture its number, from 1 on
-     * @param sky the panorama's texels, then the textures'
-     * @param skyDimensions of the panorama and the textures
-     * @param firstMesh the first mesh's body, or {@link Layout#NO_MESHES}
      */
-    static void multiply(float[] path, int body, int texture, float[] sky, int[] skyDimensions, int firstMesh) {
-        int at = Layout.SKY_DIMENSIONS_LENGTH + Layout.TEXTURE_STRIDE * (texture - 1);
-        int start = skyDimensions[at + Layout.TEXTURE_START];
-        int width = skyDimensions[at + Layout.TEXTURE_WIDTH];
-        int height = skyDimensions[at + Layout.TEXTURE_HEIGHT];
+    static void multiply(
+            float[] path, int body, int texture, float[] frame, float[] looks, float[] images, int variant) {
+        int at = (int) frame[Layout.TEXTURES] + Layout.TEXTURE_STRIDE * (texture - 1);
+        int start = Layout.ALIGNMENT * (int) looks[at + Layout.TEXTURE_START];
+        int width = (int) looks[at + Layout.TEXTURE_WIDTH];
+        int height = (int) looks[at + Layout.TEXTURE_HEIGHT];
         float normalX = path[Layout.NORMAL];
         float normalY = path[Layout.NORMAL + 1];
         float normalZ = path[Layout.NORMAL + 2];
         int plane = body == Layout.PLANE ? 1 : 0;
-        int mesh = Surface.isMesh(body, firstMesh);
+        int mesh = Surface.isMesh(body, frame, variant);
         float u = path[Layout.POINT];
         float v = -path[Layout.POINT + 2];
         if (mesh != 0) {
@@ -37,7 +35,7 @@ public final class Texture {
         float row = repeats != 0 ? fraction(v) * height - 0.5f : Sky.row(normalX, normalY, normalZ, height);
         for (int channel = 0; channel < 3; channel++) {
             path[Layout.ALBEDO + channel] =
-                    path[Layout.ALBEDO + channel] * color(sky, start, width, height, column, row, channel);
+                    path[Layout.ALBEDO + channel] * color(start, width, height, column, row, channel, images);
         }
     }
 
@@ -48,11 +46,11 @@ public final class Texture {
     /**
      * One channel (0 red, 1 green, 2 blue) of a texture, which repeats beyond its borders.
      *
-     * @param start index of the first texel in the array
+     * @param start place of its first texel
      * @param column relative to the first texel's center, in [-0.5, width - 0.5]
      * @param row relative to the first texel's center, in [-0.5, height - 0.5]
      */
-    public static float color(float[] texels, int start, int width, int height, float column, float row, int channel) {
+    public static float color(int start, int width, int height, float column, float row, int channel, float[] images) {
         int left = KernelMath.floor(column);
         int top = KernelMath.floor(row);
         float toRight = column - left;
@@ -62,10 +60,10 @@ public final class Texture {
         int wrappedTop = top < 0 ? height - 1 : Math.min(top, height - 1);
         int wrappedBottom = top + 1 >= height ? 0 : top + 1;
         int first = start + channel;
-        float topLeft = texels[first + 3 * (wrappedTop * width + wrappedLeft)];
-        float topRight = texels[first + 3 * (wrappedTop * width + wrappedRight)];
-        float bottomLeft = texels[first + 3 * (wrappedBottom * width + wrappedLeft)];
-        float bottomRight = texels[first + 3 * (wrappedBottom * width + wrappedRight)];
+        float topLeft = images[first + 3 * (wrappedTop * width + wrappedLeft)];
+        float topRight = images[first + 3 * (wrappedTop * width + wrappedRight)];
+        float bottomLeft = images[first + 3 * (wrappedBottom * width + wrappedLeft)];
+        float bottomRight = images[first + 3 * (wrappedBottom * width + wrappedRight)];
         float upper = topLeft + (topRight - topLeft) * toRight;
         float lower = bottomLeft + (bottomRight - bottomLeft) * toRight;
         return upper + (lower - upper) * toBottom;

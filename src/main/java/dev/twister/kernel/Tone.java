@@ -35,16 +35,15 @@ public final class Tone {
      * The path's radiance as opaque ARGB.
      *
      * @param average factor for the radiance
-     * @param properties {@link Layout#PROPERTIES_LENGTH} floats
      */
-    public static int argb(float[] path, float average, float[] properties) {
+    public static int argb(float[] path, float average, float[] frame) {
         int argb = OPAQUE;
         for (int channel = 0; channel < 3; channel++) {
             int level = quantized(
                     path[Layout.RADIANCE + channel] * average,
-                    properties[Layout.EXPOSURE_SCALE],
-                    (int) properties[Layout.TONE_MAP],
-                    properties[Layout.SRGB]);
+                    frame[Layout.EXPOSURE_SCALE],
+                    (int) frame[Layout.TONE_MAP],
+                    frame[Layout.SRGB]);
             argb = argb | (level << (16 - 8 * channel));
         }
         return argb;

@@ -35,25 +35,16 @@ public final class Triangle {
      * Distance to the triangle in lengths of the direction; {@link Intersection#MISS} if the ray misses it or it is not
      * in front.
      *
+     * @param path with the ray of {@link MeshRay}
      * @param at place of the triangle in {@code meshes}
-     * @param axis {@link #longestAxis} of the direction
-     * @param first the ray's origin along the axis {@link #after} it
-     * @param second the ray's origin along the axis after that
-     * @param third the ray's origin along the dominant axis
-     * @param shearFirst the direction's first component divided by its dominant one
-     * @param shearSecond the direction's second component divided by its dominant one
-     * @param inverse inverse of the direction's dominant component
      */
-    public static float distance(
-            float[] meshes,
-            int at,
-            int axis,
-            float first,
-            float second,
-            float third,
-            float shearFirst,
-            float shearSecond,
-            float inverse) {
+    public static float distance(float[] path, int at, float[] meshes) {
+        int axis = (int) path[Layout.MESH_AXIS];
+        float first = path[Layout.MESH_SHEARED];
+        float second = path[Layout.MESH_SHEARED + 1];
+        float third = path[Layout.MESH_SHEARED + 2];
+        float shearFirst = path[Layout.MESH_SHEAR];
+        float shearSecond = path[Layout.MESH_SHEAR + 1];
         int axisFirst = after(axis);
         int axisSecond = after(axisFirst);
         float depthA = meshes[at + axis] - third;
@@ -73,7 +64,7 @@ public final class Triangle {
         float sum = a + b + c;
         float distance = Intersection.MISS;
         if (((1 - (below & above)) & (sum != 0f ? 1 : 0)) != 0) {
-            float along = (a * depthA + b * depthB + c * depthC) / sum * inverse;
+            float along = (a * depthA + b * depthB + c * depthC) / sum * path[Layout.MESH_SHEAR + 2];
             distance = along > 0f ? along : Intersection.MISS;
         }
         return distance;
@@ -84,16 +75,13 @@ public final class Triangle {
      *
      * @param corner 0, 1 or 2
      */
-    static float part(
-            float[] meshes,
-            int at,
-            int corner,
-            int axis,
-            float first,
-            float second,
-            float third,
-            float shearFirst,
-            float shearSecond) {
+    static float part(float[] path, int at, int corner, float[] meshes) {
+        int axis = (int) path[Layout.MESH_AXIS];
+        float first = path[Layout.MESH_SHEARED];
+        float second = path[Layout.MESH_SHEARED + 1];
+        float third = path[Layout.MESH_SHEARED + 2];
+        float shearFirst = path[Layout.MESH_SHEAR];
+        float shearSecond = path[Layout.MESH_SHEAR + 1];
         int axisFirst = after(axis);
         int axisSecond = after(axisFirst);
         float depthA = meshes[at + axis] - third;

@@ -1,7 +1,6 @@
 package dev.twister.world;
 
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.Material;
 import dev.twister.scene.Vector3;
 import java.util.Arrays;
 
@@ -9,48 +8,60 @@ import java.util.Arrays;
  * The bodies as the kernel reads them. {@link Layout} describes the arrays, which are immutable. They have room for all
  * bodies that the scene may have; {@link FrameInput#bodyCount} is the number of present ones.
  *
- * @param places four floats per body: center relative to the origin, and radius; for the plane, its square's center and
- *     side; for a mesh, its bounding sphere
- * @param looks eight floats per body: color (albedo; the light's radiance; the plane's first color), reflectivity in
- *     [0, 128], roughness, transmission, index of refraction and texture
- * @param hierarchy hierarchies over the present spheres, see {@link SphereHierarchy}, and over the meshes; its length
- *     depends only on the room and the meshes
+ * @param floats the array {@code bodies} of {@link Layout}: places relative to the origin, then the hierarchies over
+ *     the present spheres, see {@link SphereHierarchy}, and over the meshes; its length depends only on the room and
+ *     the meshes
+ * @param looks the array {@code looks} of {@link Layout}: materials, then the textures' table
  * @param meshes the distinct meshes of the bodies
  * @param room maximum number of bodies without meshes; meshes are numbered from here
+ * @param end one more than the highest body number, including meshes
  * @param firstMesh the room, or {@link Layout#NO_MESHES} if no mesh is visible
- * @param materials {@link Material#PLAIN} if all bodies, present or not, have only color and reflectivity, else
- *     {@link Material#ANY}
+ * @param plain whether all bodies, present or not, have only color and reflectivity
  * @param origin origin of all coordinates of the input, in the scene's coordinates; near the camera, because floats
  *     lose precision far away
  */
 @SuppressWarnings("ArrayRecordComponent") // identity is what counts, see FrameInput
 public record Bodies(
-        float[] places,
+        float[] floats,
         float[] looks,
-        float[] hierarchy,
         float[] meshes,
         int room,
+        int end,
         int firstMesh,
-        int materials,
+        boolean plain,
         Vector3 origin) {
     /** One coordinate of a body's center, in meters: axis 0 for x, 1 for y, 2 for z. */
     public float center(int body, int axis) {
-        return places[Layout.PLACE_STRIDE * body + axis];
+        return floats[Layout.PLACE_STRIDE * body + axis];
     }
 
     /** The radius of the light or a sphere, or the plane's side, in meters. */
     public float size(int body) {
-        return places[Layout.PLACE_STRIDE * body + Layout.PLACE_SIZE];
+        return floats[Layout.PLACE_STRIDE * body + Layout.PLACE_SIZE];
     }
 
-    /** {@link Material#PLAIN} or {@link Material#ANY}. */
-    static int materials(float[] looks) {
-        for (int look = 0; look < looks.length; look++) {
-            if (look % Layout.LOOK_STRIDE > Layout.LOOK_REFLECTIVITY && looks[look] != 0) {
-                return Material.ANY;
-            }
-        }
-        return Material.PLAIN;
+    /** Place of the first sphere of the spheres' hierarchy. */
+    public int spheres() {
+        return Layout.PLACE_STRIDE * end;
+    }
+
+    /**
+     * Place of the root of the spheres' hierarchy.
+     *
+     * @param bodyCount number of present bodies without meshes
+     */
+    public int root(int bodyCount) {
+        return SphereHierarchy.root(end, bodyCount);
+    }
+
+    /** Place of the meshes' hierarchy. */
+    public int instances() {
+        return spheres() + Layout.spheresLength(room);
+    }
+
+    /** Place of the textures' table in the looks. */
+    public int textures() {
+        return Layout.LOOK_STRIDE * end;
     }
 
     /** A body's center in the scene's coordinates, in meters. */
@@ -63,13 +74,13 @@ public record Bodies(
         return place.minus(origin);
     }
 
-    Bodies withHierarchy(float[] newHierarchy) {
-        return new Bodies(places, looks, newHierarchy, meshes, room, firstMesh, materials, origin);
+    Bodies withFloats(float[] newFloats) {
+        return new Bodies(newFloats, looks, meshes, room, end, firstMesh, plain, origin);
     }
 
     Bodies withLooksOf(Bodies earlier) {
         return Arrays.equals(earlier.looks, looks)
-                ? new Bodies(places, earlier.looks, hierarchy, meshes, room, firstMesh, materials, origin)
+                ? new Bodies(floats, earlier.looks, meshes, room, end, firstMesh, plain, origin)
                 : this;
     }
 }

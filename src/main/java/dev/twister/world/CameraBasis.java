@@ -3,7 +3,7 @@ package dev.twister.world;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 
-/** Converts a camera's angles to the kernel's {@code float[] camera}, so that no pixel needs trigonometry. */
+/** Converts a camera's angles to the first floats of {@link View#frame}, so that no pixel needs trigonometry. */
 final class CameraBasis {
     private CameraBasis() {}
 

@@ -45,8 +45,13 @@ final class CellTree extends RecursiveAction {
     @SuppressWarnings("serial") // never written
     private final Subtree lower;
 
-    /** The whole tree. */
-    CellTree(SphereCells cells, float[] hierarchy, int root, int mostInLeaf) {
+    /**
+     * The whole tree.
+     *
+     * @param start place of the first sphere
+     * @param root place of the root, after the spheres
+     */
+    CellTree(SphereCells cells, float[] hierarchy, int start, int root, int mostInLeaf) {
         this(
                 cells,
                 IntStream.range(0, cells.count)
@@ -57,7 +62,7 @@ final class CellTree extends RecursiveAction {
                 root + Layout.NODE_STRIDE,
                 0,
                 -1,
-                0,
+                start,
                 0,
                 mostInLeaf);
     }

@@ -38,11 +38,6 @@ public final class FrameDigest {
             case float[] floats
             when floats.length >= LARGE -> digest.update(large.computeIfAbsent(floats, FrameDigest::hash));
             case float[] floats -> add(digest, floats);
-            case int[] ints -> {
-                for (int number : ints) {
-                    addText(digest, number);
-                }
-            }
             case Record record -> parts.of(record).forEach(value -> add(digest, value));
             case Number number -> addText(digest, number);
             case Enum<?> constant -> addText(digest, constant);

@@ -2,51 +2,56 @@ package dev.twister.world;
 
 import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
+import dev.twister.kernel.Variant;
+import java.util.Arrays;
 
 /**
  * A snapshot of the world as the flat arrays that the kernel reads.
  *
  * <p>The arrays of a snapshot are immutable: a changing world creates new arrays and reuses those that are still valid.
  * An engine can therefore recognize by identity that its copy of an array, such as one on a device, is still valid.
+ *
+ * @param images the array {@code images} of {@link Layout}: texels of the sky, then of the textures
  */
-public record FrameInput(View view, Bodies bodies, Panorama panorama) {
+@SuppressWarnings("ArrayRecordComponent") // identity is what counts
+public record FrameInput(View view, Bodies bodies, float[] images) {
 
     public int width() {
-        return view.dimensions()[Layout.WIDTH];
+        return (int) view.frame()[Layout.WIDTH];
     }
 
     public int height() {
-        return view.dimensions()[Layout.HEIGHT];
+        return (int) view.frame()[Layout.HEIGHT];
     }
 
     public int firstRow() {
-        return view.dimensions()[Layout.FIRST_ROW];
+        return (int) view.frame()[Layout.FIRST_ROW];
     }
 
     public int rows() {
-        return view.dimensions()[Layout.ROWS];
+        return (int) view.frame()[Layout.ROWS];
     }
 
     /** Number of present bodies without meshes: light, plane and spheres. */
     public int bodyCount() {
-        return view.dimensions()[Layout.BODIES];
+        return (int) view.frame()[Layout.BODIES];
     }
 
     /** One more than the highest number of a present body, including meshes. */
     public int bodyEnd() {
-        return bodies.firstMesh() == Layout.NO_MESHES ? bodyCount() : bodies.places().length / Layout.PLACE_STRIDE;
+        return bodies.firstMesh() == Layout.NO_MESHES ? bodyCount() : bodies.end();
     }
 
     public int shadowSamples() {
-        return (int) view.properties()[Layout.SHADOW_SAMPLES];
+        return (int) view.frame()[Layout.SHADOW_SAMPLES];
     }
 
     public int bounces() {
-        return (int) view.properties()[Layout.BOUNCES];
+        return (int) view.frame()[Layout.BOUNCES];
     }
 
     public int samplesPerPixel() {
-        return (int) view.properties()[Layout.PIXEL_SAMPLES];
+        return (int) view.frame()[Layout.PIXEL_SAMPLES];
     }
 
     /** Which aspect of the picture is rendered: a constant of {@link Aspect}. */
@@ -56,19 +61,38 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
 
     /** Whether 8-bit pixels are sRGB-encoded. */
     public boolean srgb() {
-        return view.properties()[Layout.SRGB] > 0;
+        return view.frame()[Layout.SRGB] > 0;
+    }
+
+    /** Place of the root of the spheres' hierarchy in {@link Bodies#floats}. */
+    public int root() {
+        return (int) view.frame()[Layout.ROOT];
     }
 
     /**
-     * The same picture with another hierarchy over the same spheres, such as one with a single leaf.
+     * The kernel's argument {@code variant}: bits of {@link Variant}. They stay the same while spheres are poured,
+     * because a device would compile the kernel again. With few spheres the brute-force loop is inlined into the
+     * kernel, which the traversal is too large for.
      *
-     * @throws IllegalArgumentException if its length differs
+     * @param linear whether the output is linear floats
      */
-    public FrameInput withHierarchy(float[] hierarchy) {
-        if (hierarchy.length != bodies.hierarchy().length) {
-            throw new IllegalArgumentException(hierarchy.length + " floats for " + bodyCount() + " bodies");
-        }
-        return new FrameInput(view, bodies.withHierarchy(hierarchy), panorama);
+    public int variant(boolean linear) {
+        return (hasFewSpheres() ? 0 : Variant.WALK)
+                | (bodies.firstMesh() == Layout.NO_MESHES ? 0 : Variant.MESHES)
+                | (bodies.plain() ? 0 : Variant.MATERIALS)
+                | (linear ? Variant.LINEAR : 0)
+                | Variant.of(aspect());
+    }
+
+    /**
+     * The same picture, without meshes, with leaves of another size in the hierarchy over the spheres.
+     *
+     * @param mostInLeaf largest number of spheres per leaf, at least 1
+     */
+    public FrameInput withLeavesOf(int mostInLeaf) {
+        float[] places = Arrays.copyOf(bodies.floats(), bodies.spheres());
+        float[] floats = SphereHierarchy.of(places, bodyCount(), mostInLeaf);
+        return new FrameInput(view, bodies.withFloats(floats), images);
     }
 
     /**
@@ -117,15 +141,15 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
     }
 
     private FrameInput with(View newView) {
-        return new FrameInput(newView, bodies, panorama);
+        return new FrameInput(newView, bodies, images);
     }
 
     /**
-     * The same snapshot, but with an earlier snapshot's arrays where they are equal (looks, the sky's size), so that an
-     * engine that compares arrays by identity transfers nothing.
+     * The same snapshot, but with an earlier snapshot's looks if they are equal, so that an engine that compares arrays
+     * by identity transfers nothing.
      */
     public FrameInput withLooksOf(FrameInput earlier) {
-        return new FrameInput(view, bodies.withLooksOf(earlier.bodies), panorama.withDimensionsOf(earlier.panorama));
+        return new FrameInput(view, bodies.withLooksOf(earlier.bodies), images);
     }
 
     /**
@@ -133,7 +157,7 @@ public record FrameInput(View view, Bodies bodies, Panorama panorama) {
      * valid.
      */
     public boolean hasFewSpheres() {
-        return bodies.hierarchy()[Layout.root(bodyCount()) + Layout.NODE_SPHERES] >= 0
+        return bodies.floats()[root() + Layout.NODE_SPHERES] >= 0
                 && bodies.room() - Layout.FIRST_SPHERE < SphereHierarchy.FEWEST_SPHERES;
     }
 }

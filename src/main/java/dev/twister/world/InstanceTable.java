@@ -65,7 +65,7 @@ final class InstanceTable {
         write(floats, at + Layout.INSTANCE_TO_WORLD, shown.get(instance).placement());
         MeshPlace place = shown.get(instance).place();
         floats[at + Layout.INSTANCE_BODY] = bodies.get(instance);
-        int start = place.start() / Layout.MESH_ALIGNMENT;
+        int start = place.start() / Layout.ALIGNMENT;
         floats[at + Layout.INSTANCE_MESH] = start;
         floats[at + Layout.INSTANCE_NODES] = place.nodes();
         floats[at + Layout.INSTANCE_TRIANGLES] = place.triangles();

@@ -10,7 +10,7 @@ import dev.twister.mesh.TriangleMesh;
  * @param triangles number of triangles
  * @param normals number of vertex normals: one per vertex or none
  * @param texturePlaces number of texture coordinates: one pair per vertex or none
- * @param floats the data; its length is a multiple of {@link Layout#MESH_ALIGNMENT}
+ * @param floats the data; its length is a multiple of {@link Layout#ALIGNMENT}
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
 record MeshGeometry(int nodes, int triangles, int normals, int texturePlaces, float[] floats) {
@@ -34,7 +34,7 @@ record MeshGeometry(int nodes, int triangles, int normals, int texturePlaces, fl
                 + (long) Layout.TRIANGLE_STRIDE * order.length
                 + mesh.normals().length
                 + mesh.textureCoordinates().length;
-        long aligned = (length + Layout.MESH_ALIGNMENT - 1) / Layout.MESH_ALIGNMENT * Layout.MESH_ALIGNMENT;
+        long aligned = (length + Layout.ALIGNMENT - 1) / Layout.ALIGNMENT * Layout.ALIGNMENT;
         float[] floats = new float[Math.toIntExact(aligned)];
         System.arraycopy(nodes, 0, floats, 0, nodes.length);
         int at = nodes.length;

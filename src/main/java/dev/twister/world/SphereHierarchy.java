@@ -1,15 +1,17 @@
 package dev.twister.world;
 
 import dev.twister.kernel.Layout;
+import java.util.Arrays;
 
 /**
  * Builds bounding volume hierarchies over the spheres: binary trees of boxes, split by the surface area heuristic
  * (Goldsmith and Salmon 1987), which is evaluated at the borders of equal bins (Wald 2007), on all cores.
  *
- * <p>A hierarchy is one array, see {@link Layout}: the spheres in the order of the leaves, then the nodes, the root
- * first. A node over n spheres reserves room for its 2 n - 2 descendants directly after its children or its elder
- * sibling's room. Its location therefore does not depend on the order in which threads finish; leaves of several
- * spheres leave gaps of zeros. The length depends only on the room for bodies, not on the number of present ones.
+ * <p>A hierarchy follows the places in one array, see {@link Layout}: the spheres in the order of the leaves, then the
+ * nodes, the root first. A node over n spheres reserves room for its 2 n - 2 descendants directly after its children or
+ * its elder sibling's room. Its location therefore does not depend on the order in which threads finish; leaves of
+ * several spheres leave gaps of zeros. The length depends only on the room for bodies, not on the number of present
+ * ones.
  */
 public final class SphereHierarchy {
     /** With fewer spheres a loop over all is at least as fast; see {@code docs/decisions/010}. */
@@ -23,16 +25,11 @@ public final class SphereHierarchy {
 
     private SphereHierarchy() {}
 
-    /** Number of floats of a hierarchy with room for that number of bodies. */
-    public static int length(int room) {
-        return Layout.spheresLength(room);
-    }
-
     /**
-     * A new hierarchy over the present spheres. For few spheres it is a single leaf, and its traversal is a loop over
-     * all spheres.
+     * {@link Bodies#floats} without meshes: the places, then a new hierarchy over the present spheres. For few spheres
+     * it is a single leaf, and its traversal is a loop over all spheres.
      *
-     * @param places {@link Bodies#places}
+     * @param places {@link Layout#PLACE_STRIDE} floats for each body
      * @param bodies number of present bodies, including light and plane
      */
     public static float[] of(float[] places, int bodies) {
@@ -40,41 +37,53 @@ public final class SphereHierarchy {
     }
 
     /**
-     * As above, followed by the meshes' part.
+     * As above, followed by the meshes' hierarchy.
      *
      * @param room maximum number of bodies without meshes
      * @param instances the array of {@link InstanceTable}
      */
     static float[] of(float[] places, int bodies, int room, float[] instances) {
         int spheres = bodies - Layout.FIRST_SPHERE;
-        float[] hierarchy = new float[Layout.spheresLength(room) + instances.length];
-        System.arraycopy(instances, 0, hierarchy, Layout.spheresLength(room), instances.length);
-        fill(hierarchy, places, bodies, spheres < FEWEST_SPHERES ? FEWEST_SPHERES : MOST_IN_LEAF);
-        return hierarchy;
+        int end = places.length + Layout.spheresLength(room);
+        float[] floats = Arrays.copyOf(places, end + instances.length);
+        System.arraycopy(instances, 0, floats, end, instances.length);
+        fill(floats, places.length, bodies, spheres < FEWEST_SPHERES ? FEWEST_SPHERES : MOST_IN_LEAF);
+        return floats;
     }
 
     /**
-     * As above, with another size of the leaves.
+     * As the first, with another size of the leaves.
      *
      * @param mostInLeaf largest number of spheres per leaf, at least 1
      */
     public static float[] of(float[] places, int bodies, int mostInLeaf) {
-        float[] hierarchy = new float[Layout.spheresLength(places.length / Layout.PLACE_STRIDE)];
-        fill(hierarchy, places, bodies, mostInLeaf);
-        return hierarchy;
+        int room = places.length / Layout.PLACE_STRIDE;
+        float[] floats = Arrays.copyOf(places, places.length + Layout.spheresLength(room));
+        fill(floats, places.length, bodies, mostInLeaf);
+        return floats;
     }
 
-    private static void fill(float[] hierarchy, float[] places, int bodies, int mostInLeaf) {
+    /**
+     * Place of the root.
+     *
+     * @param end number of places
+     * @param bodies number of present bodies, including light and plane
+     */
+    public static int root(int end, int bodies) {
+        return Layout.PLACE_STRIDE * end + Layout.SPHERE_STRIDE * (bodies - Layout.FIRST_SPHERE);
+    }
+
+    private static void fill(float[] floats, int start, int bodies, int mostInLeaf) {
         int spheres = bodies - Layout.FIRST_SPHERE;
-        int root = Layout.root(bodies);
+        int root = start + Layout.SPHERE_STRIDE * spheres;
         if (spheres >= FEWEST_FOR_CELLS) {
-            SphereCells cells = new SphereCells(places, bodies);
-            new CellTree(cells, hierarchy, root, mostInLeaf).invoke();
+            SphereCells cells = new SphereCells(floats, bodies);
+            new CellTree(cells, floats, start, root, mostInLeaf).invoke();
         } else {
-            for (int body = Layout.FIRST_SPHERE; body < bodies; body++) {
-                writeSphere(hierarchy, Layout.root(body), places, body);
+            for (int sphere = 0; sphere < spheres; sphere++) {
+                writeSphere(floats, start + Layout.SPHERE_STRIDE * sphere, floats, Layout.FIRST_SPHERE + sphere);
             }
-            new Subtree(hierarchy, root, root + Layout.NODE_STRIDE, 0, root, 0, mostInLeaf).invoke();
+            new Subtree(floats, root, root + Layout.NODE_STRIDE, start, root, 0, mostInLeaf).invoke();
         }
     }
 

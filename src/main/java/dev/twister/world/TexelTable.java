@@ -5,6 +5,7 @@ import dev.twister.scene.Material;
 import dev.twister.sky.Skybox;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /** The panorama and the used textures in one array, as the kernel reads them. */
@@ -35,36 +36,55 @@ final class TexelTable {
         return 1 + textures.indexOf(texture);
     }
 
-    /** @throws IllegalArgumentException if all texels together exceed the length of an array */
-    Panorama panorama() {
-        Skybox sky = images.sky();
-        int[] dimensions = new int[Layout.SKY_DIMENSIONS_LENGTH + Layout.TEXTURE_STRIDE * textures.size()];
-        dimensions[Layout.SKY_WIDTH] = sky.width();
-        dimensions[Layout.SKY_HEIGHT] = sky.height();
+    /**
+     * The array {@code images} of {@link Layout}.
+     *
+     * @throws IllegalArgumentException if all texels together exceed the length of an array
+     */
+    float[] images() {
+        float[] sky = images.sky().radiance();
         if (textures.isEmpty()) {
-            return new Panorama(sky.radiance(), dimensions);
+            return sky;
         }
-        long length = sky.radiance().length;
+        long length = sky.length;
         for (Path file : textures) {
-            length += images.textureByFile().get(file).radiance().length;
+            length = aligned(length) + radiance(file).length;
         }
         if (length > Integer.MAX_VALUE - Long.BYTES) {
-            throw new IllegalArgumentException("sky and textures have " + length / 3 + " texels together; at most "
-                    + Integer.MAX_VALUE / 3 + " fit");
+            throw new IllegalArgumentException("sky and textures have " + length / Layout.TEXEL_STRIDE
+                    + " texels together; at most " + Integer.MAX_VALUE / Layout.TEXEL_STRIDE + " fit");
         }
-        float[] texels = new float[(int) length];
-        System.arraycopy(sky.radiance(), 0, texels, 0, sky.radiance().length);
-        int start = sky.radiance().length;
-        int at = Layout.SKY_DIMENSIONS_LENGTH;
+        float[] texels = Arrays.copyOf(sky, (int) length);
+        int end = sky.length;
+        for (Path file : textures) {
+            int start = (int) aligned(end);
+            System.arraycopy(radiance(file), 0, texels, start, radiance(file).length);
+            end = start + radiance(file).length;
+        }
+        return texels;
+    }
+
+    /** The array {@code looks} of {@link Layout}: the bodies' looks, then the table of the textures. */
+    float[] withTable(float[] looks) {
+        float[] extended = Arrays.copyOf(looks, looks.length + Layout.TEXTURE_STRIDE * textures.size());
+        long end = images.sky().radiance().length;
+        int at = looks.length;
         for (Path file : textures) {
             Skybox texture = images.textureByFile().get(file);
-            System.arraycopy(texture.radiance(), 0, texels, start, texture.radiance().length);
-            dimensions[at + Layout.TEXTURE_START] = start;
-            dimensions[at + Layout.TEXTURE_WIDTH] = texture.width();
-            dimensions[at + Layout.TEXTURE_HEIGHT] = texture.height();
-            start += texture.radiance().length;
+            extended[at + Layout.TEXTURE_START] = aligned(end) / Layout.ALIGNMENT;
+            extended[at + Layout.TEXTURE_WIDTH] = texture.width();
+            extended[at + Layout.TEXTURE_HEIGHT] = texture.height();
+            end = aligned(end) + texture.radiance().length;
             at += Layout.TEXTURE_STRIDE;
         }
-        return new Panorama(texels, dimensions);
+        return extended;
+    }
+
+    private float[] radiance(Path texture) {
+        return images.textureByFile().get(texture).radiance();
+    }
+
+    private static long aligned(long length) {
+        return (length + Layout.ALIGNMENT - 1) / Layout.ALIGNMENT * Layout.ALIGNMENT;
     }
 }

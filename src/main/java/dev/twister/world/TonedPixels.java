@@ -17,13 +17,13 @@ public final class TonedPixels {
      * @param settings exposure, tone map and transfer function
      */
     public static int[] of(float[] radiance, Rendering settings) {
-        float[] properties = new float[Layout.PROPERTIES_LENGTH];
-        World.putTone(properties, settings);
+        float[] frame = new float[Layout.SAMPLES];
+        World.putTone(frame, settings);
         float[] path = new float[Layout.PATH_LENGTH];
         int[] argb = new int[radiance.length / CHANNELS];
         for (int pixel = 0; pixel < argb.length; pixel++) {
             System.arraycopy(radiance, CHANNELS * pixel, path, Layout.RADIANCE, CHANNELS);
-            argb[pixel] = Tone.argb(path, 1, properties);
+            argb[pixel] = Tone.argb(path, 1, frame);
         }
         return argb;
     }

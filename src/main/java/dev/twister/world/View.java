@@ -2,44 +2,71 @@ package dev.twister.world;
 
 import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
+import java.util.Arrays;
 
 /**
- * Camera and settings of a picture as the kernel reads them. {@link Layout} describes the arrays, which are immutable.
+ * Camera and settings of a picture as the kernel reads them.
  *
- * @param dimensions {@code int[5]}: width and height of the picture in pixels, first row and number of rows to render,
- *     number of present bodies
- * @param camera {@code float[15]}: position, right, up, forward, eye distance, aperture, focus distance
- * @param properties {@code float[12]}
- * @param shadowDisc {@code float[2 * shadowSamples]}: points of the unit sunflower, {@code sqrt(i / n)} from the center
- * @param pixelSamples {@code float[16 * samplesPerPixel]}: positions of the samples in a pixel, and random numbers for
- *     lens and surfaces
+ * @param frame the array {@code frame} of {@link Layout}, which is immutable
  * @param aspect what to render: a constant of {@link Aspect}
  */
 @SuppressWarnings("ArrayRecordComponent") // identity is what counts, see FrameInput
-public record View(
-        int[] dimensions, float[] camera, float[] properties, float[] shadowDisc, float[] pixelSamples, int aspect) {
+public record View(float[] frame, int aspect) {
+    /**
+     * A view of the values from {@link Layout#CAMERA_POSITION} to {@link Layout#TEXTURES} with tables behind them.
+     *
+     * @param disc points of the unit sunflower, {@code sqrt(i / n)} from the center: x and y of each shadow sample
+     * @param samples {@link PixelSamples}
+     */
+    static View of(float[] values, float[] disc, float[] samples, int aspect) {
+        float[] frame = new float[Layout.DISC + disc.length + samples.length];
+        System.arraycopy(values, 0, frame, 0, Layout.SAMPLES);
+        frame[Layout.SAMPLES] = Layout.DISC + disc.length;
+        System.arraycopy(disc, 0, frame, Layout.DISC, disc.length);
+        System.arraycopy(samples, 0, frame, Layout.DISC + disc.length, samples.length);
+        return new View(frame, aspect);
+    }
+
+    /**
+     * A number of one of the pixel's samples.
+     *
+     * @param place in [0, {@link Layout#SAMPLE_STRIDE}): 0 and 1 for its position in the pixel, x and y
+     */
+    public float sample(int sample, int place) {
+        return frame[samplePlace(sample) + place];
+    }
+
+    /** Place of one of the pixel's samples in the frame. */
+    public int samplePlace(int sample) {
+        return samplesStart() + Layout.SAMPLE_STRIDE * sample;
+    }
+
+    private int samplesStart() {
+        return (int) frame[Layout.SAMPLES];
+    }
+
     View withSize(int width, int height) {
-        int[] sized = dimensions.clone();
+        float[] sized = frame.clone();
         sized[Layout.WIDTH] = width;
         sized[Layout.HEIGHT] = height;
-        return new View(sized, camera, properties, shadowDisc, pixelSamples, aspect).withRows(0, height);
+        return new View(sized, aspect).withRows(0, height);
     }
 
     View withRows(int firstRow, int rows) {
-        int[] banded = dimensions.clone();
+        float[] banded = frame.clone();
         banded[Layout.FIRST_ROW] = firstRow;
         banded[Layout.ROWS] = rows;
-        return new View(banded, camera, properties, shadowDisc, pixelSamples, aspect);
+        return new View(banded, aspect);
     }
 
     View withSamples(int first, int samples) {
-        float[] counted = properties.clone();
+        float[] counted = frame.clone();
         counted[Layout.PIXEL_SAMPLES] = samples;
-        return new View(dimensions, camera, counted, shadowDisc, PixelSamples.of(first, samples), aspect);
+        return of(counted, disc(), PixelSamples.of(first, samples), aspect);
     }
 
     View showing(Picture picture) {
-        float[] shown = properties.clone();
+        float[] shown = frame.clone();
         if (!picture.bounces()) {
             shown[Layout.BOUNCES] = 0;
         }
@@ -47,7 +74,14 @@ public record View(
         if (hard) {
             shown[Layout.SHADOW_SAMPLES] = 1;
         }
-        return new View(
-                dimensions, camera, shown, hard ? SunflowerDisc.points(1) : shadowDisc, pixelSamples, picture.aspect());
+        return of(shown, hard ? SunflowerDisc.points(1) : disc(), samples(), picture.aspect());
+    }
+
+    private float[] disc() {
+        return Arrays.copyOfRange(frame, Layout.DISC, samplesStart());
+    }
+
+    private float[] samples() {
+        return Arrays.copyOfRange(frame, samplesStart(), frame.length);
     }
 }

@@ -19,22 +19,22 @@ public final class World {
     private static final double DEGREES_PER_TURN = 360;
 
     private final Vector3 origin;
-    private final Panorama panorama;
-    private final float[] looks;
+    private final float[] texels;
+    private float[] looks;
     private final SceneImages images;
     private final SceneMeshes sceneMeshes;
     private final float[] meshes;
     private final float[] instances;
     private final int room;
-    private final int materials;
+    private final boolean plain;
     private final Rgb planeOddColor;
     private final double ambient;
     private final double skyTurn;
     private final double skyStrength;
-    private float[] places;
+    private final float[] places;
     private int bodies;
-    private float[] hierarchy = {};
-    private boolean hierarchyHolds;
+    private float[] floats = {};
+    private boolean floatsHold;
     private Camera camera;
     private Rendering settings;
     private float[] shadowDisc;
@@ -55,26 +55,27 @@ public final class World {
         Light light = scene.lights().first();
         put(Layout.LIGHT, light.position(), light.radius(), Material.DEFAULT.withColor(light.color()), 0);
         Ground plane = scene.ground();
-        TexelTable texels = new TexelTable(images);
+        TexelTable table = new TexelTable(images);
         Vector3 middle = new Vector3(0, plane.height(), 0);
-        put(Layout.PLANE, middle, plane.size(), plane.material(), texels.number(plane.material()));
+        put(Layout.PLANE, middle, plane.size(), plane.material(), table.number(plane.material()));
         int body = Layout.FIRST_SPHERE;
         for (Sphere sphere : spheres) {
             Material material = sphere.material();
-            put(body++, sphere.position(), sphere.radius(), material, texels.number(material));
+            put(body++, sphere.position(), sphere.radius(), material, table.number(material));
         }
         for (MeshBody mesh : meshBodies) {
             Material material = mesh.material();
             MeshBox box = MeshBox.of(mesh, meshes);
             putPlace(body, box.center(), box.radius());
-            putLooks(body++, material, texels.number(material));
+            putLooks(body++, material, table.number(material));
         }
-        materials = Bodies.materials(looks);
+        plain = arePlain(looks);
+        looks = table.withTable(looks);
+        texels = table.images();
         planeOddColor = plane.oddColor();
         ambient = scene.shading().ambient();
         skyTurn = scene.sky().rotationDegrees() / DEGREES_PER_TURN;
         skyStrength = scene.sky().strength();
-        panorama = texels.panorama();
         camera = scene.camera();
         settings = scene.rendering();
         shadowDisc = SunflowerDisc.points(settings.shadowSamples());
@@ -164,12 +165,11 @@ public final class World {
         if (newBodies < Layout.FIRST_SPHERE || newBodies > room) {
             throw new IllegalArgumentException(newBodies + " bodies of " + room);
         }
-        places = places.clone();
         for (int body = 0; body < room; body++) {
             System.arraycopy(positions, 3 * body, places, Layout.PLACE_STRIDE * body, 3);
         }
         bodies = newBodies;
-        hierarchyHolds = false;
+        floatsHold = false;
     }
 
     /**
@@ -177,46 +177,55 @@ public final class World {
      * snapshot, the hierarchy over the spheres is rebuilt.
      */
     public FrameInput snapshot() {
-        if (!hierarchyHolds) {
-            hierarchy = SphereHierarchy.of(places, bodies, room, instances);
-            hierarchyHolds = true;
+        if (!floatsHold) {
+            floats = SphereHierarchy.of(places, bodies, room, instances);
+            floatsHold = true;
         }
         int firstMesh = instances.length > 0 ? room : Layout.NO_MESHES;
-        Bodies moved = new Bodies(places, looks, hierarchy, meshes, room, firstMesh, materials, origin);
-        Camera seen = camera.withPosition(moved.seen(camera.position()));
-        return new FrameInput(
-                new View(dimensions(), CameraBasis.of(seen), properties(), shadowDisc, pixelSamples, Aspect.FULL),
-                moved,
-                panorama);
+        int end = places.length / Layout.PLACE_STRIDE;
+        Bodies moved = new Bodies(floats, looks, meshes, room, end, firstMesh, plain, origin);
+        return new FrameInput(View.of(values(moved), shadowDisc, pixelSamples, Aspect.FULL), moved, texels);
     }
 
-    private int[] dimensions() {
-        int[] dimensions = new int[Layout.DIMENSIONS_LENGTH];
-        dimensions[Layout.WIDTH] = settings.width();
-        dimensions[Layout.HEIGHT] = settings.height();
-        dimensions[Layout.ROWS] = settings.height();
-        dimensions[Layout.BODIES] = bodies;
-        return dimensions;
+    private float[] values(Bodies moved) {
+        float[] values = new float[Layout.SAMPLES];
+        Camera seen = camera.withPosition(moved.seen(camera.position()));
+        System.arraycopy(CameraBasis.of(seen), 0, values, 0, Layout.CAMERA_LENGTH);
+        values[Layout.SHADOW_SAMPLES] = settings.shadowSamples();
+        values[Layout.BOUNCES] = settings.bounces();
+        values[Layout.PIXEL_SAMPLES] = settings.samplesPerPixel();
+        putTone(values, settings);
+        values[Layout.AMBIENT] = (float) ambient;
+        putColor(values, Layout.PLANE_ODD_COLOR, planeOddColor);
+        values[Layout.SKY_TURN] = (float) (skyTurn - Math.floor(skyTurn)) % 1f;
+        values[Layout.SKY_STRENGTH] = (float) skyStrength;
+        values[Layout.SKY_WIDTH] = images.sky().width();
+        values[Layout.SKY_HEIGHT] = images.sky().height();
+        values[Layout.WIDTH] = settings.width();
+        values[Layout.HEIGHT] = settings.height();
+        values[Layout.ROWS] = settings.height();
+        values[Layout.BODIES] = bodies;
+        values[Layout.FIRST_MESH] = moved.firstMesh();
+        values[Layout.ROOT] = moved.root(bodies);
+        values[Layout.INSTANCES] = moved.instances();
+        values[Layout.TEXTURES] = moved.textures();
+        return values;
     }
 
     @SuppressWarnings("EnumOrdinal") // a test checks that the kernel's numbers match the constants' order
-    static void putTone(float[] properties, Rendering settings) {
-        properties[Layout.EXPOSURE_SCALE] = (float) Math.pow(2, settings.exposure());
-        properties[Layout.TONE_MAP] = settings.toneMap().ordinal();
-        properties[Layout.SRGB] = settings.srgb() ? 1 : 0;
+    static void putTone(float[] frame, Rendering settings) {
+        frame[Layout.EXPOSURE_SCALE] = (float) Math.pow(2, settings.exposure());
+        frame[Layout.TONE_MAP] = settings.toneMap().ordinal();
+        frame[Layout.SRGB] = settings.srgb() ? 1 : 0;
     }
 
-    private float[] properties() {
-        float[] properties = new float[Layout.PROPERTIES_LENGTH];
-        properties[Layout.SHADOW_SAMPLES] = settings.shadowSamples();
-        properties[Layout.BOUNCES] = settings.bounces();
-        properties[Layout.PIXEL_SAMPLES] = settings.samplesPerPixel();
-        putTone(properties, settings);
-        properties[Layout.AMBIENT] = (float) ambient;
-        properties[Layout.SKY_TURN] = (float) (skyTurn - Math.floor(skyTurn)) % 1f;
-        properties[Layout.SKY_STRENGTH] = (float) skyStrength;
-        putColor(properties, Layout.PLANE_ODD_COLOR, planeOddColor);
-        return properties;
+    private static boolean arePlain(float[] looks) {
+        for (int look = 0; look < looks.length; look++) {
+            if (look % Layout.LOOK_STRIDE > Layout.LOOK_REFLECTIVITY && looks[look] != 0) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private void put(int body, Vector3 position, double size, Material material, int texture) {

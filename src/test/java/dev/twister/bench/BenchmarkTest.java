@@ -327,7 +327,7 @@ class BenchmarkTest {
         @Override
         public void render(FrameInput input, Frame frame) {
             String drew =
-                    Arrays.equals(start.bodies().places(), input.bodies().places()) ? "drew the start" : "drew later";
+                    Arrays.equals(start.bodies().floats(), input.bodies().floats()) ? "drew the start" : "drew later";
             if (!heard.getLast().equals(drew)) {
                 heard.add(drew);
             }

@@ -58,12 +58,8 @@ class ConvergingPictureTest {
     }
 
     private float shown(float radiance) {
-        float[] properties = metals.view().properties();
-        return Tone.shown(
-                radiance,
-                properties[Layout.EXPOSURE_SCALE],
-                (int) properties[Layout.TONE_MAP],
-                properties[Layout.SRGB]);
+        float[] frame = metals.view().frame();
+        return Tone.shown(radiance, frame[Layout.EXPOSURE_SCALE], (int) frame[Layout.TONE_MAP], frame[Layout.SRGB]);
     }
 
     private static int draw(FrameInput input, Frame frame, double noise) {

@@ -8,7 +8,6 @@ import dev.twister.oracle.LitScene;
 import dev.twister.oracle.Pictures;
 import dev.twister.oracle.RandomScenes;
 import dev.twister.world.FrameInput;
-import dev.twister.world.SphereHierarchy;
 import dev.twister.world.World;
 import java.util.Arrays;
 import java.util.Random;
@@ -67,9 +66,9 @@ class JvmEnginesTest {
     @Property(seed = "20261121", tries = 60, shrinking = ShrinkingMode.OFF)
     void hierarchyDrawsWhatThePlainLoopDrawsBitForBit(@ForAll("scenes") LitScene random) {
         FrameInput input = World.of(random.scene(), random.sky()).snapshot();
-        int[] plain = Pictures.argb(JvmEngines.SEQUENTIAL, withLeavesOf(input, Integer.MAX_VALUE));
+        int[] plain = Pictures.argb(JvmEngines.SEQUENTIAL, input.withLeavesOf(Integer.MAX_VALUE));
         for (int mostInLeaf = 1; mostInLeaf < 4; mostInLeaf++) {
-            assertThat(Pictures.argb(JvmEngines.SEQUENTIAL, withLeavesOf(input, mostInLeaf)))
+            assertThat(Pictures.argb(JvmEngines.SEQUENTIAL, input.withLeavesOf(mostInLeaf)))
                     .isEqualTo(plain);
         }
     }
@@ -78,11 +77,7 @@ class JvmEnginesTest {
     void hierarchyDrawsACrowdAsThePlainLoopDoesBitForBit() {
         FrameInput input = Crowds.world(3000, 160, 90).snapshot();
         assertThat(Pictures.argb(JvmEngines.PARALLEL, input))
-                .isEqualTo(Pictures.argb(JvmEngines.PARALLEL, withLeavesOf(input, Integer.MAX_VALUE)));
-    }
-
-    private static FrameInput withLeavesOf(FrameInput input, int mostInLeaf) {
-        return input.withHierarchy(SphereHierarchy.of(input.bodies().places(), input.bodyCount(), mostInLeaf));
+                .isEqualTo(Pictures.argb(JvmEngines.PARALLEL, input.withLeavesOf(Integer.MAX_VALUE)));
     }
 
     @Test

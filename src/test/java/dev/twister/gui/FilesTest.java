@@ -516,14 +516,14 @@ class FilesTest {
         driver.type(KeyCode.F12);
         driver.await(() -> Files.exists(hdr));
         float[] radiance = SkyboxReader.read(hdr).radiance();
-        float[] properties = shown.input().view().properties();
+        float[] values = shown.input().view().frame();
         int[] argb = shown.frame().argb();
         for (int pixel = 0; pixel < argb.length; pixel++) {
             int green = Tone.quantized(
                     radiance[3 * pixel + 1],
-                    properties[Layout.EXPOSURE_SCALE],
-                    (int) properties[Layout.TONE_MAP],
-                    properties[Layout.SRGB]);
+                    values[Layout.EXPOSURE_SCALE],
+                    (int) values[Layout.TONE_MAP],
+                    values[Layout.SRGB]);
             // A Radiance file has 8 bits for the largest channel, and fewer for the others.
             assertThat(green).isCloseTo(argb[pixel] >> 8 & 0xFF, within(3));
         }

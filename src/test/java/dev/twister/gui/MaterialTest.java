@@ -14,6 +14,7 @@ import dev.twister.scene.Material;
 import dev.twister.scene.Scene;
 import dev.twister.scene.Sphere;
 import dev.twister.scene.format.SceneReader;
+import dev.twister.world.Bodies;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -182,7 +183,8 @@ class MaterialTest {
         assertThat(material(FIRST).texture()).contains(red);
         assertThat(material(FIRST + 1).texture()).isEmpty();
         DrawnPicture picture = driver.awaitCurrentPicture();
-        assertThat(picture.input().panorama().dimensions().length).isGreaterThan(Layout.SKY_DIMENSIONS_LENGTH);
+        Bodies bodies = picture.input().bodies();
+        assertThat(bodies.looks()).hasSize(bodies.textures() + Layout.TEXTURE_STRIDE);
         ComboBox<Optional<Path>> box = box("Texture");
         assertThat(WindowDriver.call(box::getValue)).contains(red);
         driver.run(() -> box.setValue(Optional.empty()));

@@ -239,7 +239,7 @@ class MeshesTest {
         driver.run(driver.studio::undo);
         assertThat(now().meshes()).hasSize(4);
         // The files are at hand.
-        assertThat(awaitMeshes().input().bodies().places().length).isGreaterThan(0);
+        assertThat(awaitMeshes().input().bodies().floats().length).isGreaterThan(0);
     }
 
     @Test

@@ -62,7 +62,7 @@ class PhysicsTest {
     }
 
     private static double height(DrawnPicture picture) {
-        return picture.input().bodies().places()[Layout.PLACE_STRIDE * Layout.FIRST_SPHERE + 1];
+        return picture.input().bodies().floats()[Layout.PLACE_STRIDE * Layout.FIRST_SPHERE + 1];
     }
 
     private static Scene scene() {
@@ -194,7 +194,7 @@ class PhysicsTest {
         DrawnPicture later = awaitSteps(20);
         // Without gravity only the speed that it had takes it further: 9.81 m/s^2 for half a second.
         assertThat(height(later)).isCloseTo(HEIGHT - fallen - 9.81 / 2 / 6, within(1e-3));
-        assertThat(later.input().bodies().places()).startsWith(1, 7, 1);
+        assertThat(later.input().bodies().floats()).startsWith(1, 7, 1);
         driver.type(KeyCode.F5);
         assertThat(height(driver.awaitPicture(
                         picture -> !picture.request().motion().isOn())))

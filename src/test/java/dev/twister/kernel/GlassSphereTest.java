@@ -47,31 +47,14 @@ class GlassSphereTest {
     private static void passOn(float[] path, float[] looks, int bounce) {
         float[] scratch = new float[Layout.SCRATCH_LENGTH];
         float inside = path[Layout.INSIDE];
-        int body = Hit.find(
-                path,
-                PLACES,
-                looks,
-                new float[0],
-                new float[0],
-                BODIES,
-                scratch,
-                Hit.ALL,
-                Layout.NO_MESHES,
-                Material.ANY,
-                Aspect.FULL);
+        float[] frame = Paths.frame(BODIES);
+        float[] none = new float[0];
+        int body = Hit.find(path, scratch, frame, PLACES, looks, none, Variant.MATERIALS);
         assertThat(body).isEqualTo(Layout.FIRST_SPHERE);
-        Surface.find(path, body, PLACES, new float[0], new float[0], Layout.NO_MESHES);
-        Material.find(
-                path,
-                body,
-                looks,
-                new float[Layout.PROPERTIES_LENGTH],
-                new float[0],
-                new int[0],
-                Layout.NO_MESHES,
-                Material.ANY);
-        Surface.face(path, body, Layout.NO_MESHES);
-        Facet.find(path, bounce, new float[Layout.SAMPLE_STRIDE]);
+        Surface.find(path, body, frame, PLACES, none, Variant.MATERIALS);
+        Material.find(path, body, frame, looks, none, Variant.MATERIALS);
+        Surface.face(path, body, frame, Variant.MATERIALS);
+        Facet.find(path, bounce, frame);
         int waiting = Branch.split(path, body, bounce, 0f, 1f, 1f, scratch, 0);
         if (waiting > 0 && path[Layout.INSIDE] == inside) {
             Branch.resume(path, scratch, waiting);

@@ -13,54 +13,49 @@ class HitTest {
     private static final int BODIES = 5;
 
     @ParameterizedTest
-    @ValueSource(ints = {Hit.ALL, Hit.WALK})
-    void closestWinsAndTheLowerIndexOnATie(int search) {
+    @ValueSource(ints = {0, Variant.WALK})
+    void closestWinsAndTheLowerIndexOnATie(int variant) {
         float[] path = Paths.ray(new float[3], new float[] {0, 0, 1}, Layout.NOTHING);
-        assertThat(find(path, search)).isEqualTo(3);
+        assertThat(find(path, variant)).isEqualTo(3);
         assertThat(path[Layout.DISTANCE]).isEqualTo(4f);
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {Hit.ALL, Hit.WALK})
-    void bodyThatTheRayLeavesIsIgnored(int search) {
-        assertThat(find(Paths.ray(new float[3], new float[] {0, 0, 1}, 3), search))
+    @ValueSource(ints = {0, Variant.WALK})
+    void bodyThatTheRayLeavesIsIgnored(int variant) {
+        assertThat(find(Paths.ray(new float[3], new float[] {0, 0, 1}, 3), variant))
                 .isEqualTo(4);
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {Hit.ALL, Hit.WALK})
-    void lightIsABodyToo(int search) {
-        assertThat(find(Paths.ray(new float[3], new float[] {0, 0, -1}, Layout.NOTHING), search))
+    @ValueSource(ints = {0, Variant.WALK})
+    void lightIsABodyToo(int variant) {
+        assertThat(find(Paths.ray(new float[3], new float[] {0, 0, -1}, Layout.NOTHING), variant))
                 .isEqualTo(Layout.LIGHT);
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {Hit.ALL, Hit.WALK})
-    void nothingIsBeyondTheLight(int search) {
-        assertThat(find(Paths.ray(new float[3], new float[] {0, 0, -1}, Layout.LIGHT), search))
+    @ValueSource(ints = {0, Variant.WALK})
+    void nothingIsBeyondTheLight(int variant) {
+        assertThat(find(Paths.ray(new float[3], new float[] {0, 0, -1}, Layout.LIGHT), variant))
                 .isEqualTo(Layout.NOTHING);
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {Hit.ALL, Hit.WALK})
-    void groundIsBelow(int search) {
-        assertThat(find(Paths.ray(new float[3], new float[] {0, -1, 0}, Layout.NOTHING), search))
+    @ValueSource(ints = {0, Variant.WALK})
+    void groundIsBelow(int variant) {
+        assertThat(find(Paths.ray(new float[3], new float[] {0, -1, 0}, Layout.NOTHING), variant))
                 .isEqualTo(Layout.PLANE);
     }
 
-    private static int find(float[] path, int search) {
-        float[] hierarchy = SphereHierarchy.of(PLACES, BODIES, 1);
+    private static int find(float[] path, int variant) {
         return Hit.find(
                 path,
-                PLACES,
-                new float[0],
-                hierarchy,
-                new float[0],
-                BODIES,
                 new float[Layout.SCRATCH_LENGTH],
-                search,
-                Layout.NO_MESHES,
-                Material.PLAIN,
-                Aspect.FULL);
+                Paths.frame(BODIES),
+                SphereHierarchy.of(PLACES, BODIES, 1),
+                new float[0],
+                new float[0],
+                variant);
     }
 }

@@ -61,11 +61,11 @@ class MeshHitTest {
     }
 
     private static float[] direction(Bodies bodies, float[] aim) {
-        int row = Instance.at(bodies.hierarchy(), bodies.firstMesh(), 0) + Layout.INSTANCE_TO_WORLD;
+        int row = Instance.at(0, bodies.instances(), bodies.floats()) + Layout.INSTANCE_TO_WORLD;
         float[] direction = new float[3];
         float squared = 0;
         for (int axis = 0; axis < 3; axis++) {
-            direction[axis] = Instance.vector(bodies.hierarchy(), row + 4 * axis, aim[0], aim[1], aim[2]);
+            direction[axis] = Instance.vector(bodies.floats(), row + 4 * axis, aim[0], aim[1], aim[2]);
             squared += direction[axis] * direction[axis];
         }
         for (int axis = 0; axis < 3; axis++) {
@@ -146,7 +146,8 @@ class MeshHitTest {
     /** Intersects the mesh alone, without plane and light. */
     private int find(float[] path, Bodies bodies) {
         path[Layout.DISTANCE] = Intersection.MISS;
-        return MeshHit.find(
-                path, Layout.NOTHING, bodies.hierarchy(), bodies.meshes(), bodies.firstMesh(), scratch, Aspect.FULL);
+        float[] frame = new float[Layout.DISC];
+        frame[Layout.INSTANCES] = bodies.instances();
+        return MeshHit.find(path, Layout.NOTHING, scratch, frame, bodies.floats(), bodies.meshes(), Variant.MESHES);
     }
 }

@@ -1,5 +1,6 @@
 package dev.twister.kernel;
 
+import dev.twister.world.SphereHierarchy;
 import java.util.Arrays;
 
 /** Creates path arrays for tests of single steps. */
@@ -27,10 +28,20 @@ final class Paths {
         return path;
     }
 
-    /** Properties of a picture with this number of shadow samples and no ambient light. */
-    static float[] properties(int shadowSamples) {
-        float[] properties = new float[Layout.PROPERTIES_LENGTH];
-        properties[Layout.SHADOW_SAMPLES] = shadowSamples;
-        return properties;
+    /**
+     * The array {@code frame} of a picture without ambient light, of bodies that are all present and of which none is a
+     * mesh, with one sample per pixel whose numbers are 0.
+     *
+     * @param disc x and y of each shadow sample
+     */
+    static float[] frame(int bodies, float... disc) {
+        float[] frame = new float[Layout.DISC + disc.length + Layout.SAMPLE_STRIDE];
+        frame[Layout.BODIES] = bodies;
+        frame[Layout.ROOT] = SphereHierarchy.root(bodies, bodies);
+        frame[Layout.SHADOW_SAMPLES] = disc.length / 2f;
+        frame[Layout.PIXEL_SAMPLES] = 1;
+        System.arraycopy(disc, 0, frame, Layout.DISC, disc.length);
+        frame[Layout.SAMPLES] = Layout.DISC + disc.length;
+        return frame;
     }
 }

@@ -172,17 +172,12 @@ class ShadowTest {
         return Shadow.visible(
                 lit(places, x, y, z),
                 own,
-                Paths.properties(samples),
-                places,
-                new float[0],
-                sunflower(samples),
-                SphereHierarchy.of(places, bodies(places), mostInLeaf),
-                Layout.root(bodies(places)),
-                new float[0],
                 new float[Layout.SCRATCH_LENGTH],
-                Layout.NO_MESHES,
-                Material.PLAIN,
-                Aspect.FULL);
+                Paths.frame(bodies(places), sunflower(samples)),
+                SphereHierarchy.of(places, bodies(places), mostInLeaf),
+                new float[0],
+                new float[0],
+                0);
     }
 
     private static float plain(float[] places, float x, float y, float z, int own, int samples) {

@@ -66,9 +66,11 @@ class SkyTest {
     void strengthMultipliesTheRadiance() {
         float[] path = Paths.ray(new float[3], new float[] {0, 0, 1}, Layout.NOTHING);
         Arrays.fill(path, Layout.THROUGHPUT, Layout.THROUGHPUT + 3, 0.5f);
-        float[] properties = new float[Layout.PROPERTIES_LENGTH];
-        properties[Layout.SKY_STRENGTH] = 3f;
-        Sky.add(path, new float[] {1, 2, 4}, new int[] {1, 1}, properties);
+        float[] frame = new float[Layout.DISC];
+        frame[Layout.SKY_STRENGTH] = 3f;
+        frame[Layout.SKY_WIDTH] = 1f;
+        frame[Layout.SKY_HEIGHT] = 1f;
+        Sky.add(path, frame, new float[] {1, 2, 4});
         assertThat(path[Layout.RADIANCE]).isEqualTo(1.5f);
         assertThat(path[Layout.RADIANCE + 2]).isEqualTo(6f);
     }
@@ -87,7 +89,7 @@ class SkyTest {
         float column = Sky.column(directionX, directionZ, turn, size[0]);
         float row = Sky.row(directionX, directionY, directionZ, size[1]);
         for (int channel = 0; channel < 3; channel++) {
-            assertThat((double) Sky.radiance(sky, size[0], size[1], column, row, channel))
+            assertThat((double) Sky.radiance(size[0], size[1], column, row, channel, sky))
                     .as("%s x %s toward (%s, %s, %s)", size[0], size[1], x, y, z)
                     .isCloseTo(bilinear(sky, size, turn, directionX, directionY, directionZ, channel), within(1e-4));
         }

@@ -28,9 +28,10 @@ class WalkTest {
         Random random = new Random(seed);
         RandomCrowds crowd = RandomCrowds.of(random, 1 + random.nextInt(400));
         int bodies = crowd.bodies();
-        int materials = random.nextInt(2);
+        int materials = random.nextBoolean() ? Variant.MATERIALS : 0;
         float[] looks = looks(random, bodies, materials);
-        float[] hierarchy = SphereHierarchy.of(crowd.places(), bodies, 1 + random.nextInt(8));
+        float[] tree = SphereHierarchy.of(crowd.places(), bodies, 1 + random.nextInt(8));
+        float[] frame = Paths.frame(bodies);
         float[] scratch = new float[Layout.SCRATCH_LENGTH];
         for (int count = 0; count < RAYS; count++) {
             int leaving = random.nextInt(bodies + 1) - 1;
@@ -39,31 +40,9 @@ class WalkTest {
             float[] path = Paths.ray(origin, direction, leaving);
             boolean transmits = leaving > 0 && looks[Layout.LOOK_STRIDE * leaving + Layout.LOOK_TRANSMISSION] > 0;
             path[Layout.INSIDE] = transmits && random.nextBoolean() ? 1 : 0;
-            int expected = Hit.find(
-                    path,
-                    crowd.places(),
-                    looks,
-                    hierarchy,
-                    new float[0],
-                    bodies,
-                    scratch,
-                    Hit.ALL,
-                    Layout.NO_MESHES,
-                    materials,
-                    Aspect.FULL);
+            int expected = Hit.find(path, scratch, frame, tree, looks, new float[0], materials);
             float distance = path[Layout.DISTANCE];
-            int actual = Hit.find(
-                    path,
-                    crowd.places(),
-                    looks,
-                    hierarchy,
-                    new float[0],
-                    bodies,
-                    scratch,
-                    Hit.WALK,
-                    Layout.NO_MESHES,
-                    materials,
-                    Aspect.FULL);
+            int actual = Hit.find(path, scratch, frame, tree, looks, new float[0], materials | Variant.WALK);
             assertThat(path[Layout.DISTANCE]).isEqualTo(distance);
             assertThat(actual).as("ray %d of seed %d", count, seed).isEqualTo(expected);
         }
@@ -74,9 +53,9 @@ class WalkTest {
         Random random = new Random(seed);
         RandomCrowds crowd = RandomCrowds.of(random, 1 + random.nextInt(400));
         int bodies = crowd.bodies();
-        int materials = random.nextInt(2);
+        int materials = random.nextBoolean() ? Variant.MATERIALS : 0;
         float[] looks = looks(random, bodies, materials);
-        float[] hierarchy = SphereHierarchy.of(crowd.places(), bodies, 1 + random.nextInt(8));
+        float[] tree = SphereHierarchy.of(crowd.places(), bodies, 1 + random.nextInt(8));
         float[] oneLeaf = SphereHierarchy.of(crowd.places(), bodies, bodies);
         float[] scratch = new float[Layout.SCRATCH_LENGTH];
         float[] disc = new float[2 * SAMPLES];
@@ -84,56 +63,29 @@ class WalkTest {
             disc[2 * sample] = (float) (Math.sqrt((double) sample / SAMPLES) * Math.cos(2.4 * sample));
             disc[2 * sample + 1] = (float) (Math.sqrt((double) sample / SAMPLES) * Math.sin(2.4 * sample));
         }
+        float[] frame = Paths.frame(bodies, disc);
         for (int count = 0; count < RAYS; count++) {
             int own = random.nextInt(bodies + 1) - 1;
             float[] point = origin(random, crowd, own);
             float[] axis = direction(random, crowd, point);
             float distance = (float) Math.pow(10, -1 + 3 * random.nextDouble());
             float discRadius = (float) (distance * Math.pow(10, -3 + 3 * random.nextDouble()));
-            float[] places = crowd.places().clone();
-            places[Layout.PLACE_SIZE] = discRadius / 2;
+            tree[Layout.PLACE_SIZE] = discRadius / 2;
+            oneLeaf[Layout.PLACE_SIZE] = discRadius / 2;
             float[] path = Paths.lit(point, axis, distance);
-            float[] properties = Paths.properties(SAMPLES);
-            int root = Layout.root(bodies);
-            float walked = Shadow.visible(
-                    path,
-                    own,
-                    properties,
-                    places,
-                    looks,
-                    disc,
-                    hierarchy,
-                    root,
-                    new float[0],
-                    scratch,
-                    Layout.NO_MESHES,
-                    materials,
-                    Aspect.FULL);
-            float plain = Shadow.visible(
-                    path,
-                    own,
-                    properties,
-                    places,
-                    looks,
-                    disc,
-                    oneLeaf,
-                    root,
-                    new float[0],
-                    scratch,
-                    Layout.NO_MESHES,
-                    materials,
-                    Aspect.FULL);
+            float walked = Shadow.visible(path, own, scratch, frame, tree, looks, new float[0], materials);
+            float plain = Shadow.visible(path, own, scratch, frame, oneLeaf, looks, new float[0], materials);
             // The factors are the same, but multiplied in another order.
             assertThat(walked)
                     .as("point %d of seed %d", count, seed)
-                    .isCloseTo(plain, within(materials == Material.PLAIN ? 0f : 1e-5f));
+                    .isCloseTo(plain, within(materials == 0 ? 0f : 1e-5f));
         }
     }
 
     /** With any materials allowed, half of the spheres transmit. */
     private static float[] looks(Random random, int bodies, int materials) {
         float[] looks = new float[Layout.LOOK_STRIDE * bodies];
-        for (int body = Layout.FIRST_SPHERE; body < bodies && materials == Material.ANY; body++) {
+        for (int body = Layout.FIRST_SPHERE; body < bodies && materials != 0; body++) {
             looks[Layout.LOOK_STRIDE * body + Layout.LOOK_TRANSMISSION] = Math.max(0, 2 * random.nextFloat() - 1);
         }
         return looks;

@@ -66,11 +66,11 @@ class MovedScenesTest {
         Scene scene = SceneReader.read(Path.of("scenes", "teaching.json"));
         Scene moved = moved(scene, new Vector3(x, y, z));
         World world = World.of(moved, new Skybox(1, 1, new float[3]));
-        float[] places = world.snapshot().bodies().places();
+        float[] places = world.snapshot().bodies().floats();
         try (Simulation simulation = Simulation.of(moved)) {
             simulation.place(world);
         }
-        assertThat(world.snapshot().bodies().places()).containsExactly(places);
+        assertThat(world.snapshot().bodies().floats()).containsExactly(places);
     }
 
     private static Scene moved(Scene scene, Vector3 by) {

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.twister.engine.JvmEngines;
 import dev.twister.engine.PlainPicture;
-import dev.twister.kernel.Material;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -49,7 +48,7 @@ class ShippedScenesTest {
 
     private static boolean isPlain(LitScene scene) {
         return scene.scene().meshes().isEmpty()
-                && scene.world().snapshot().bodies().materials() == Material.PLAIN;
+                && scene.world().snapshot().bodies().plain();
     }
 
     @ParameterizedTest

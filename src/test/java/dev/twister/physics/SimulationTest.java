@@ -82,7 +82,7 @@ class SimulationTest {
             simulation.place(world);
             FrameInput moved = world.snapshot();
             assertThat(moved.bodyCount()).isEqualTo(3);
-            assertThat(moved.bodies().places()[9]).isLessThan(3).isGreaterThan(0.5f);
+            assertThat(moved.bodies().floats()[9]).isLessThan(3).isGreaterThan(0.5f);
         }
     }
 

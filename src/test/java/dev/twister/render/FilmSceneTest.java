@@ -44,7 +44,7 @@ class FilmSceneTest {
             assertThat(after.bodies().origin())
                     .as("frame %d", frame)
                     .isEqualTo(alone.bodies().origin());
-            assertThat(after.bodies().places()).isEqualTo(alone.bodies().places());
+            assertThat(after.bodies().floats()).isEqualTo(alone.bodies().floats());
         }
     }
 

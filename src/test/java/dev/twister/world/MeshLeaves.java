@@ -8,20 +8,18 @@ public final class MeshLeaves {
 
     /** Returns the same bodies, all of one mesh shape, with one leaf. */
     public static Bodies ofOne(Bodies bodies) {
-        float[] hierarchy = bodies.hierarchy();
         float[] meshes = bodies.meshes().clone();
-        int triangles = (int)
-                hierarchy[Layout.spheresLength(bodies.room()) + 1 + Layout.NODE_STRIDE + Layout.INSTANCE_TRIANGLES];
+        int instance = bodies.instances() + 1 + Layout.NODE_STRIDE;
         meshes[Layout.NODE_LINK] = 0;
-        meshes[Layout.NODE_SPHERES] = triangles;
+        meshes[Layout.NODE_SPHERES] = bodies.floats()[instance + Layout.INSTANCE_TRIANGLES];
         return new Bodies(
-                bodies.places(),
+                bodies.floats(),
                 bodies.looks(),
-                hierarchy,
                 meshes,
                 bodies.room(),
+                bodies.end(),
                 bodies.firstMesh(),
-                bodies.materials(),
+                bodies.plain(),
                 bodies.origin());
     }
 }

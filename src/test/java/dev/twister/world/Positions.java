@@ -8,7 +8,7 @@ public final class Positions {
 
     /** Returns {@code float[3 * room]} as for {@link World#setBodyPositions}. */
     public static float[] of(FrameInput input) {
-        float[] places = input.bodies().places();
+        float[] places = input.bodies().floats();
         float[] positions = new float[3 * input.bodies().room()];
         for (int body = 0; body < input.bodies().room(); body++) {
             System.arraycopy(places, Layout.PLACE_STRIDE * body, positions, 3 * body, 3);

@@ -25,7 +25,7 @@ class SphereHierarchyTest {
         int mostInLeaf = 1 + crowd.bodies() % 9;
         float[] hierarchy = SphereHierarchy.of(crowd.places(), crowd.bodies(), mostInLeaf);
         Walk walk = new Walk(crowd, hierarchy, mostInLeaf);
-        walk.visit(Layout.root(crowd.bodies()), 0);
+        walk.visit(SphereHierarchy.root(crowd.bodies(), crowd.bodies()), 0);
         assertThat(walk.visits).containsOnly(1).hasSize(crowd.bodies() - Layout.FIRST_SPHERE);
     }
 
@@ -57,7 +57,7 @@ class SphereHierarchyTest {
 
     private static void requireSoundHierarchy(RandomCrowds crowd) {
         Walk walk = new Walk(crowd, SphereHierarchy.of(crowd.places(), crowd.bodies(), 1), 1);
-        walk.visit(Layout.root(crowd.bodies()), 0);
+        walk.visit(SphereHierarchy.root(crowd.bodies(), crowd.bodies()), 0);
         assertThat(walk.visits).containsOnly(1);
     }
 
@@ -85,8 +85,8 @@ class SphereHierarchyTest {
     private static float rootsSpheres(int spheres) {
         RandomCrowds crowd = RandomCrowds.of(new Random(1), spheres);
         float[] hierarchy = SphereHierarchy.of(crowd.places(), crowd.bodies());
-        assertThat(hierarchy).hasSize(SphereHierarchy.length(crowd.bodies()));
-        return hierarchy[Layout.root(crowd.bodies()) + Layout.NODE_SPHERES];
+        assertThat(hierarchy).hasSize(crowd.places().length + Layout.spheresLength(crowd.bodies()));
+        return hierarchy[SphereHierarchy.root(crowd.bodies(), crowd.bodies()) + Layout.NODE_SPHERES];
     }
 
     /** Traverses a hierarchy and checks it. */

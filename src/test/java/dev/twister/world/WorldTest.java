@@ -30,7 +30,7 @@ class WorldTest {
     void bodiesStandInTheirPlaces() {
         FrameInput input = world.snapshot();
         assertThat(input.bodyCount()).isEqualTo(4);
-        assertThat(input.bodies().places()).containsExactly(4, 5, 6, 7, 0, 12, 0, 11, 20, 21, 22, 23, 28, 29, 30, 31);
+        assertThat(places(input)).containsExactly(4, 5, 6, 7, 0, 12, 0, 11, 20, 21, 22, 23, 28, 29, 30, 31);
         assertThat(looks(input, Layout.LIGHT)).containsExactly(8, 9, 10, 0, 0, 0, 0, 0);
         assertThat(looks(input, Layout.PLANE)).containsExactly(0.13f, 0.14f, 0.15f, 19, 0, 0, 0, 0);
         assertThat(looks(input, Layout.FIRST_SPHERE)).containsExactly(0.24f, 0.25f, 0.26f, 27, 0, 0, 0, 0);
@@ -54,8 +54,19 @@ class WorldTest {
                         scene.withSpheres(List.of(sphere)), new SceneImages(Worlds.SKY, Map.of(file, texture)))
                 .snapshot();
         assertThat(looks(input, Layout.FIRST_SPHERE)).containsExactly(0.1f, 0.2f, 0.3f, 40, 0.41f, 0.42f, 1.43f, 1);
-        assertThat(input.panorama().texels()).containsExactly(70, 71, 72, 73, 74, 75, 90, 91, 92);
-        assertThat(input.panorama().dimensions()).containsExactly(2, 1, 6, 1, 1);
+        assertThat(input.images())
+                .startsWith(70, 71, 72, 73, 74, 75, 0)
+                .hasSize(Layout.ALIGNMENT + 3)
+                .endsWith(90, 91, 92);
+        assertThat(Arrays.copyOfRange(
+                        input.bodies().looks(),
+                        input.bodies().textures(),
+                        input.bodies().looks().length))
+                .containsExactly(1, 1, 1);
+    }
+
+    private static float[] places(FrameInput input) {
+        return Arrays.copyOf(input.bodies().floats(), input.bodies().spheres());
     }
 
     private static float[] looks(FrameInput input, int body) {
@@ -66,15 +77,24 @@ class WorldTest {
     @Test
     void settingsStandInTheirPlaces() {
         world.setSettings(world.settings().withTone(3, ToneMap.ACES, true));
-        float[] properties = world.snapshot().view().properties();
-        assertThat(properties).containsExactly(5, 6, 3, 8, Tone.ACES, 1, 0.36f, 0.16f, 0.17f, 0.18f, 0.75f, 37);
+        FrameInput input = world.snapshot();
+        float[] frame = input.view().frame();
+        assertThat(Arrays.copyOfRange(frame, Layout.CAMERA_LENGTH, Layout.WIDTH))
+                .containsExactly(5, 6, 3, 8, Tone.ACES, 1, 0.36f, 0.16f, 0.17f, 0.18f, 0.75f, 37, 2, 1);
+        assertThat(Arrays.copyOfRange(frame, Layout.FIRST_MESH, Layout.DISC))
+                .containsExactly(
+                        Layout.NO_MESHES,
+                        input.bodies().root(4),
+                        input.bodies().floats().length,
+                        input.bodies().looks().length,
+                        Layout.DISC + 2 * 5);
     }
 
     @ParameterizedTest
     @CsvSource({"CLAMP, 0", "REINHARD, 1", "ACES, 2"})
     void toneMapsHaveTheKernelsNumbers(ToneMap toneMap, float number) {
         world.setSettings(world.settings().withTone(0, toneMap, false));
-        assertThat(world.snapshot().view().properties()[Layout.TONE_MAP]).isEqualTo(number);
+        assertThat(world.snapshot().view().frame()[Layout.TONE_MAP]).isEqualTo(number);
     }
 
     @Test
@@ -92,15 +112,25 @@ class WorldTest {
     @Test
     void hierarchyFollowsTheBodies() {
         FrameInput before = world.snapshot();
-        assertThat(world.snapshot().bodies().hierarchy())
-                .isSameAs(before.bodies().hierarchy());
+        assertThat(world.snapshot().bodies().floats()).isSameAs(before.bodies().floats());
         float[] moved = Positions.of(before);
         moved[6] = 99;
         world.setBodyPositions(moved, 3);
-        assertThat(world.snapshot().bodies().hierarchy())
-                .isEqualTo(SphereHierarchy.of(world.snapshot().bodies().places(), 3))
-                .hasSameSizeAs(before.bodies().hierarchy())
-                .isNotEqualTo(before.bodies().hierarchy());
+        assertThat(world.snapshot().bodies().floats())
+                .isEqualTo(SphereHierarchy.of(places(world.snapshot()), 3))
+                .hasSameSizeAs(before.bodies().floats())
+                .isNotEqualTo(before.bodies().floats());
+    }
+
+    @Test
+    void movedBodiesKeepLooksMeshesAndImages() {
+        FrameInput before = world.snapshot();
+        world.setBodyPositions(Positions.of(before), 3);
+        FrameInput after = world.snapshot();
+        assertThat(after.bodies().floats()).isNotSameAs(before.bodies().floats());
+        assertThat(after.bodies().looks()).isSameAs(before.bodies().looks());
+        assertThat(after.bodies().meshes()).isSameAs(before.bodies().meshes());
+        assertThat(after.images()).isSameAs(before.images());
     }
 
     @Test
@@ -126,7 +156,7 @@ class WorldTest {
                 .withRadii(0.1, 0.1);
         FrameInput input = World.of(Worlds.scene().withPour(pour), Worlds.SKY).snapshot();
         assertThat(input.bodyCount()).isEqualTo(4);
-        assertThat(input.bodies().places()).hasSize(36).endsWith(0.1f);
+        assertThat(places(input)).hasSize(36).endsWith(0.1f);
     }
 
     @Test
@@ -149,13 +179,13 @@ class WorldTest {
     @Test
     void skyIsTheSkyboxItself() {
         FrameInput input = world.snapshot();
-        assertThat(input.panorama().texels()).isSameAs(Worlds.SKY.radiance());
-        assertThat(input.panorama().dimensions()).containsExactly(2, 1);
+        assertThat(input.images()).isSameAs(Worlds.SKY.radiance());
     }
 
     @Test
     void pictureIsDrawnWhole() {
-        assertThat(world.snapshot().view().dimensions()).containsExactly(40, 30, 0, 30, 4);
+        assertThat(Arrays.copyOfRange(world.snapshot().view().frame(), Layout.WIDTH, Layout.FIRST_MESH))
+                .containsExactly(40, 30, 0, 30, 4);
     }
 
     @Test
@@ -164,32 +194,31 @@ class WorldTest {
         world.setCamera(Camera.of(new Vector3(-1, -2, -3), 1, 2, 30));
         world.setSettings(world.settings().withBounces(1).withSize(8, 9));
         FrameInput after = world.snapshot();
-        assertThat(after.bodies().places()).isSameAs(before.bodies().places());
+        assertThat(after.bodies().floats()).isSameAs(before.bodies().floats());
         assertThat(after.bodies().looks()).isSameAs(before.bodies().looks());
-        assertThat(after.panorama()).isSameAs(before.panorama());
-        assertThat(after.view().shadowDisc()).isSameAs(before.view().shadowDisc());
-        assertThat(after.view().pixelSamples()).isSameAs(before.view().pixelSamples());
-        assertThat(after.bodies().hierarchy()).isSameAs(before.bodies().hierarchy());
+        assertThat(after.bodies().meshes()).isSameAs(before.bodies().meshes());
+        assertThat(after.images()).isSameAs(before.images());
     }
 
     @Test
     void snapshotStaysAsItWas() {
         FrameInput before = world.snapshot();
-        float[] camera = before.view().camera().clone();
-        int[] dimensions = before.view().dimensions().clone();
-        float[] properties = before.view().properties().clone();
+        float[] frame = before.view().frame().clone();
+        float[] floats = before.bodies().floats().clone();
         world.setCamera(Camera.of(new Vector3(-1, -2, -3), 1, 2, 30));
         world.setSettings(world.settings().withBounces(1).withSize(8, 9));
+        world.setBodyPositions(new float[12], 4);
         world.snapshot();
-        assertThat(before.view().camera()).isEqualTo(camera);
-        assertThat(before.view().dimensions()).isEqualTo(dimensions);
-        assertThat(before.view().properties()).isEqualTo(properties);
+        assertThat(before.view().frame()).isEqualTo(frame);
+        assertThat(before.bodies().floats()).isEqualTo(floats);
     }
 
     @Test
     void tablesFollowTheirCounts() {
         world.setSettings(world.settings().withShadows(9).withSamplesPerPixel(4));
-        assertThat(world.snapshot().view().shadowDisc()).isEqualTo(SunflowerDisc.points(9));
-        assertThat(world.snapshot().view().pixelSamples()).isEqualTo(PixelSamples.of(4));
+        float[] frame = world.snapshot().view().frame();
+        int samples = world.snapshot().view().samplePlace(0);
+        assertThat(Arrays.copyOfRange(frame, Layout.DISC, samples)).isEqualTo(SunflowerDisc.points(9));
+        assertThat(Arrays.copyOfRange(frame, samples, frame.length)).isEqualTo(PixelSamples.of(4));
     }
 }

@@ -58,7 +58,7 @@ final class Handover {
         }
         path[Layout.PIXEL_COLUMN] = tile.left + t[pixel + Tile.PLACE_X];
         path[Layout.PIXEL_ROW] = drawing.input.firstRow() + tile.top + t[pixel + Tile.PLACE_Y];
-        path[Layout.PIXEL_SAMPLE] = Layout.SAMPLE_STRIDE * tile.sample;
+        path[Layout.PIXEL_SAMPLE] = drawing.input.view().samplePlace(tile.sample);
         kernel.follow(drawing.input, bounce);
         for (int channel = 0; channel < 3; channel++) {
             t[pixel + Tile.RED + channel * Tile.SIZE] = path[Layout.RADIANCE + channel];

@@ -147,7 +147,7 @@ final class PictureWork implements AutoCloseable {
                 && drawer.equals(Optional.of(engine))
                 && !seat.hasBecomeFaster()
                 && request.filter(wanted::asksForAnotherToneOf).isPresent()
-                && refinedSky == input.panorama().texels()
+                && refinedSky == input.images()
                 && refined.filter(held -> held.samples() >= FEWEST_REFINED_SAMPLES)
                         .isPresent();
     }
@@ -308,7 +308,7 @@ final class PictureWork implements AutoCloseable {
         RefinedPicture picture = refined.filter(old -> old.limit() == wanted.refineTo())
                 .orElseGet(() -> new RefinedPicture(wanted.width(), wanted.height(), wanted.refineTo()));
         refined = Optional.of(picture);
-        refinedSky = input.panorama().texels();
+        refinedSky = input.images();
         if (picture.isDone()) {
             return false;
         }

@@ -34,7 +34,7 @@ public final class BodyDrag {
      * @param middle of the body, which need not be its position
      */
     public static BodyDrag start(FrameInput input, Vector3 place, Vector3 middle, double x, double y) {
-        float[] camera = input.view().camera();
+        float[] camera = input.view().frame();
         Vector3 seen = input.bodies().seen(middle);
         double depth = (seen.x() - camera[Layout.CAMERA_POSITION]) * camera[Layout.CAMERA_FORWARD]
                 + (seen.y() - camera[Layout.CAMERA_POSITION + 1]) * camera[Layout.CAMERA_FORWARD + 1]
@@ -75,7 +75,7 @@ public final class BodyDrag {
     }
 
     private static Vector3 pointAt(FrameInput input, double depth, double x, double y) {
-        float[] camera = input.view().camera();
+        float[] camera = input.view().frame();
         PointerRay ray = PointerRay.through(input, x, y);
         // Above 0 for every pixel: the field of view is below 180 degrees.
         double forward = 0;

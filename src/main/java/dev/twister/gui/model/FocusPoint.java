@@ -20,7 +20,7 @@ public final class FocusPoint {
         if (ray.body() == Layout.NOTHING) {
             return SceneLimits.FOCUS_DISTANCE.max();
         }
-        float[] camera = input.view().camera();
+        float[] camera = input.view().frame();
         double cosine = 0;
         for (int axis = 0; axis < 3; axis++) {
             cosine += ray.direction(axis) * camera[Layout.CAMERA_FORWARD + axis];

@@ -1,7 +1,5 @@
 package dev.twister.gui.model;
 
-import dev.twister.engine.HitSearch;
-import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Camera;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
@@ -21,24 +19,15 @@ record PointerRay(float[] path, int body, Bodies bodies) {
     /** The ray through x and y, in pixels from the picture's upper left corner. */
     static PointerRay through(FrameInput input, double x, double y) {
         float[] path = new float[Layout.PATH_LENGTH];
-        Camera.start(
-                path,
-                (float) x,
-                (float) y,
-                input.view().dimensions(),
-                input.view().camera());
+        Camera.start(path, (float) x, (float) y, input.view().frame());
         int body = Hit.find(
                 path,
-                input.bodies().places(),
-                input.bodies().looks(),
-                input.bodies().hierarchy(),
-                input.bodies().meshes(),
-                input.bodyCount(),
                 new float[Layout.SCRATCH_LENGTH],
-                HitSearch.of(input),
-                input.bodies().firstMesh(),
-                input.bodies().materials(),
-                Aspect.FULL);
+                input.view().frame(),
+                input.bodies().floats(),
+                input.bodies().looks(),
+                input.bodies().meshes(),
+                input.variant(false));
         return new PointerRay(path, body, input.bodies());
     }
 

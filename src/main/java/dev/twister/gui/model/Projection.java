@@ -15,7 +15,7 @@ public final class Projection {
     private final int height;
 
     private Projection(FrameInput input) {
-        camera = input.view().camera();
+        camera = input.view().frame();
         origin = input.bodies().origin();
         width = input.width();
         height = input.height();

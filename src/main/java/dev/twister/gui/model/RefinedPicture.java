@@ -101,10 +101,10 @@ public final class RefinedPicture {
         if (samples == 0) {
             throw new IllegalStateException("there is no pass to show");
         }
-        float[] properties = input.view().properties();
-        float exposureScale = properties[Layout.EXPOSURE_SCALE];
-        int toneMap = (int) properties[Layout.TONE_MAP];
-        float srgb = properties[Layout.SRGB];
+        float[] values = input.view().frame();
+        float exposureScale = values[Layout.EXPOSURE_SCALE];
+        int toneMap = (int) values[Layout.TONE_MAP];
+        float srgb = values[Layout.SRGB];
         float average = 1f / samples;
         rows().forEach(row -> {
             int end = width * (row + 1);

@@ -16,7 +16,7 @@ public final class SphereOutline {
      * center.
      */
     public static double[] corners(FrameInput input, int body, int count) {
-        float[] camera = input.view().camera();
+        float[] camera = input.view().frame();
         double radius = input.bodies().size(body);
         double[] center = new double[3];
         for (int axis = 0; axis < 3; axis++) {

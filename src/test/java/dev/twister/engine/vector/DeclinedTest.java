@@ -125,19 +125,9 @@ final class DeclinedTest {
     @Test
     void toneMapThatLanesDoNotKnowDeclinesTheFrame() {
         FrameInput known = shipped("teaching");
-        float[] properties = known.view().properties().clone();
-        properties[Layout.TONE_MAP] = 99;
-        View view = known.view();
-        FrameInput unknown = new FrameInput(
-                new View(
-                        view.dimensions(),
-                        view.camera(),
-                        properties,
-                        view.shadowDisc(),
-                        view.pixelSamples(),
-                        view.aspect()),
-                known.bodies(),
-                known.panorama());
+        float[] frame = known.view().frame().clone();
+        frame[Layout.TONE_MAP] = 99;
+        FrameInput unknown = new FrameInput(new View(frame, known.view().aspect()), known.bodies(), known.images());
         Drawing drawing = new Drawing();
         drawing.take(known, Frame.ofPixels(known.width(), known.rows()), false);
         assertThat(drawing.declined.isFrame()).isFalse();

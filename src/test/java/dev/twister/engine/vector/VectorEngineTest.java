@@ -26,7 +26,6 @@ import dev.twister.scene.format.SceneReader;
 import dev.twister.sky.Skybox;
 import dev.twister.sky.SkyboxReader;
 import dev.twister.world.FrameInput;
-import dev.twister.world.SphereHierarchy;
 import dev.twister.world.World;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -136,8 +135,7 @@ final class VectorEngineTest {
         assertSameTogether(vector, plain, scenes, 20 * PictureDifference.PIXELS_AN_ODD_ONE, () -> {
             LitScene scene = RandomScenes.scene(random, random.nextInt(6));
             FrameInput whole = World.of(scene.scene(), scene.sky()).snapshot();
-            return whole.withHierarchy(
-                    SphereHierarchy.of(whole.bodies().places(), whole.bodyCount(), 1 + random.nextInt(3)));
+            return whole.withLeavesOf(1 + random.nextInt(3));
         });
     }
 

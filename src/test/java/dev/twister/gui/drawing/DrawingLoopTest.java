@@ -567,15 +567,15 @@ class DrawingLoopTest {
         writeSky(file, 1f);
         skies.refresh(file);
         request(underIt, 0);
-        assertThat(awaitAnswer().input().panorama().texels()).containsOnly(1f);
+        assertThat(awaitAnswer().input().images()).containsOnly(1f);
         await(() -> loop.status().sceneFailure().isEmpty());
 
         writeSky(file, 2f);
         request(underIt, 0);
-        assertThat(awaitAnswer().input().panorama().texels()).containsOnly(1f);
+        assertThat(awaitAnswer().input().images()).containsOnly(1f);
         skies.refresh(file);
         request(underIt, 0);
-        assertThat(awaitAnswer().input().panorama().texels()).containsOnly(2f);
+        assertThat(awaitAnswer().input().images()).containsOnly(2f);
     }
 
     private static void writeSky(Path file, float radiance) throws IOException {

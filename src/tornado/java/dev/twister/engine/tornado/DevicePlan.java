@@ -1,11 +1,9 @@
 package dev.twister.engine.tornado;
 
 import dev.twister.engine.EngineException;
-import dev.twister.engine.HitSearch;
 import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.PixelKernel;
 import dev.twister.scene.Rendering;
 import dev.twister.world.FrameInput;
 import java.util.Arrays;
@@ -22,9 +20,9 @@ import uk.ac.manchester.tornado.api.enums.ProfilerMode;
 import uk.ac.manchester.tornado.api.enums.TornadoDeviceType;
 
 /**
- * The kernel compiled for one device and one picture size, with its device buffers. The skybox and the triangles are
- * copied once, and so are the looks of scenes with many bodies. Camera, properties, places, the looks of few bodies and
- * the sample tables are copied each frame. Only pixels are copied back.
+ * The kernel compiled for one device and one picture size, with its device buffers. The images and the meshes are
+ * copied once, and so are the looks of scenes with many bodies. Frame, bodies and the looks of few bodies are copied
+ * each frame. Only pixels are copied back.
  */
 final class DevicePlan implements AutoCloseable {
     private static final String GRAPH = "twister";
@@ -44,14 +42,12 @@ final class DevicePlan implements AutoCloseable {
     private final boolean linear;
     private final int[] pixels;
     private final float[] radiance;
-    private final int[] dimensions;
-    private final float[] camera;
-    private final float[] properties;
-    private final float[] places;
+    private final float[] view = new float
+            [Layout.DISC
+                    + 2 * Rendering.MAX_SHADOW_SAMPLES
+                    + Layout.SAMPLE_STRIDE * Rendering.MAX_SAMPLES_PER_PIXEL];
+    private final float[] bodies;
     private final float[] looks;
-    private final float[] hierarchy;
-    private final float[] shadowDisc = new float[2 * Rendering.MAX_SHADOW_SAMPLES];
-    private final float[] pixelSamples = new float[Layout.SAMPLE_STRIDE * Rendering.MAX_SAMPLES_PER_PIXEL];
     private final TornadoExecutionPlan plan;
     private boolean proven;
     private Copied lastCopied = new Copied(0, 0);
@@ -68,52 +64,28 @@ final class DevicePlan implements AutoCloseable {
         if (linear) {
             Arrays.fill(radiance, Float.NaN);
         }
-        dimensions = Arrays.copyOf(input.view().dimensions(), TornadoKernel.DIMENSIONS_LENGTH);
-        dimensions[TornadoKernel.FIRST_MESH] = input.bodies().firstMesh();
-        camera = input.view().camera().clone();
-        properties = input.view().properties().clone();
-        places = input.bodies().places().clone();
+        bodies = input.bodies().floats().clone();
         looks = input.bodies().looks().clone();
-        hierarchy = input.bodies().hierarchy().clone();
-        float[] sky = input.panorama().texels();
-        int[] skyDimensions = input.panorama().dimensions();
         float[] meshes = input.bodies().meshes();
+        float[] images = input.images();
         TaskGraph graph = new TaskGraph(GRAPH)
-                .transferToDevice(DataTransferMode.FIRST_EXECUTION, pixels, radiance, sky, skyDimensions, meshes)
+                .transferToDevice(DataTransferMode.FIRST_EXECUTION, pixels, radiance, images, meshes)
                 .transferToDevice(
                         sendsLooks() ? DataTransferMode.EVERY_EXECUTION : DataTransferMode.FIRST_EXECUTION, looks)
-                .transferToDevice(
-                        DataTransferMode.EVERY_EXECUTION,
-                        dimensions,
-                        camera,
-                        properties,
-                        places,
-                        shadowDisc,
-                        pixelSamples,
-                        hierarchy)
+                .transferToDevice(DataTransferMode.EVERY_EXECUTION, view, bodies)
                 .task(
                         TASK,
                         kernel,
                         pixels,
                         radiance,
-                        dimensions,
-                        camera,
-                        properties,
-                        places,
+                        view,
+                        bodies,
                         looks,
-                        hierarchy,
                         meshes,
-                        sky,
-                        skyDimensions,
-                        shadowDisc,
-                        pixelSamples,
+                        images,
                         input.width(),
                         input.rows(),
-                        HitSearch.of(input),
-                        input.bodies().firstMesh(),
-                        input.bodies().materials(),
-                        input.aspect(),
-                        linear ? PixelKernel.LINEAR : PixelKernel.ARGB)
+                        input.variant(linear))
                 .transferToHost(DataTransferMode.EVERY_EXECUTION, linear ? radiance : pixels);
         plan = new TornadoExecutionPlan(graph.snapshot());
         plan.withDevice(device).withProfiler(ProfilerMode.SILENT);
@@ -131,15 +103,11 @@ final class DevicePlan implements AutoCloseable {
                 && input.rows() == fixed.rows()
                 && frame.isLinear() == linear
                 && input.bodies().room() == fixed.bodies().room()
-                && input.bodies().places().length == fixed.bodies().places().length
-                && input.bodies().hierarchy().length == fixed.bodies().hierarchy().length
-                && input.bodies().firstMesh() == fixed.bodies().firstMesh()
+                && input.bodies().floats().length == fixed.bodies().floats().length
+                && input.bodies().looks().length == fixed.bodies().looks().length
                 && input.bodies().meshes() == fixed.bodies().meshes()
-                && HitSearch.of(input) == HitSearch.of(fixed)
-                && input.bodies().materials() == fixed.bodies().materials()
-                && input.aspect() == fixed.aspect()
-                && input.panorama().texels() == fixed.panorama().texels()
-                && input.panorama().dimensions() == fixed.panorama().dimensions()
+                && input.variant(linear) == fixed.variant(linear)
+                && input.images() == fixed.images()
                 && (sendsLooks() || input.bodies().looks() == fixed.bodies().looks());
     }
 
@@ -154,13 +122,8 @@ final class DevicePlan implements AutoCloseable {
      */
     FrameTimes draw(FrameInput input, Frame frame) {
         long start = System.nanoTime();
-        System.arraycopy(input.view().dimensions(), 0, dimensions, 0, Layout.DIMENSIONS_LENGTH);
-        put(input.view().camera(), camera);
-        put(input.view().properties(), properties);
-        put(input.view().shadowDisc(), shadowDisc);
-        put(input.view().pixelSamples(), pixelSamples);
-        put(input.bodies().places(), places);
-        put(input.bodies().hierarchy(), hierarchy);
+        put(input.view().frame(), view);
+        put(input.bodies().floats(), bodies);
         if (sendsLooks()) {
             put(input.bodies().looks(), looks);
         }

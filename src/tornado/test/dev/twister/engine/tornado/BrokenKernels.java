@@ -11,28 +11,18 @@ final class BrokenKernels {
     static void keepingObjects(
             int[] pixels,
             float[] radiance,
-            int[] dimensions,
-            float[] camera,
-            float[] properties,
-            float[] places,
+            float[] frame,
+            float[] bodies,
             float[] looks,
-            float[] hierarchy,
             float[] meshes,
-            float[] sky,
-            int[] skyDimensions,
-            float[] shadowDisc,
-            float[] pixelSamples,
+            float[] images,
             int width,
             int rows,
-            int search,
-            int firstMesh,
-            int materials,
-            int aspect,
-            int output) {
+            int variant) {
         for (@Parallel int i = 0; i < rows; i++) {
             Point kept = new Point(0, 0);
-            for (int x = 0; x < dimensions[0]; x++) {
-                if (camera[x % 3] > 0) {
+            for (int x = 0; x < frame[0]; x++) {
+                if (bodies[x % 3] > 0) {
                     kept = new Point(x, kept.y() + 1);
                 }
             }
@@ -44,24 +34,14 @@ final class BrokenKernels {
     static void idle(
             int[] pixels,
             float[] radiance,
-            int[] dimensions,
-            float[] camera,
-            float[] properties,
-            float[] places,
+            float[] frame,
+            float[] bodies,
             float[] looks,
-            float[] hierarchy,
             float[] meshes,
-            float[] sky,
-            int[] skyDimensions,
-            float[] shadowDisc,
-            float[] pixelSamples,
+            float[] images,
             int width,
             int rows,
-            int search,
-            int firstMesh,
-            int materials,
-            int aspect,
-            int output) {
+            int variant) {
         for (@Parallel int i = 0; i < rows; i++) {
             if (i < rows / 2) {
                 pixels[i * width] = -1;

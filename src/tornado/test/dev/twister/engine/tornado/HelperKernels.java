@@ -9,6 +9,7 @@ import dev.twister.kernel.KernelMath;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Light;
 import dev.twister.kernel.Material;
+import dev.twister.kernel.MeshRay;
 import dev.twister.kernel.Refraction;
 import dev.twister.kernel.Shadow;
 import dev.twister.kernel.ShadowRay;
@@ -17,6 +18,7 @@ import dev.twister.kernel.Surface;
 import dev.twister.kernel.Texture;
 import dev.twister.kernel.Tone;
 import dev.twister.kernel.Triangle;
+import dev.twister.kernel.Variant;
 import java.util.function.Supplier;
 import uk.ac.manchester.tornado.api.annotations.Parallel;
 
@@ -123,11 +125,15 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
-    /** Item: origin, direction, body that the ray leaves, number of bodies. Tables: places, hierarchy, looks. */
-    static void hitItems(float[] in, float[] places, float[] hierarchy, float[] looks, float[] out, int count) {
+    /** Item: origin, direction, body that the ray leaves, number of bodies. Tables: bodies, looks. */
+    static void hitItems(float[] in, float[] bodies, float[] looks, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             float[] path = new float[Layout.PATH_LENGTH];
             float[] scratch = new float[Layout.PLAIN_SCRATCH_LENGTH];
+            float[] frame = new float[Layout.DISC];
+            int present = (int) in[8 * i + 7];
+            frame[Layout.BODIES] = present;
+            frame[Layout.ROOT] = Layout.PLACE_STRIDE * present + Layout.SPHERE_STRIDE * (present - Layout.FIRST_SPHERE);
             path[Layout.ORIGIN] = in[8 * i];
             path[Layout.ORIGIN + 1] = in[8 * i + 1];
             path[Layout.ORIGIN + 2] = in[8 * i + 2];
@@ -140,27 +146,20 @@ public final class HelperKernels implements Supplier<HelperTasks> {
                 float transmission = looks[Layout.LOOK_STRIDE * leaving + Layout.LOOK_TRANSMISSION];
                 path[Layout.INSIDE] = transmission > 0f ? 1f : 0f;
             }
-            out[2 * i] = Hit.find(
-                    path,
-                    places,
-                    looks,
-                    hierarchy,
-                    hierarchy,
-                    (int) in[8 * i + 7],
-                    scratch,
-                    Hit.ALL,
-                    Layout.NO_MESHES,
-                    Material.ANY,
-                    Aspect.FULL);
+            out[2 * i] = Hit.find(path, scratch, frame, bodies, looks, bodies, Variant.MATERIALS);
             out[2 * i + 1] = path[Layout.DISTANCE];
         }
     }
 
     /** As {@link #hitItems}, by traversal of the hierarchy. */
-    static void walkItems(float[] in, float[] places, float[] hierarchy, float[] looks, float[] out, int count) {
+    static void walkItems(float[] in, float[] bodies, float[] looks, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             float[] path = new float[Layout.PATH_LENGTH];
             float[] scratch = new float[Layout.PLAIN_SCRATCH_LENGTH];
+            float[] frame = new float[Layout.DISC];
+            int present = (int) in[8 * i + 7];
+            frame[Layout.BODIES] = present;
+            frame[Layout.ROOT] = Layout.PLACE_STRIDE * present + Layout.SPHERE_STRIDE * (present - Layout.FIRST_SPHERE);
             path[Layout.ORIGIN] = in[8 * i];
             path[Layout.ORIGIN + 1] = in[8 * i + 1];
             path[Layout.ORIGIN + 2] = in[8 * i + 2];
@@ -173,18 +172,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
                 float transmission = looks[Layout.LOOK_STRIDE * leaving + Layout.LOOK_TRANSMISSION];
                 path[Layout.INSIDE] = transmission > 0f ? 1f : 0f;
             }
-            out[2 * i] = Hit.find(
-                    path,
-                    places,
-                    looks,
-                    hierarchy,
-                    hierarchy,
-                    (int) in[8 * i + 7],
-                    scratch,
-                    Hit.WALK,
-                    Layout.NO_MESHES,
-                    Material.ANY,
-                    Aspect.FULL);
+            out[2 * i] = Hit.find(path, scratch, frame, bodies, looks, bodies, Variant.MATERIALS | Variant.WALK);
             out[2 * i + 1] = path[Layout.DISTANCE];
         }
     }
@@ -198,9 +186,9 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             float row = Sky.row(in[5 * i], in[5 * i + 1], in[5 * i + 2], height);
             out[5 * i] = column;
             out[5 * i + 1] = row;
-            out[5 * i + 2] = Sky.radiance(skybox, width, height, column, row, 0);
-            out[5 * i + 3] = Sky.radiance(skybox, width, height, column, row, 1);
-            out[5 * i + 4] = Sky.radiance(skybox, width, height, column, row, 2);
+            out[5 * i + 2] = Sky.radiance(width, height, column, row, 0, skybox);
+            out[5 * i + 3] = Sky.radiance(width, height, column, row, 1, skybox);
+            out[5 * i + 4] = Sky.radiance(width, height, column, row, 2, skybox);
         }
     }
 
@@ -232,6 +220,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             path[Layout.ROUGHNESS] = in[10 * i + 6];
             path[Layout.PIXEL_COLUMN] = in[10 * i + 7];
             path[Layout.PIXEL_ROW] = in[10 * i + 8];
+            path[Layout.PIXEL_SAMPLE] = 0f;
             Facet.find(path, (int) in[10 * i + 9], samples);
             out[3 * i] = path[Layout.FACET];
             out[3 * i + 1] = path[Layout.FACET + 1];
@@ -252,76 +241,53 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         for (@Parallel int i = 0; i < count; i++) {
             int width = (int) in[4 * i + 2];
             int height = (int) in[4 * i + 3];
-            out[i] = Texture.color(texels, 3, width, height, in[4 * i], in[4 * i + 1], i % 3);
+            out[i] = Texture.color(3, width, height, in[4 * i], in[4 * i + 1], i % 3, texels);
         }
     }
 
-    /** Item: point, own body, A, D, the disc's radius, samples, the root. Tables: unit disc, hierarchy, looks. */
-    static void shadowItems(float[] in, float[] disc, float[] hierarchy, float[] looks, float[] out, int count) {
+    /** Item: point, own body, A, D. Tables: frame, bodies, looks. */
+    static void shadowItems(float[] in, float[] frame, float[] bodies, float[] looks, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             float[] path = new float[Layout.PATH_LENGTH];
             float[] scratch = new float[Layout.SCRATCH_RAYS];
-            float[] places = new float[2 * Layout.PLACE_STRIDE];
-            float[] properties = new float[Layout.PROPERTIES_LENGTH];
-            path[Layout.POINT] = in[11 * i];
-            path[Layout.POINT + 1] = in[11 * i + 1];
-            path[Layout.POINT + 2] = in[11 * i + 2];
-            path[Layout.TO_LIGHT] = in[11 * i + 4];
-            path[Layout.TO_LIGHT + 1] = in[11 * i + 5];
-            path[Layout.TO_LIGHT + 2] = in[11 * i + 6];
-            path[Layout.LIGHT_DISTANCE] = in[11 * i + 7];
+            path[Layout.POINT] = in[8 * i];
+            path[Layout.POINT + 1] = in[8 * i + 1];
+            path[Layout.POINT + 2] = in[8 * i + 2];
+            path[Layout.TO_LIGHT] = in[8 * i + 4];
+            path[Layout.TO_LIGHT + 1] = in[8 * i + 5];
+            path[Layout.TO_LIGHT + 2] = in[8 * i + 6];
+            path[Layout.LIGHT_DISTANCE] = in[8 * i + 7];
             path[Layout.NORMAL_DOT_LIGHT] = 1f;
-            places[Layout.PLACE_SIZE] = 0.5f * in[11 * i + 8];
-            properties[Layout.SHADOW_SAMPLES] = in[11 * i + 9];
-            properties[Layout.AMBIENT] = 0f;
-            out[i] = Shadow.visible(
-                    path,
-                    (int) in[11 * i + 3],
-                    properties,
-                    places,
-                    looks,
-                    disc,
-                    hierarchy,
-                    (int) in[11 * i + 10],
-                    hierarchy,
-                    scratch,
-                    Layout.NO_MESHES,
-                    Material.ANY,
-                    Aspect.FULL);
+            out[i] =
+                    Shadow.visible(path, (int) in[8 * i + 3], scratch, frame, bodies, looks, bodies, Variant.MATERIALS);
         }
     }
 
-    /** Item: origin, direction, three corners. */
-    static void triangleItems(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
+    /** Item: origin, direction, three corners. Table: an instance. */
+    static void triangleItems(float[] in, float[] instance, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
-            float x = in[15 * i + 3];
-            float y = in[15 * i + 4];
-            float z = in[15 * i + 5];
-            int axis = Triangle.longestAxis(x, y, z);
-            int first = Triangle.after(axis);
-            int second = Triangle.after(first);
-            float inverse = 1f / Triangle.along(axis, x, y, z);
-            out[2 * i] = axis;
-            out[2 * i + 1] = Triangle.distance(
-                    in,
-                    15 * i + 6,
-                    axis,
-                    in[15 * i + first],
-                    in[15 * i + second],
-                    in[15 * i + axis],
-                    Triangle.along(first, x, y, z) * inverse,
-                    Triangle.along(second, x, y, z) * inverse,
-                    inverse);
+            float[] path = new float[Layout.PATH_LENGTH];
+            MeshRay.enter(
+                    path,
+                    0,
+                    in[15 * i],
+                    in[15 * i + 1],
+                    in[15 * i + 2],
+                    in[15 * i + 3],
+                    in[15 * i + 4],
+                    in[15 * i + 5],
+                    instance);
+            out[2 * i] = path[Layout.MESH_AXIS];
+            out[2 * i + 1] = Triangle.distance(path, 15 * i + 6, in);
         }
     }
 
-    /** Item: origin, direction, first mesh's body, triangle that the ray leaves. Tables: hierarchy, meshes. */
-    static void meshItems(float[] in, float[] hierarchy, float[] meshes, float[] c, float[] out, int count) {
+    /** Item: origin, direction, triangle that the ray leaves. Tables: frame, bodies, meshes. */
+    static void meshItems(float[] in, float[] frame, float[] bodies, float[] meshes, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             float[] path = new float[Layout.PATH_LENGTH];
             float[] scratch = new float[Layout.SCRATCH_RAYS];
-            int firstMesh = (int) in[8 * i + 6];
-            int body = meetMesh(in, i, firstMesh, hierarchy, meshes, path, scratch);
+            int body = meetMesh(in, i, frame, bodies, meshes, path, scratch);
             out[MESH_OUTPUTS * i] = body;
             out[MESH_OUTPUTS * i + 1] = path[Layout.DISTANCE];
             for (int axis = 0; axis < 3; axis++) {
@@ -334,100 +300,47 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         }
     }
 
-    /**
-     * Item: as in {@link #meshItems}. Tables: hierarchy, meshes, then looks of three meshes after points of the disc.
-     */
-    static void meshShadowItems(
-            float[] in, float[] hierarchy, float[] meshes, float[] discAndLooks, float[] out, int count) {
+    /** Item: as in {@link #meshItems}. Tables: frame with the looks of all bodies behind it, bodies, meshes. */
+    static void meshShadowItems(float[] in, float[] frame, float[] bodies, float[] meshes, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
             float[] path = new float[Layout.PATH_LENGTH];
             float[] scratch = new float[Layout.SCRATCH_RAYS];
-            float[] places = new float[2 * Layout.PLACE_STRIDE];
-            float[] properties = new float[Layout.PROPERTIES_LENGTH];
             float[] looks = new float[5 * Layout.LOOK_STRIDE];
-            places[0] = 2f;
-            places[1] = 5f;
-            places[2] = -3f;
-            places[Layout.PLACE_SIZE] = 0.5f;
-            // A plane out of the way.
-            places[Layout.PLACE_STRIDE] = 0f;
-            places[Layout.PLACE_STRIDE + 1] = -90f;
-            places[Layout.PLACE_STRIDE + 2] = 0f;
-            places[Layout.PLACE_STRIDE + Layout.PLACE_SIZE] = 1f;
-            properties[Layout.SHADOW_SAMPLES] = MESH_SAMPLES;
-            properties[Layout.AMBIENT] = 0f;
             for (int k = 0; k < 5 * Layout.LOOK_STRIDE; k++) {
-                looks[k] = discAndLooks[2 * MESH_SAMPLES + k];
+                looks[k] = frame[Layout.DISC + 2 * MESH_SAMPLES + k];
             }
-            int firstMesh = (int) in[8 * i + 6];
-            int body = meetMesh(in, i, firstMesh, hierarchy, meshes, path, scratch);
+            int body = meetMesh(in, i, frame, bodies, meshes, path, scratch);
             float visible = -1f;
             float light = -1f;
             if (body != Layout.NOTHING) {
-                Light.aim(path, places);
-                int root = Layout.root(Layout.FIRST_SPHERE);
-                visible = Shadow.visible(
-                        path,
-                        body,
-                        properties,
-                        places,
-                        looks,
-                        discAndLooks,
-                        hierarchy,
-                        root,
-                        meshes,
-                        scratch,
-                        firstMesh,
-                        Material.ANY,
-                        Aspect.SHADOW);
-                light = ShadowRay.light(
-                        path,
-                        body,
-                        i % MESH_SAMPLES,
-                        properties,
-                        places,
-                        looks,
-                        discAndLooks,
-                        hierarchy,
-                        root,
-                        meshes,
-                        scratch,
-                        firstMesh,
-                        Material.ANY);
+                Light.aim(path, bodies);
+                int variant = Variant.MATERIALS | Variant.MESHES | Variant.of(Aspect.SHADOW);
+                visible = Shadow.visible(path, body, scratch, frame, bodies, looks, meshes, variant);
+                light = ShadowRay.light(path, body, i % MESH_SAMPLES, scratch, frame, bodies, looks, meshes, variant);
             }
             out[MESH_SHADOW_OUTPUTS * i] = visible;
             out[MESH_SHADOW_OUTPUTS * i + 1] = light;
         }
     }
 
-    /** Returns the body that the item's ray hits; clears arrays first, as a device's start uninitialized. */
+    /** Returns the mesh that the item's ray hits; clears the path first, as a device's starts uninitialized. */
     private static int meetMesh(
-            float[] in, int i, int firstMesh, float[] hierarchy, float[] meshes, float[] path, float[] scratch) {
+            float[] in, int i, float[] frame, float[] bodies, float[] meshes, float[] path, float[] scratch) {
         for (int k = 0; k < Layout.PATH_LENGTH; k++) {
             path[k] = 0f;
         }
-        path[Layout.ORIGIN] = in[8 * i];
-        path[Layout.ORIGIN + 1] = in[8 * i + 1];
-        path[Layout.ORIGIN + 2] = in[8 * i + 2];
-        path[Layout.DIRECTION] = in[8 * i + 3];
-        path[Layout.DIRECTION + 1] = in[8 * i + 4];
-        path[Layout.DIRECTION + 2] = in[8 * i + 5];
-        path[Layout.LEAVING] = firstMesh;
-        path[Layout.LEAVING_TRIANGLE] = in[8 * i + 7];
-        int body = Hit.find(
-                path,
-                hierarchy,
-                hierarchy,
-                hierarchy,
-                meshes,
-                0,
-                scratch,
-                Hit.ALL,
-                firstMesh,
-                Material.ANY,
-                Aspect.FULL);
+        path[Layout.ORIGIN] = in[7 * i];
+        path[Layout.ORIGIN + 1] = in[7 * i + 1];
+        path[Layout.ORIGIN + 2] = in[7 * i + 2];
+        path[Layout.DIRECTION] = in[7 * i + 3];
+        path[Layout.DIRECTION + 1] = in[7 * i + 4];
+        path[Layout.DIRECTION + 2] = in[7 * i + 5];
+        path[Layout.LEAVING] = frame[Layout.FIRST_MESH];
+        path[Layout.LEAVING_TRIANGLE] = in[7 * i + 6];
+        int variant = Variant.MATERIALS | Variant.MESHES;
+        int body = Hit.find(path, scratch, frame, bodies, bodies, meshes, variant);
         if (body != Layout.NOTHING) {
-            Surface.find(path, body, hierarchy, hierarchy, meshes, firstMesh);
+            Surface.find(path, body, frame, bodies, meshes, variant);
         }
         return body;
     }

@@ -34,9 +34,13 @@ class HelpersOnDeviceTest {
     private static final int ITEMS = 20_000;
     private static final int BODIES = 42;
     private static final int LOOKS = Layout.LOOK_STRIDE * BODIES;
+    private static final int PLACED = Layout.PLACE_STRIDE * BODIES + Layout.spheresLength(BODIES);
     private static final int MANY_BODIES = 1000;
     private static final int MOST_SAMPLES = 500;
     private static final int MESHES = 3;
+
+    /** A plane that casts no shadow. */
+    private static final float[] OUT_OF_THE_WAY = {0, -90, 0, 1};
 
     /** Small enough for a hierarchy of some depth. */
     private static final int MOST_IN_LEAF = 2;
@@ -70,14 +74,14 @@ class HelpersOnDeviceTest {
             new Helper("viewport", 4, 2, 2e-6, 0),
             new Helper("sphere", 7, 1, 2e-4, 20),
             new Helper("plane", 8, 1, 1e-5, 4),
-            new Helper("hit", 8, 2, 1e-3, 20, Layout.PLACE_STRIDE * BODIES, SphereHierarchy.length(BODIES), LOOKS),
-            new Helper("walk", 8, 2, 1e-3, 20, Layout.PLACE_STRIDE * BODIES, SphereHierarchy.length(BODIES), LOOKS),
+            new Helper("hit", 8, 2, 1e-3, 20, PLACED, LOOKS, 1),
+            new Helper("walk", 8, 2, 1e-3, 20, PLACED, LOOKS, 1),
             new Helper("sky", 5, 5, 2e-4, 0, 3 * 32 * 16, 1, 1),
             new Helper("facet", 10, 3, 1e-4, 20, Layout.SAMPLE_STRIDE, 1, 1),
             new Helper("refraction", 4, 2, 1e-4, 4),
             new Helper("texture", 4, 1, 1e-5, 0, 3 + 3 * 32 * 16, 1, 1),
             new Helper("light", 6, 3, 1e-4, 0),
-            new Helper("triangle", 15, 2, 1e-3, 4),
+            new Helper("triangle", 15, 2, 1e-3, 4, Layout.INSTANCE_STRIDE, 1, 1),
             // One step of 255 more or less where the rounding falls between two.
             new Helper("tone", 4, 2, 1e-2, 0));
 
@@ -122,10 +126,10 @@ class HelpersOnDeviceTest {
                 "shadow",
                 device,
                 ITEMS / 10,
-                11,
+                8,
                 1,
-                2 * MOST_SAMPLES,
-                SphereHierarchy.length(MANY_BODIES),
+                Layout.DISC + 2 * MOST_SAMPLES,
+                Layout.PLACE_STRIDE * MANY_BODIES + Layout.spheresLength(MANY_BODIES),
                 Layout.LOOK_STRIDE * MANY_BODIES)) {
             Random random = new Random(11);
             fillTransmissions(run.third, random);
@@ -133,10 +137,12 @@ class HelpersOnDeviceTest {
                 float[] places = new float[Layout.PLACE_STRIDE * bodies];
                 for (int samples : new int[] {1, 7, 64, MOST_SAMPLES}) {
                     fillSunflower(run.first, samples);
+                    run.first[Layout.ROOT] = SphereHierarchy.root(bodies, bodies);
                     fillBodies(places, random);
+                    put(places, 1, OUT_OF_THE_WAY);
                     put(run.second, 0, SphereHierarchy.of(places, bodies, 1 + random.nextInt(bodies)));
                     for (int item = 0; item < ITEMS / 10; item++) {
-                        put(run.input, item, shadowedPoint(samples, bodies, random));
+                        put(run.input, item, shadowedPoint(bodies, random));
                     }
                     // A sample at a sphere's rim may fall on either side, at a few points only.
                     requireNear(run, 1e-6, ITEMS / 10 / 100);
@@ -148,39 +154,34 @@ class HelpersOnDeviceTest {
     @ParameterizedTest(name = "meshes on {0}")
     @MethodSource("devices")
     void meshesAreTheSameOnTheDevice(TornadoDevice device) throws TornadoExecutionPlanException {
-        requireMeshesNear("mesh", device, ITEMS, HelperKernels.MESH_OUTPUTS, 1, 1e-3);
+        requireMeshesNear("mesh", device, ITEMS, HelperKernels.MESH_OUTPUTS, 1e-3);
     }
 
     /** One of the meshes is glass. */
     @ParameterizedTest(name = "shadows of meshes on {0}")
     @MethodSource("devices")
     void meshesShadowsAreTheSameOnTheDevice(TornadoDevice device) throws TornadoExecutionPlanException {
-        int looks = Layout.LOOK_STRIDE * (Layout.FIRST_SPHERE + MESHES);
-        requireMeshesNear(
-                "meshShadow",
-                device,
-                ITEMS / 4,
-                HelperKernels.MESH_SHADOW_OUTPUTS,
-                2 * HelperKernels.MESH_SAMPLES + looks,
-                1e-6);
+        requireMeshesNear("meshShadow", device, ITEMS / 4, HelperKernels.MESH_SHADOW_OUTPUTS, 1e-6);
     }
 
     /** Three instances of one mesh, rotated and scaled; where a ray passes a triangle's edge, rounding decides. */
-    private static void requireMeshesNear(
-            String helper, TornadoDevice device, int items, int outputs, int thirdTable, double tolerance)
+    private static void requireMeshesNear(String helper, TornadoDevice device, int items, int outputs, double tolerance)
             throws TornadoExecutionPlanException {
         Random random = new Random(12);
         Bodies bodies = meshes(random);
+        int looks = Layout.DISC + 2 * HelperKernels.MESH_SAMPLES;
+        int frame = looks + Layout.LOOK_STRIDE * bodies.end();
         try (HelperRun run = new HelperRun(
-                helper, device, items, 8, outputs, bodies.hierarchy().length, bodies.meshes().length, thirdTable)) {
-            put(run.first, 0, bodies.hierarchy());
-            put(run.second, 0, bodies.meshes());
-            if (thirdTable > 1) {
-                fillSunflower(run.third, HelperKernels.MESH_SAMPLES);
-                int glass = Layout.FIRST_SPHERE + 1;
-                run.third[2 * HelperKernels.MESH_SAMPLES + Layout.LOOK_STRIDE * glass + Layout.LOOK_TRANSMISSION] =
-                        0.5f;
-            }
+                helper, device, items, 7, outputs, frame, bodies.floats().length, bodies.meshes().length)) {
+            fillSunflower(run.first, HelperKernels.MESH_SAMPLES);
+            run.first[Layout.FIRST_MESH] = bodies.firstMesh();
+            run.first[Layout.ROOT] = bodies.root(Layout.FIRST_SPHERE);
+            run.first[Layout.INSTANCES] = bodies.instances();
+            run.first[looks + Layout.LOOK_STRIDE * (Layout.FIRST_SPHERE + 1) + Layout.LOOK_TRANSMISSION] = 0.5f;
+            put(run.second, 0, bodies.floats());
+            put(run.second, 0, floats(2, 5, -3, 0.5));
+            put(run.second, 1, OUT_OF_THE_WAY);
+            put(run.third, 0, bodies.meshes());
             for (int item = 0; item < items; item++) {
                 put(
                         run.input,
@@ -189,7 +190,7 @@ class HelpersOnDeviceTest {
                                 concat(
                                         floats(spread(random, 2), spread(random, 1), spread(random, 1)),
                                         direction(random)),
-                                floats(bodies.firstMesh(), random.nextInt(1280))));
+                                floats(random.nextInt(1280))));
             }
             requireNear(run, tolerance, items / 500);
         }
@@ -323,26 +324,23 @@ class HelpersOnDeviceTest {
         return floats(width * random.nextDouble(), height * random.nextDouble(), width, height);
     }
 
-    private static float[] shadowedPoint(int samples, int bodies, Random random) {
+    private static float[] shadowedPoint(int bodies, Random random) {
         float[] point = floats(spread(random, 10), spread(random, 10), spread(random, 10));
         // Sometimes straight along x, where the disc's axes are chosen differently.
         float[] axis = random.nextInt(20) == 0 ? floats(1, 0, 0) : direction(random);
         return concat(
                 concat(point, floats(random.nextInt(bodies + 1) - 1)),
-                concat(
-                        axis,
-                        floats(
-                                2 + 20 * random.nextDouble(),
-                                0.2 + 4 * random.nextDouble(),
-                                samples,
-                                Layout.root(bodies))));
+                concat(axis, floats(2 + 20 * random.nextDouble())));
     }
 
     private static void fillTables(HelperRun run, Random random) {
         if (run.second.length > 1) {
-            fillBodies(run.first, random);
-            put(run.second, 0, SphereHierarchy.of(run.first, BODIES, MOST_IN_LEAF));
-            fillTransmissions(run.third, random);
+            float[] places = new float[Layout.PLACE_STRIDE * BODIES];
+            fillBodies(places, random);
+            put(run.first, 0, SphereHierarchy.of(places, BODIES, MOST_IN_LEAF));
+            fillTransmissions(run.second, random);
+        } else if (run.first.length == Layout.INSTANCE_STRIDE) {
+            put(run.first, 0, floats(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0));
         } else {
             for (int i = 0; i < run.first.length; i++) {
                 run.first[i] = 4 * random.nextFloat();
@@ -364,11 +362,12 @@ class HelpersOnDeviceTest {
         }
     }
 
-    private static void fillSunflower(float[] disc, int samples) {
+    private static void fillSunflower(float[] frame, int samples) {
+        frame[Layout.SHADOW_SAMPLES] = samples;
         for (int i = 0; i < samples; i++) {
             double distance = Math.sqrt((double) i / samples);
-            disc[2 * i] = (float) (distance * Math.cos(i * 2.399963229728653));
-            disc[2 * i + 1] = (float) (distance * Math.sin(i * 2.399963229728653));
+            frame[Layout.DISC + 2 * i] = (float) (distance * Math.cos(i * 2.399963229728653));
+            frame[Layout.DISC + 2 * i + 1] = (float) (distance * Math.sin(i * 2.399963229728653));
         }
     }
 

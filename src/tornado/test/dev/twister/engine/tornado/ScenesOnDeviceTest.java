@@ -13,7 +13,6 @@ import dev.twister.scene.format.SceneReader;
 import dev.twister.world.FrameInput;
 import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
-import dev.twister.world.SphereHierarchy;
 import dev.twister.world.World;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -62,10 +61,7 @@ class ScenesOnDeviceTest {
         world.setSettings(Rendering.DEFAULT.withSize(160, 90).withShadows(16).withBounces(3));
         FrameInput input = world.snapshot();
         try (Engine engine = offer.opener().get()) {
-            int[] plain = Pictures.of(
-                    engine,
-                    input.withHierarchy(
-                            SphereHierarchy.of(input.bodies().places(), input.bodyCount(), input.bodyCount())));
+            int[] plain = Pictures.of(engine, input.withLeavesOf(input.bodyCount()));
             assertThat(Pictures.of(engine, input)).isEqualTo(plain);
         }
     }

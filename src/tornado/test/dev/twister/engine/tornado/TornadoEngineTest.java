@@ -9,18 +9,24 @@ import dev.twister.kernel.Layout;
 import dev.twister.mesh.TriangleMesh;
 import dev.twister.oracle.MeshShapes;
 import dev.twister.scene.Camera;
+import dev.twister.scene.Material;
 import dev.twister.scene.Mesh;
 import dev.twister.scene.Rendering;
+import dev.twister.scene.Rgb;
 import dev.twister.scene.Scene;
+import dev.twister.scene.Sphere;
 import dev.twister.scene.ToneMap;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
 import dev.twister.world.FrameInput;
 import dev.twister.world.Positions;
+import dev.twister.world.SceneImages;
 import dev.twister.world.SceneMeshes;
 import dev.twister.world.World;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Test;
@@ -101,7 +107,7 @@ class TornadoEngineTest {
             World other = SceneSamples.world(4, 6);
             other.setSettings(world.settings());
             FrameInput looks = other.snapshot();
-            Pictures.requireSequentials(engine, new FrameInput(input.view(), looks.bodies(), input.panorama()));
+            Pictures.requireSequentials(engine, new FrameInput(input.view(), looks.bodies(), input.images()));
             assertThat(engine.plan()).containsSame(plan);
         }
     }
@@ -210,7 +216,7 @@ class TornadoEngineTest {
         World shown = World.of(scene, world.images(), meshes);
         shown.setSettings(Rendering.DEFAULT.withSize(40, 30).withShadows(4).withBounces(2));
         FrameInput input = shown.snapshot();
-        return new FrameInput(input.view(), input.bodies(), world.snapshot().panorama());
+        return new FrameInput(input.view(), input.bodies(), world.snapshot().images());
     }
 
     @Test
@@ -243,6 +249,48 @@ class TornadoEngineTest {
             assertThat(copied.bytesOut()).isBetween(4L * 320 * 180, 2 * 4L * 320 * 180 + 4096);
             assertThat(frame.times().kernelNanos()).isPositive();
         }
+    }
+
+    @Test
+    void movedCameraAndBodiesCopyNeitherMeshesNorImages() {
+        Path file = Path.of("texture");
+        Material textured = Material.DEFAULT.withTexture(Optional.of(file));
+        Scene scene = meshScene()
+                .withSpheres(List.of(Sphere.of(new Vector3(1, 1, 1), 0.5, new Rgb(1, 1, 1), 0)
+                        .withMaterial(textured)));
+        SceneImages images =
+                new SceneImages(world.images().sky(), Map.of(file, new Skybox(256, 256, new float[3 * 256 * 256])));
+        World shown = World.of(scene, images, meshes(scene, MeshShapes.icosphere(5)));
+        shown.setSettings(Rendering.DEFAULT.withSize(40, 30));
+        try (TornadoEngine engine = Devices.openFirst()) {
+            Pictures.requireSequentials(engine, shown.snapshot());
+            DevicePlan plan = engine.plan().orElseThrow();
+            shown.setCamera(Camera.of(new Vector3(1, 1, -7), 5, 8, 50));
+            Pictures.requireSequentials(engine, shown.snapshot());
+            requireLittleCopied(plan, shown.snapshot());
+            float[] positions = Positions.of(shown.snapshot());
+            positions[3 * Layout.FIRST_SPHERE] += 0.5f;
+            shown.setBodyPositions(positions, Layout.FIRST_SPHERE + 1);
+            Pictures.requireSequentials(engine, shown.snapshot());
+            requireLittleCopied(plan, shown.snapshot());
+            assertThat(engine.plan()).containsSame(plan);
+        }
+    }
+
+    /** At most the groups that change with the frame, which TornadoVM counts twice. */
+    private static void requireLittleCopied(DevicePlan plan, FrameInput input) {
+        long frame = Layout.DISC
+                + 2L * Rendering.MAX_SHADOW_SAMPLES
+                + Layout.SAMPLE_STRIDE * Rendering.MAX_SAMPLES_PER_PIXEL;
+        long most = 2
+                        * Float.BYTES
+                        * (frame
+                                + input.bodies().floats().length
+                                + input.bodies().looks().length)
+                + 4096;
+        assertThat(most).isLessThan((long) Float.BYTES * input.bodies().meshes().length);
+        assertThat(most).isLessThan((long) Float.BYTES * input.images().length);
+        assertThat(plan.lastCopied().bytesIn()).isBetween(1L, most);
     }
 
     /** Several engines in turn allocate more than the 4 GiB that TornadoVM allows one of them. */

@@ -65,9 +65,8 @@ public final class BodyColumns {
     void take(FrameInput input) {
         boolean same = source != null
                 && source.bodyCount() == input.bodyCount()
-                && source.bodies().places() == input.bodies().places()
-                && source.bodies().looks() == input.bodies().looks()
-                && source.bodies().hierarchy() == input.bodies().hierarchy();
+                && source.bodies().floats() == input.bodies().floats()
+                && source.bodies().looks() == input.bodies().looks();
         if (!same) {
             copy(input);
         }
@@ -88,24 +87,24 @@ public final class BodyColumns {
             surfaces = new float[SURFACE_NUMBERS * Math.max(padded, end)];
             surfacePlaces = new int[Math.max(padded, end)];
         }
-        float[] places = input.bodies().places();
-        float[] hierarchy = input.bodies().hierarchy();
+        float[] floats = input.bodies().floats();
         lowest = Float.MAX_VALUE;
         highest = -Float.MAX_VALUE;
         for (int body = 0; body < count; body++) {
             int place = Layout.PLACE_STRIDE * body;
-            x[body] = places[place];
-            y[body] = places[place + 1];
-            z[body] = places[place + 2];
-            radius[body] = places[place + Layout.PLACE_SIZE];
+            x[body] = floats[place];
+            y[body] = floats[place + 1];
+            z[body] = floats[place + 2];
+            radius[body] = floats[place + Layout.PLACE_SIZE];
             if (body >= Layout.FIRST_SPHERE) {
                 lowest = Math.min(lowest, y[body] - radius[body]);
                 highest = Math.max(highest, y[body] + radius[body]);
             }
         }
+        int spheres = input.bodies().spheres();
         for (int place = 0; place < count; place++) {
             int sphere = place - Layout.FIRST_SPHERE;
-            int body = sphere < 0 ? place : (int) hierarchy[sphere * Layout.SPHERE_STRIDE + Layout.SPHERE_BODY];
+            int body = sphere < 0 ? place : (int) floats[spheres + sphere * Layout.SPHERE_STRIDE + Layout.SPHERE_BODY];
             copySurface(input, body, SURFACE_NUMBERS * place);
         }
         for (int body = Math.max(count, input.bodies().firstMesh()); body < end; body++) {
@@ -131,7 +130,7 @@ public final class BodyColumns {
 
     private void copySurface(FrameInput input, int body, int at) {
         surfacePlaces[body] = at;
-        System.arraycopy(input.bodies().places(), Layout.PLACE_STRIDE * body, surfaces, at, RADIUS + 1);
+        System.arraycopy(input.bodies().floats(), Layout.PLACE_STRIDE * body, surfaces, at, RADIUS + 1);
         System.arraycopy(
                 input.bodies().looks(), Layout.LOOK_STRIDE * body, surfaces, at + RED, Layout.LOOK_REFLECTIVITY + 1);
     }

@@ -54,19 +54,19 @@ public final class Declined {
             crowded = walk;
             takeBodies(input.bodies().firstMesh());
         }
-        int toneMap = (int) input.view().properties()[Layout.TONE_MAP];
+        int toneMap = (int) input.view().frame()[Layout.TONE_MAP];
         frame = input.aspect() != Aspect.FULL
                 || toneMap < Tone.CLAMP
                 || toneMap > Tone.ACES
                 || occluders.count > MOST_OCCLUDERS
-                || input.view().camera()[Layout.CAMERA_APERTURE] > 0
+                || input.view().frame()[Layout.CAMERA_APERTURE] > 0
                 || isCameraInside(input)
                 || isCameraOnASurface(input);
     }
 
     private static boolean isCameraOnASurface(FrameInput input) {
-        float[] places = input.bodies().places();
-        float[] camera = input.view().camera();
+        float[] places = input.bodies().floats();
+        float[] camera = input.view().frame();
         float cameraX = camera[Layout.CAMERA_POSITION];
         float cameraY = camera[Layout.CAMERA_POSITION + 1];
         float cameraZ = camera[Layout.CAMERA_POSITION + 2];
@@ -108,7 +108,7 @@ public final class Declined {
 
     /** Whether view rays may start inside a declined body that transmits; lanes do not see it from there. */
     private boolean isCameraInside(FrameInput input) {
-        float[] camera = input.view().camera();
+        float[] camera = input.view().frame();
         boolean inside = false;
         for (int k = 0; k < occluders.count; k++) {
             int body = occluders.bodies[k];

@@ -9,6 +9,7 @@ import dev.twister.kernel.Intersection;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Shadow;
 import dev.twister.world.FrameInput;
+import java.util.Arrays;
 
 /** The state of a frame that all threads read: the input, prepared for lanes. */
 public final class Drawing {
@@ -58,7 +59,10 @@ public final class Drawing {
     /** Whether the plane may lie between a body's surface point and a light sample. */
     public boolean planeMayShade;
 
-    /** x and y of the unit disc's samples, padded by one vector. */
+    /** x and y of each of the unit disc's samples. */
+    public float[] disc = {};
+
+    /** The same in columns, padded by one vector. */
     public float[] discX = {};
 
     public float[] discY = {};
@@ -93,13 +97,13 @@ public final class Drawing {
             takeLight();
         }
         sky.take(newInput);
-        float[] properties = newInput.view().properties();
+        float[] values = newInput.view().frame();
         width = newInput.width();
         rows = newInput.rows();
         shadowSamples = newInput.shadowSamples();
         bounceLimit = newInput.bounces();
-        pixelSamples = (int) properties[Layout.PIXEL_SAMPLES];
-        ambient = properties[Layout.AMBIENT];
+        pixelSamples = (int) values[Layout.PIXEL_SAMPLES];
+        ambient = values[Layout.AMBIENT];
         viewportStep = Camera.step(width, newInput.height());
         planeHeight = newInput.bodies().center(Layout.PLANE, 1);
         planeX = newInput.bodies().center(Layout.PLANE, 0);
@@ -111,9 +115,9 @@ public final class Drawing {
         discHigh = bodies.y[Layout.LIGHT] + reach;
         planeMayShade = (bodies.lowest <= planeHeight && discHigh >= planeHeight)
                 || (bodies.highest >= planeHeight && discLow <= planeHeight);
-        takeDisc(newInput.view().shadowDisc());
-        float rimX = newInput.view().shadowDisc()[2 * shadowSamples - 2];
-        float rimY = newInput.view().shadowDisc()[2 * shadowSamples - 1];
+        takeDisc(values);
+        float rimX = disc[2 * shadowSamples - 2];
+        float rimY = disc[2 * shadowSamples - 1];
         rim = (float) Math.sqrt(rimX * rimX + rimY * rimY);
     }
 
@@ -127,17 +131,19 @@ public final class Drawing {
         light.values[at + SphereColumns.BODY * Lanes.COUNT] = Layout.LIGHT;
     }
 
-    private void takeDisc(float[] disc) {
-        if (shadowSamples >= DiscOrders.FEW) {
-            discOrders.take(disc, shadowSamples);
-        }
-        if (discX.length < shadowSamples + Lanes.COUNT) {
+    private void takeDisc(float[] values) {
+        int end = Layout.DISC + 2 * shadowSamples;
+        if (!Arrays.equals(disc, 0, disc.length, values, Layout.DISC, end)) {
+            disc = Arrays.copyOfRange(values, Layout.DISC, end);
             discX = new float[shadowSamples + Lanes.COUNT];
             discY = new float[shadowSamples + Lanes.COUNT];
+            for (int sample = 0; sample < shadowSamples; sample++) {
+                discX[sample] = disc[2 * sample];
+                discY[sample] = disc[2 * sample + 1];
+            }
         }
-        for (int sample = 0; sample < shadowSamples; sample++) {
-            discX[sample] = disc[2 * sample];
-            discY[sample] = disc[2 * sample + 1];
+        if (shadowSamples >= DiscOrders.FEW) {
+            discOrders.take(disc, shadowSamples);
         }
     }
 

@@ -47,10 +47,10 @@ public final class MeshColumns {
             radius[mesh] = input.bodies().size(body);
         }
         if (count > 0) {
-            float[] hierarchy = input.bodies().hierarchy();
-            int root = Layout.spheresLength(firstBody) + 1;
-            float middle = hierarchy[root + Layout.NODE_CENTER + 1];
-            float half = hierarchy[root + Layout.NODE_HALF + 1];
+            float[] floats = input.bodies().floats();
+            int root = input.bodies().instances() + 1;
+            float middle = floats[root + Layout.NODE_CENTER + 1];
+            float half = floats[root + Layout.NODE_HALF + 1];
             lowest = middle - half;
             highest = middle + half;
         }

@@ -77,12 +77,12 @@ public final class PaddedSky {
 
     @SuppressWarnings("ReferenceEquality") // an input's arrays are immutable
     public void take(FrameInput input) {
-        turn = input.view().properties()[Layout.SKY_TURN];
-        strength = input.view().properties()[Layout.SKY_STRENGTH];
-        if (input.panorama().texels() != source) {
-            source = input.panorama().texels();
-            width = input.panorama().dimensions()[Layout.SKY_WIDTH];
-            height = input.panorama().dimensions()[Layout.SKY_HEIGHT];
+        turn = input.view().frame()[Layout.SKY_TURN];
+        strength = input.view().frame()[Layout.SKY_STRENGTH];
+        if (input.images() != source) {
+            source = input.images();
+            width = (int) input.view().frame()[Layout.SKY_WIDTH];
+            height = (int) input.view().frame()[Layout.SKY_HEIGHT];
             int end = NUMBERS_A_TEXEL * width * height;
             halved = fitHalves(source, end);
             int room = BLANKS + Math.multiplyExact(NUMBERS_A_TEXEL, Math.multiplyExact(stride(), height + MORE_ROWS));

@@ -73,15 +73,18 @@ public final class WideHierarchy {
     private int blocks;
     private float[] source = {};
     private int sourceBodies;
+    private int root;
+    private int firstPlace;
 
     @SuppressWarnings("ReferenceEquality") // an input's arrays are immutable
     public void take(FrameInput input) {
-        if (source != input.bodies().hierarchy() || sourceBodies != input.bodyCount()) {
-            source = input.bodies().hierarchy();
+        if (source != input.bodies().floats() || sourceBodies != input.bodyCount()) {
+            source = input.bodies().floats();
             sourceBodies = input.bodyCount();
             nodes = 0;
             blocks = 0;
-            int root = Layout.root(sourceBodies);
+            root = input.root();
+            firstPlace = input.bodies().spheres();
             int places = (source.length - root) / Layout.NODE_STRIDE;
             if (kinds.length < places) {
                 kinds = new byte[places];
@@ -138,7 +141,7 @@ public final class WideHierarchy {
     }
 
     private int place(int from) {
-        return (from - Layout.root(sourceBodies)) / Layout.NODE_STRIDE;
+        return (from - root) / Layout.NODE_STRIDE;
     }
 
     /**
@@ -182,7 +185,7 @@ public final class WideHierarchy {
         while (source[node + Layout.NODE_SPHERES] < 0) {
             node = (int) source[node + Layout.NODE_LINK];
         }
-        return (int) source[node + Layout.NODE_LINK] / Layout.SPHERE_STRIDE;
+        return number(node);
     }
 
     /** The place after the subtree's last sphere. */
@@ -191,7 +194,12 @@ public final class WideHierarchy {
         while (source[node + Layout.NODE_SPHERES] < 0) {
             node = (int) source[node + Layout.NODE_LINK] + Layout.NODE_STRIDE;
         }
-        return (int) source[node + Layout.NODE_LINK] / Layout.SPHERE_STRIDE + (int) source[node + Layout.NODE_SPHERES];
+        return number(node) + (int) source[node + Layout.NODE_SPHERES];
+    }
+
+    /** The number of a leaf's first sphere, in the order of the leaves. */
+    private int number(int leaf) {
+        return ((int) source[leaf + Layout.NODE_LINK] - firstPlace) / Layout.SPHERE_STRIDE;
     }
 
     private void writeBox(int at, int from) {
@@ -261,7 +269,7 @@ public final class WideHierarchy {
             Arrays.fill(to, at + SphereColumns.RADIUS * Lanes.COUNT, at + spheres.step, 0f);
         }
         for (int k = 0; k < count; k++) {
-            int from = (first + k) * Layout.SPHERE_STRIDE;
+            int from = firstPlace + (first + k) * Layout.SPHERE_STRIDE;
             int place = SphereColumns.FIRST + (blocks + k / Lanes.COUNT) * spheres.step + k % Lanes.COUNT;
             to[place] = source[from];
             to[place + SphereColumns.Y * Lanes.COUNT] = source[from + 1];

@@ -22,9 +22,9 @@ public final class MeshHits {
 
     private static void find(Drawing drawing, Tile tile, MeshBench bench, int at) {
         Bodies bodies = drawing.input.bodies();
-        float[] hierarchy = bodies.hierarchy();
+        float[] hierarchy = bodies.floats();
         PacketWalk world = bench.world;
-        world.start(hierarchy, Layout.spheresLength(bodies.firstMesh()) + 1);
+        world.start(hierarchy, bodies.instances() + 1);
         int first = (int) start(tile, world, at);
         if (first >= 0) {
             world.follow(first);
@@ -57,9 +57,9 @@ public final class MeshHits {
     }
 
     private static void meet(Bodies bodies, Tile tile, MeshBench bench, int at, int number) {
-        float[] hierarchy = bodies.hierarchy();
+        float[] hierarchy = bodies.floats();
         PacketWalk mesh = bench.mesh;
-        int instance = Instance.at(hierarchy, bodies.firstMesh(), number);
+        int instance = Instance.at(number, bodies.instances(), hierarchy);
         int body = (int) hierarchy[instance + Layout.INSTANCE_BODY];
         int axes = enter(bodies, tile, bench, instance);
         InstanceLanes.ignore(tile, mesh, at, Tile.LEAVING, Tile.LEAVING_TRIANGLE, body);
@@ -83,7 +83,7 @@ public final class MeshHits {
 
     /** Starts the traversal of an instance's triangles; returns one bit per axis that is dominant for any ray. */
     static int enter(Bodies bodies, Tile tile, MeshBench bench, int instance) {
-        float[] hierarchy = bodies.hierarchy();
+        float[] hierarchy = bodies.floats();
         PacketWalk mesh = bench.mesh;
         mesh.start(bodies.meshes(), Instance.nodes(hierarchy, instance));
         InstanceLanes.transform(tile, bench.world, mesh, hierarchy, instance + Layout.INSTANCE_TO_MESH);

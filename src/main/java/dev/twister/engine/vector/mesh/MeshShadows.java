@@ -78,14 +78,14 @@ public final class MeshShadows {
     /** Ends the blocked rays; returns one bit per ray that has hit a transmitting body. */
     private static long walk(Drawing drawing, Tile tile, MeshBench bench, int at) {
         Bodies bodies = drawing.input.bodies();
-        float[] hierarchy = bodies.hierarchy();
+        float[] hierarchy = bodies.floats();
         PacketWalk world = bench.world;
-        world.start(hierarchy, Layout.spheresLength(bodies.firstMesh()) + 1);
+        world.start(hierarchy, bodies.instances() + 1);
         BoxLanes.aim(tile, world);
         long unknown = 0L;
         int leaf = BoxLanes.nextLeaf(tile, world);
         while (leaf != Layout.NO_NODE) {
-            int instance = Instance.at(hierarchy, bodies.firstMesh(), (int) hierarchy[leaf + Layout.NODE_LINK]);
+            int instance = Instance.at((int) hierarchy[leaf + Layout.NODE_LINK], bodies.instances(), hierarchy);
             int body = (int) hierarchy[instance + Layout.INSTANCE_BODY];
             long met = meet(bodies, tile, bench, at, instance, body);
             unknown |= drawing.looks.transmits(body) ? met : 0L;
@@ -95,7 +95,7 @@ public final class MeshShadows {
     }
 
     private static long meet(Bodies bodies, Tile tile, MeshBench bench, int at, int instance, int body) {
-        float[] hierarchy = bodies.hierarchy();
+        float[] hierarchy = bodies.floats();
         PacketWalk mesh = bench.mesh;
         int axes = MeshHits.enter(bodies, tile, bench, instance);
         InstanceLanes.ignore(tile, mesh, at, Tile.HIT, Tile.TRIANGLE, body);

@@ -17,7 +17,7 @@ public final class MeshSurfaceLanes {
     /** Lists the packets with mesh hits, and writes hit points, normals and face normals. */
     public static void find(Drawing drawing, Tile tile, MeshBench bench) {
         Bodies bodies = drawing.input.bodies();
-        float[] hierarchy = bodies.hierarchy();
+        float[] hierarchy = bodies.floats();
         tile.meshes.clear();
         for (int k = 0; k < tile.spheres.count; k++) {
             int at = tile.spheres.places[k];
@@ -28,7 +28,7 @@ public final class MeshSurfaceLanes {
             while (rest != 0L) {
                 int number = (int) tile.values[at + Long.numberOfTrailingZeros(rest) + Tile.INSTANCE];
                 long lanes = rest & ofInstance(tile, at, number);
-                find(bodies, tile, bench, at, lanes, Instance.at(hierarchy, bodies.firstMesh(), number));
+                find(bodies, tile, bench, at, lanes, Instance.at(number, bodies.instances(), hierarchy));
                 rest &= ~lanes;
             }
         }
@@ -49,7 +49,7 @@ public final class MeshSurfaceLanes {
     }
 
     private static void find(Bodies bodies, Tile tile, MeshBench bench, int at, long lanes, int instance) {
-        float[] hierarchy = bodies.hierarchy();
+        float[] hierarchy = bodies.floats();
         PacketWalk world = bench.world;
         PacketWalk mesh = bench.mesh;
         MeshHits.start(tile, world, at);

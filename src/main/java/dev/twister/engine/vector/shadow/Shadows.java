@@ -145,8 +145,7 @@ public final class Shadows {
     public static void count(Tile tile, Drawing drawing, ShadowBench bench, int at) {
         ShadowColumns scratch = bench.columns;
         if (!scratch.conical) {
-            float[] disc = drawing.input.view().shadowDisc();
-            ShadowRays.countAny(scratch, tile.values, at + Tile.LIGHT_DISTANCE, disc, drawing.shadowSamples);
+            ShadowRays.countAny(scratch, tile.values, at + Tile.LIGHT_DISTANCE, drawing.disc, drawing.shadowSamples);
         } else {
             ShadowConics.count(scratch);
         }

@@ -77,7 +77,7 @@ final class TransmittedLight {
     /** Writes the mean over the samples of the product of all candidates' transmissions. */
     static void average(Tile tile, int at, Drawing drawing, ShadowColumns scratch) {
         float[] t = tile.values;
-        float[] disc = drawing.input.view().shadowDisc();
+        float[] disc = drawing.disc;
         float[] facts = scratch.facts;
         FloatVector distance = Lanes.load(t, at + Tile.LIGHT_DISTANCE);
         FloatVector scale = Lanes.load(scratch.frame, ShadowColumns.SCALE);

@@ -37,7 +37,7 @@ public final class GroundAlone {
      * around it.
      */
     static View view(Tile tile, Drawing drawing, Hull ground) {
-        float[] camera = drawing.input.view().camera();
+        float[] camera = drawing.input.view().frame();
         float down = drawing.planeHeight - camera[Layout.CAMERA_POSITION + 1];
         boolean meets = true;
         float leastX = Float.MAX_VALUE;
@@ -87,7 +87,7 @@ public final class GroundAlone {
         tile.spheres.clear();
         tile.grounds.clear();
         tile.surfaces.clear();
-        float[] camera = drawing.input.view().camera();
+        float[] camera = drawing.input.view().frame();
         float fromX = camera[Layout.CAMERA_POSITION];
         float fromZ = camera[Layout.CAMERA_POSITION + 2];
         float height = drawing.planeHeight;

@@ -61,7 +61,7 @@ public final class Hull {
 
     /** Holds a tile's view rays: a cone from the camera around the tile's center that contains the tile's corners. */
     void holdViewRays(Tile tile, Drawing drawing) {
-        float[] camera = drawing.input.view().camera();
+        float[] camera = drawing.input.view().frame();
         float half = 0.5f * Tile.SIDE;
         float middleX = tile.left + half - drawing.width * 0.5f;
         float middleY = drawing.input.height() * 0.5f - (drawing.input.firstRow() + tile.top + half);

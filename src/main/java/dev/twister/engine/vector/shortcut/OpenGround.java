@@ -8,6 +8,7 @@ import dev.twister.engine.vector.step.CameraLanes;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Light;
 import dev.twister.kernel.Material;
+import dev.twister.world.View;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
@@ -39,7 +40,7 @@ public final class OpenGround {
     }
 
     private static float eyeHeight(Drawing drawing) {
-        return drawing.input.view().camera()[Layout.CAMERA_POSITION + 1] - drawing.planeHeight;
+        return drawing.input.view().frame()[Layout.CAMERA_POSITION + 1] - drawing.planeHeight;
     }
 
     private static float lightHeight(Drawing drawing) {
@@ -69,12 +70,12 @@ public final class OpenGround {
 
     /** Writes the view rays' hit points on the plane. */
     static void meet(Tile tile, Drawing drawing) {
-        float[] camera = drawing.input.view().camera();
-        float[] offsets = drawing.input.view().pixelSamples();
+        float[] camera = drawing.input.view().frame();
+        View view = drawing.input.view();
         float step = drawing.viewportStep;
-        float u = (tile.left + offsets[Layout.SAMPLE_STRIDE * tile.sample] - drawing.width * 0.5f) * step;
+        float u = (tile.left + view.sample(tile.sample, 0) - drawing.width * 0.5f) * step;
         float top = drawing.input.firstRow() + tile.top;
-        float v = (drawing.input.height() * 0.5f - (top + offsets[Layout.SAMPLE_STRIDE * tile.sample + 1])) * step;
+        float v = (drawing.input.height() * 0.5f - (top + view.sample(tile.sample, 1))) * step;
         float firstX = CameraLanes.turned(u, v, camera, 0);
         float firstY = CameraLanes.turned(u, v, camera, 1);
         float firstZ = CameraLanes.turned(u, v, camera, 2);
@@ -102,7 +103,7 @@ public final class OpenGround {
 
     /** Writes the light's cosine and the square of the highlight's cosine. */
     static void findCosines(Tile tile, Drawing drawing) {
-        float[] camera = drawing.input.view().camera();
+        float[] camera = drawing.input.view().frame();
         float lightX = drawing.bodies.x[Layout.LIGHT];
         float lightZ = drawing.bodies.z[Layout.LIGHT];
         float eyeX = camera[Layout.CAMERA_POSITION];
@@ -184,7 +185,7 @@ public final class OpenGround {
 
     /** Adds the ground's color, and writes the throughput of the reflected rays. */
     static void shade(Tile tile, Drawing drawing) {
-        float[] properties = drawing.input.view().properties();
+        float[] values = drawing.input.view().frame();
         BodyColumns bodies = drawing.bodies;
         float ambient = drawing.ambient;
         float mirror = drawing.bounceLimit == 0 ? 0f : power(drawing) * (1f / Layout.MAX_REFLECTIVITY);
@@ -192,9 +193,9 @@ public final class OpenGround {
         float red = bodies.red(Layout.PLANE) * matte;
         float green = bodies.green(Layout.PLANE) * matte;
         float blue = bodies.blue(Layout.PLANE) * matte;
-        float oddRed = properties[Layout.PLANE_ODD_COLOR] * matte;
-        float oddGreen = properties[Layout.PLANE_ODD_COLOR + 1] * matte;
-        float oddBlue = properties[Layout.PLANE_ODD_COLOR + 2] * matte;
+        float oddRed = values[Layout.PLANE_ODD_COLOR] * matte;
+        float oddGreen = values[Layout.PLANE_ODD_COLOR + 1] * matte;
+        float oddBlue = values[Layout.PLANE_ODD_COLOR + 2] * matte;
         float lightRed = bodies.red(Layout.LIGHT);
         float lightGreen = bodies.green(Layout.LIGHT);
         float lightBlue = bodies.blue(Layout.LIGHT);

@@ -111,7 +111,7 @@ public final class ShadowRange {
         if (scratch.sorted) {
             findRanges(drawing.discOrders, drawing.shadowSamples, scratch);
         } else {
-            scratch.disc = drawing.input.view().shadowDisc();
+            scratch.disc = drawing.disc;
             Lanes.all(0f).intoArray(scratch.frame, ShadowColumns.BLOCKED);
             Arrays.fill(scratch.froms, 0, scratch.candidates.count, 0);
             Arrays.fill(scratch.tos, 0, scratch.candidates.count, drawing.shadowSamples);

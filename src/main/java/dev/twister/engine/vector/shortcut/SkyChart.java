@@ -6,6 +6,7 @@ import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.engine.vector.step.CameraLanes;
 import dev.twister.engine.vector.step.SkyDirection;
 import dev.twister.kernel.Layout;
+import dev.twister.world.View;
 import jdk.incubator.vector.FloatVector;
 
 /**
@@ -85,7 +86,7 @@ public final class SkyChart {
 
     /** Prepares a frame. */
     void start(Drawing drawing) {
-        step = drawing.viewportStep / drawing.input.view().camera()[Layout.CAMERA_EYE_DISTANCE];
+        step = drawing.viewportStep / drawing.input.view().frame()[Layout.CAMERA_EYE_DISTANCE];
         int tiles = MOST_TILES;
         while (tiles > 1 && error(tiles * Tile.SIDE, USUAL_LEVEL_SQUARED) > MOST_ERROR) {
             tiles /= 2;
@@ -178,10 +179,10 @@ public final class SkyChart {
      * they fit.
      */
     boolean open(SkyWindow window, Tile tile, Drawing drawing, boolean mirrored) {
-        float[] offsets = drawing.input.view().pixelSamples();
-        float across = (tile.left - nodes.left + MIDDLE + offsets[Layout.SAMPLE_STRIDE * tile.sample] - offsets[0])
-                / stepAcross();
-        float down = (MIDDLE + offsets[Layout.SAMPLE_STRIDE * tile.sample + 1] - offsets[1]) / stepDown();
+        View view = drawing.input.view();
+        float across =
+                (tile.left - nodes.left + MIDDLE + view.sample(tile.sample, 0) - view.sample(0, 0)) / stepAcross();
+        float down = (MIDDLE + view.sample(tile.sample, 1) - view.sample(0, 1)) / stepDown();
         float column = value(columnFactors, across, down);
         float row = value(rowFactors, across, down);
         if (mirrored) {
@@ -241,9 +242,9 @@ public final class SkyChart {
     }
 
     private void spread(Drawing drawing, Tile tile, float[] factors, float[] to) {
-        float[] offsets = drawing.input.view().pixelSamples();
+        View view = drawing.input.view();
         float inverse = 1f / stepAcross();
-        float from = (tile.left - nodes.left + offsets[Layout.SAMPLE_STRIDE * tile.sample] - offsets[0]) * inverse;
+        float from = (tile.left - nodes.left + view.sample(tile.sample, 0) - view.sample(0, 0)) * inverse;
         float[] t = tile.values;
         for (int block = 0; block < BLOCKS_ACROSS; block++) {
             FloatVector across = Lanes.load(t, Tile.PLACE_X + block * Tile.BLOCK)
@@ -265,9 +266,9 @@ public final class SkyChart {
      * @param mirrored whether the rays are mirrored in a level plane
      */
     void place(Tile tile, Drawing drawing, boolean mirrored) {
-        float[] offsets = drawing.input.view().pixelSamples();
+        View view = drawing.input.view();
         float inverse = 1f / stepDown();
-        float from = (offsets[Layout.SAMPLE_STRIDE * tile.sample + 1] - offsets[1]) * inverse;
+        float from = (view.sample(tile.sample, 1) - view.sample(0, 1)) * inverse;
         // The rows of a direction and its mirror image are symmetric about the horizon.
         float turned = mirrored ? -1f : 1f;
         float end = mirrored ? drawing.sky.height + 1f : 0f;

@@ -4,6 +4,7 @@ import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.kernel.Layout;
+import dev.twister.world.View;
 import jdk.incubator.vector.FloatVector;
 
 /** Starts one view ray per lane. */
@@ -27,19 +28,19 @@ public final class CameraLanes {
     /** Starts the live rays at the camera. */
     public static void startRays(Drawing drawing, Tile tile) {
         aim(tile, drawing);
-        place(tile, drawing.input.view().camera());
+        place(tile, drawing.input.view().frame());
     }
 
     /** Writes the rays' directions through the current samples. */
     public static void aim(Tile tile, Drawing drawing) {
-        float[] camera = drawing.input.view().camera();
-        float[] offsets = drawing.input.view().pixelSamples();
+        float[] camera = drawing.input.view().frame();
+        View view = drawing.input.view();
         float step = drawing.viewportStep;
         float left = tile.left;
-        float fromLeft = offsets[Layout.SAMPLE_STRIDE * tile.sample];
+        float fromLeft = view.sample(tile.sample, 0);
         float middleX = drawing.width * 0.5f;
         float top = drawing.input.firstRow() + tile.top;
-        float fromTop = offsets[Layout.SAMPLE_STRIDE * tile.sample + 1];
+        float fromTop = view.sample(tile.sample, 1);
         float middleY = drawing.input.height() * 0.5f;
         float eye = camera[Layout.CAMERA_EYE_DISTANCE];
         float forwardX = eye * camera[Layout.CAMERA_FORWARD];
@@ -82,7 +83,7 @@ public final class CameraLanes {
         return turned(
                 x * drawing.viewportStep,
                 y * drawing.viewportStep,
-                drawing.input.view().camera(),
+                drawing.input.view().frame(),
                 axis);
     }
 

@@ -7,7 +7,6 @@ import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.PacketList;
 import dev.twister.engine.vector.lanes.Sine;
 import dev.twister.engine.vector.lanes.Tile;
-import dev.twister.kernel.Layout;
 import dev.twister.kernel.Noise;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
@@ -59,7 +58,7 @@ public final class FacetLanes {
     /** Writes one of the sample's random numbers, shifted by a hash of each pixel. */
     static void findNumbers(Tile tile, Drawing drawing, int place, int column) {
         float[] t = tile.values;
-        float shared = drawing.input.view().pixelSamples()[Layout.SAMPLE_STRIDE * tile.sample + place];
+        float shared = drawing.input.view().sample(tile.sample, place);
         int columns = Noise.mixed(2 * place);
         int rows = Noise.mixed(2 * place + 1);
         int left = tile.left;

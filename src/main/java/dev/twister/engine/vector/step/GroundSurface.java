@@ -43,15 +43,15 @@ public final class GroundSurface {
 
     public static void findColors(Tile tile, Drawing drawing) {
         float[] t = tile.values;
-        float[] properties = drawing.input.view().properties();
+        float[] values = drawing.input.view().frame();
         BodyColumns bodies = drawing.bodies;
         float red = bodies.red(Layout.PLANE);
         float green = bodies.green(Layout.PLANE);
         float blue = bodies.blue(Layout.PLANE);
         float reflectivity = bodies.reflectivity(Layout.PLANE);
-        float oddRed = properties[Layout.PLANE_ODD_COLOR];
-        float oddGreen = properties[Layout.PLANE_ODD_COLOR + 1];
-        float oddBlue = properties[Layout.PLANE_ODD_COLOR + 2];
+        float oddRed = values[Layout.PLANE_ODD_COLOR];
+        float oddGreen = values[Layout.PLANE_ODD_COLOR + 1];
+        float oddBlue = values[Layout.PLANE_ODD_COLOR + 2];
         for (int k = 0; k < tile.grounds.count; k++) {
             int at = tile.grounds.places[k];
             FloatVector squares = Lanes.floor(Lanes.load(t, at + Tile.POINT_X).add(Material.CHECKER_SHIFT))

@@ -107,13 +107,14 @@ public final class TextureLanes {
     /** Writes size and start of each listed pixel's texture. */
     static void fetchSizes(Tile tile, Drawing drawing) {
         float[] t = tile.values;
-        int[] dimensions = drawing.input.panorama().dimensions();
+        float[] looks = drawing.input.bodies().looks();
+        int textures = drawing.input.bodies().textures();
         for (int k = 0; k < tile.lonely.count; k++) {
             int pixel = tile.lonely.pixels[k];
-            int at = Layout.SKY_DIMENSIONS_LENGTH + Layout.TEXTURE_STRIDE * ((int) t[pixel + Tile.TEXTURE] - 1);
-            tile.texels[pixel] = dimensions[at + Layout.TEXTURE_START];
-            t[pixel + Tile.TEXTURE_WIDTH] = dimensions[at + Layout.TEXTURE_WIDTH];
-            t[pixel + Tile.TEXTURE_HEIGHT] = dimensions[at + Layout.TEXTURE_HEIGHT];
+            int at = textures + Layout.TEXTURE_STRIDE * ((int) t[pixel + Tile.TEXTURE] - 1);
+            tile.texels[pixel] = Layout.ALIGNMENT * (int) looks[at + Layout.TEXTURE_START];
+            t[pixel + Tile.TEXTURE_WIDTH] = looks[at + Layout.TEXTURE_WIDTH];
+            t[pixel + Tile.TEXTURE_HEIGHT] = looks[at + Layout.TEXTURE_HEIGHT];
         }
     }
 
@@ -155,7 +156,7 @@ public final class TextureLanes {
 
     /** Fetches the four texels of each listed pixel, pixel by pixel. */
     static void fetch(Tile tile, Drawing drawing) {
-        float[] from = drawing.input.panorama().texels();
+        float[] from = drawing.input.images();
         float[] to = tile.cornerNumbers;
         int[] corners = tile.corners;
         for (int k = 0; k < tile.lonely.count; k++) {

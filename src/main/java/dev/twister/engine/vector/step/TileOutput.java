@@ -30,9 +30,9 @@ public final class TileOutput {
         if (drawing.frame.isLinear()) {
             writeLinear(tile, drawing.frame, 1f / drawing.pixelSamples);
         } else {
-            float[] properties = drawing.input.view().properties();
-            ToneLanes.map(tile, properties, drawing.pixelSamples);
-            ToneLanes.pack(tile, properties, drawing.pixelSamples);
+            float[] values = drawing.input.view().frame();
+            ToneLanes.map(tile, values, drawing.pixelSamples);
+            ToneLanes.pack(tile, values, drawing.pixelSamples);
             write(tile, drawing.frame);
         }
     }

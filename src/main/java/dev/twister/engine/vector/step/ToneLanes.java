@@ -19,18 +19,18 @@ public final class ToneLanes {
     private ToneLanes() {}
 
     /** Tone maps the sums of {@code samples} samples, unless only exposure and clamping are required. */
-    static void map(Tile tile, float[] properties, int samples) {
-        if (!isPlain(properties)) {
-            mapAll(tile, properties, properties[Layout.EXPOSURE_SCALE] / samples);
+    static void map(Tile tile, float[] values, int samples) {
+        if (!isPlain(values)) {
+            mapAll(tile, values, values[Layout.EXPOSURE_SCALE] / samples);
         }
     }
 
-    private static boolean isPlain(float[] properties) {
-        return (int) properties[Layout.TONE_MAP] == Tone.CLAMP && properties[Layout.SRGB] <= 0f;
+    private static boolean isPlain(float[] values) {
+        return (int) values[Layout.TONE_MAP] == Tone.CLAMP && values[Layout.SRGB] <= 0f;
     }
 
-    private static void mapAll(Tile tile, float[] properties, float scale) {
-        int operator = (int) properties[Layout.TONE_MAP];
+    private static void mapAll(Tile tile, float[] values, float scale) {
+        int operator = (int) values[Layout.TONE_MAP];
         for (int column = Tile.RED; column <= Tile.BLUE; column += Tile.SIZE) {
             expose(tile.values, column, scale);
             if (operator == Tone.REINHARD) {
@@ -39,7 +39,7 @@ public final class ToneLanes {
             if (operator == Tone.ACES) {
                 aces(tile.values, column);
             }
-            if (properties[Layout.SRGB] > 0f) {
+            if (values[Layout.SRGB] > 0f) {
                 srgb(tile.values, column);
             }
         }
@@ -94,8 +94,8 @@ public final class ToneLanes {
      * Packs the channels, which are tone mapped or only summed. Where rounding moves a channel across the midpoint of
      * two integers, it differs by 1 from {@link Tone#quantized}.
      */
-    static void pack(Tile tile, float[] properties, int samples) {
-        float scale = isPlain(properties) ? properties[Layout.EXPOSURE_SCALE] / samples : 1f;
+    static void pack(Tile tile, float[] values, int samples) {
+        float scale = isPlain(values) ? values[Layout.EXPOSURE_SCALE] / samples : 1f;
         float whole = 255f * scale;
         float brightest = 1f / scale;
         float[] t = tile.values;

@@ -1,0 +1,33 @@
+package dev.twister.kernel;
+
+/**
+ * The kernel's argument {@code variant}: what a picture needs of the kernel, as bits. On a device it is a constant, so
+ * that the code for everything else is not compiled.
+ */
+public final class Variant {
+    /** Closest spheres are found in their hierarchy; otherwise by a loop over all. Both find the same hit. */
+    public static final int WALK = 1;
+
+    /** There are meshes. */
+    public static final int MESHES = 2;
+
+    /** Some material has more than color and reflectivity. */
+    public static final int MATERIALS = 4;
+
+    /** The output is linear floats; otherwise 8-bit ARGB. */
+    public static final int LINEAR = 8;
+
+    private static final int ASPECT_SHIFT = 4;
+
+    private Variant() {}
+
+    /** The bits of an aspect, a constant of {@link Aspect}. */
+    public static int of(int aspect) {
+        return aspect << ASPECT_SHIFT;
+    }
+
+    /** The aspect of a variant: a constant of {@link Aspect}. */
+    public static int aspect(int variant) {
+        return variant >> ASPECT_SHIFT;
+    }
+}
