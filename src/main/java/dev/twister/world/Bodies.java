@@ -74,13 +74,17 @@ public record Bodies(
         return place.minus(origin);
     }
 
-    Bodies withFloats(float[] newFloats) {
-        return new Bodies(newFloats, looks, meshes, room, end, firstMesh, plain, origin);
+    /** Whether the hierarchy over the spheres is the same as in the other ones, and in the same place. */
+    @SuppressWarnings("ReferenceEquality") // the arrays are immutable
+    public boolean hasHierarchyOf(Bodies other) {
+        return floats == other.floats
+                || (end == other.end
+                        && room == other.room
+                        && Arrays.equals(
+                                floats, spheres(), instances(), other.floats, other.spheres(), other.instances()));
     }
 
-    Bodies withLooksOf(Bodies earlier) {
-        return Arrays.equals(earlier.looks, looks)
-                ? new Bodies(floats, earlier.looks, meshes, room, end, firstMesh, plain, origin)
-                : this;
+    Bodies withFloats(float[] newFloats) {
+        return new Bodies(newFloats, looks, meshes, room, end, firstMesh, plain, origin);
     }
 }
