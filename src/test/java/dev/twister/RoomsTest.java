@@ -17,8 +17,10 @@ import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import dev.twister.kernel.Aspect;
+import dev.twister.kernel.Instance;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
+import dev.twister.kernel.Variant;
 import java.util.Arrays;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -250,7 +252,7 @@ class RoomsTest {
         DescribedPredicate<JavaClass> allowed = resideOutsideOfPackage("dev.twister..")
                 .or(resideInAnyPackage(
                         "dev.twister.world", "dev.twister.scene..", "dev.twister.sky", "dev.twister.mesh"))
-                .or(belongToAnyOf(Aspect.class, Layout.class, Tone.class));
+                .or(belongToAnyOf(Aspect.class, Instance.class, Layout.class, Tone.class, Variant.class));
         classes()
                 .that()
                 .resideInAPackage("dev.twister.world")

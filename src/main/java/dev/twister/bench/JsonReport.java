@@ -1,8 +1,8 @@
 package dev.twister.bench;
 
+import dev.twister.files.LinesFile;
 import dev.twister.files.WholeFile;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
@@ -21,9 +21,9 @@ public final class JsonReport {
 
     /**
      * Writes the report; on failure the file is unchanged. If the file's name ends in {@value #LINES}, the report is
-     * appended as a line.
+     * appended as a line; several processes may do so at once.
      *
-     * @throws IOException as for {@link WholeFile#write}
+     * @throws IOException naming the file and the cause
      */
     public static void write(BenchmarkReport report, Path file) throws IOException {
         write(tree(report), file);
@@ -36,12 +36,14 @@ public final class JsonReport {
                 .configure(SerializationFeature.INDENT_OUTPUT, !isLine)
                 .build()
                 .writeValueAsBytes(tree);
-        byte[] before = isLine && Files.isRegularFile(file) ? Files.readAllBytes(file) : new byte[0];
-        WholeFile.write(file, out -> {
-            out.write(before);
-            out.write(json);
-            out.write('\n');
-        });
+        if (isLine) {
+            LinesFile.append(file, json);
+        } else {
+            WholeFile.write(file, out -> {
+                out.write(json);
+                out.write('\n');
+            });
+        }
     }
 
     private static Map<String, Object> tree(BenchmarkReport report) {

@@ -2,6 +2,7 @@ package dev.twister.cli;
 
 import dev.twister.bench.RenderedFigure;
 import dev.twister.engine.EngineException;
+import dev.twister.files.TemporaryFolder;
 import dev.twister.scene.format.SceneReader;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -21,11 +22,11 @@ final class FigureRenderer implements AutoCloseable {
     private static final String SIZE = WIDTH + "x" + HEIGHT;
 
     private final String engineId;
-    private final Path folder;
+    private final TemporaryFolder folder;
 
     FigureRenderer(String engineId) throws IOException {
         this.engineId = engineId;
-        folder = Files.createTempDirectory("twister-figures");
+        folder = TemporaryFolder.create();
     }
 
     /**
@@ -36,7 +37,7 @@ final class FigureRenderer implements AutoCloseable {
      * @param options of {@code twister render}
      */
     RenderedFigure.Picture rendered(String caption, String scene, String name, String... options) throws IOException {
-        Path file = folder.resolve(name + ".png");
+        Path file = folder.path().resolve(name + ".png");
         List<String> arguments =
                 new ArrayList<>(List.of("render", sceneFile(scene).toString(), "-o", file.toString(), "--size", SIZE));
         for (String option : options) {
@@ -48,7 +49,6 @@ final class FigureRenderer implements AutoCloseable {
         arguments.addAll(List.of("--engine", engineId));
         run(Writer.nullWriter(), arguments);
         byte[] picture = Files.readAllBytes(file);
-        Files.delete(file);
         String command = LAUNCHER + String.join(" ", "render", scene, "-o", name + ".png", "--size", SIZE);
         return new RenderedFigure.Picture(
                 caption,
@@ -102,11 +102,6 @@ final class FigureRenderer implements AutoCloseable {
 
     @Override
     public void close() throws IOException {
-        try (var left = Files.list(folder)) {
-            for (Path file : left.toList()) {
-                Files.delete(file);
-            }
-        }
-        Files.delete(folder);
+        folder.close();
     }
 }

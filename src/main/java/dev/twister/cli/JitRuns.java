@@ -3,6 +3,7 @@ package dev.twister.cli;
 import dev.twister.bench.Jit;
 import dev.twister.bench.JitReport;
 import dev.twister.engine.EngineException;
+import dev.twister.files.TemporaryFolder;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.Charset;
@@ -43,18 +44,12 @@ record JitRuns(List<String> arguments) {
             }
         }
         Map<String, JsonNode> reports = new LinkedHashMap<>();
-        Path folder = Files.createTempDirectory("twister-jit");
-        Path json = folder.resolve("report.json");
-        Path options = folder.resolve("options");
-        try {
+        try (TemporaryFolder folder = TemporaryFolder.create()) {
+            Path json = folder.path().resolve("report.json");
             for (Jit jit : jits) {
                 Files.deleteIfExists(json);
-                reports.put(name(jit), run(jit, json, options));
+                reports.put(name(jit), run(jit, json, folder.path().resolve("options")));
             }
-        } finally {
-            Files.deleteIfExists(json);
-            Files.deleteIfExists(options);
-            Files.deleteIfExists(folder);
         }
         return new JitReport(reports);
     }

@@ -91,11 +91,16 @@ final class ProgressLine implements AutoCloseable {
         bar.ifPresent(shown -> shown.setExtraMessage(" " + what));
     }
 
+    /** Removes the bar from the terminal until its next update, so that a line can be printed. */
+    void clear() {
+        if (bar.isPresent()) {
+            show(err, " ".repeat(columns) + "\r");
+        }
+    }
+
     @Override
     public void close() {
-        bar.ifPresent(shown -> {
-            shown.close();
-            show(err, " ".repeat(columns) + "\r");
-        });
+        bar.ifPresent(ProgressBar::close);
+        clear();
     }
 }

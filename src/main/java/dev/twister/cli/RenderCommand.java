@@ -210,7 +210,7 @@ final class RenderCommand implements Callable<Integer> {
                 "%s, %.1f ms each%s",
                 size,
                 nanos / NANOS_PER_MILLI / frames,
-                result.kept() == 0 ? "" : ", %d of them were there".formatted(result.kept()));
+                result.kept() == 0 ? "" : ", %d kept".formatted(result.kept()));
     }
 
     private String summary(RenderOrder order, RenderResult.Single picture) {

@@ -1,7 +1,9 @@
 package dev.twister.cli;
 
+import dev.twister.files.PrintableText;
 import dev.twister.render.FrameRange;
 import dev.twister.render.RenderProgress;
+import java.nio.file.Path;
 import java.util.Optional;
 import picocli.CommandLine;
 
@@ -47,6 +49,13 @@ final class RenderLine implements RenderProgress, AutoCloseable {
                 close();
             }
         }
+    }
+
+    @Override
+    public void replacing(Path file, String why) {
+        line.ifPresent(ProgressLine::clear);
+        command.getErr()
+                .println("twister: " + PrintableText.line(file.toString()) + " " + why + "; rendering it again");
     }
 
     @Override

@@ -94,7 +94,7 @@ final class SimulateCommand implements Callable<Integer> {
                         frames.first(),
                         frames.last(),
                         scene.allSpheres().size(),
-                        kept == 0 ? "" : ", %d of them were there".formatted(kept));
+                        kept == 0 ? "" : ", %d kept".formatted(kept));
         if (export.isPresent()) {
             exportPoints(scene);
         }

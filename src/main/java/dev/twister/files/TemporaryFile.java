@@ -51,7 +51,7 @@ final class TemporaryFile implements AutoCloseable {
     private TemporaryFile(Path place) {
         this.place = place;
         // Not Files.createTempFile: its files are readable by their owner only, and the finished file would stay so.
-        path = place.resolveSibling(START + UUID.randomUUID() + END);
+        path = place.resolveSibling(START + ProcessId.TEXT + "-" + UUID.randomUUID() + END);
     }
 
     /**
@@ -170,7 +170,8 @@ final class TemporaryFile implements AutoCloseable {
         Instant youngest = Instant.now().minus(MADE_AND_LOCKED);
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, START + "*" + END)) {
             for (Path file : files) {
-                if (Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)
+                if (!ProcessId.isOwn(file, START)
+                        && Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)
                         && Files.getLastModifiedTime(file).toInstant().isBefore(youngest)
                         && !isWritten(file)) {
                     deleteIfPossible(file);

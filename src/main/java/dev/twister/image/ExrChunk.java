@@ -101,6 +101,10 @@ final class ExrChunk {
             if (inflater.inflate(plain) != plain.length) {
                 throw new DataFormatException("too short");
             }
+            // The checksum at the end is read with the next byte.
+            if (inflater.inflate(new byte[1]) != 0 || !inflater.finished()) {
+                throw new DataFormatException("too long");
+            }
         }
     }
 

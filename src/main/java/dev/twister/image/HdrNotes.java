@@ -17,6 +17,7 @@ final class HdrNotes {
     static final String VARIABLE = Provenance.NAME.toUpperCase(Locale.ROOT) + "=";
 
     private static final String SOFTWARE = Provenance.SOFTWARE.toUpperCase(Locale.ROOT) + "=";
+
     /** As Twister writes it. */
     private static final Pattern RESOLUTION = Pattern.compile("-Y (?<height>\\d{1,9}) \\+X (?<width>\\d{1,9})");
 
@@ -79,6 +80,9 @@ final class HdrNotes {
             boolean isRun = count > LONGEST_LITERAL;
             in.skipNBytes(isRun ? 1 : count);
             done += isRun ? count - LONGEST_LITERAL : count;
+        }
+        if (done > width) {
+            throw new IOException("a run that is longer than its row");
         }
     }
 

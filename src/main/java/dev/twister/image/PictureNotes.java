@@ -1,36 +1,33 @@
 package dev.twister.image;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Reads how pictures in files were made. */
+/** Reads from picture files how they were made. */
 public final class PictureNotes {
     private PictureNotes() {}
 
     /**
-     * What a file says of how it was made; empty where it is not there, is no picture of Twister's, has other rows, or
-     * is not whole.
+     * How a picture was made; empty if another program made it, or it has other rows.
      *
      * @param file .png, .hdr or .exr; the first two have all rows
-     * @param firstRow that it must have
-     * @param rows how many it must have
+     * @param firstRow required number of its first row
+     * @param rows required number of rows
+     * @throws IOException if the file cannot be read or is damaged
+     * @throws IllegalArgumentException if the name has another ending
      */
-    public static Optional<Provenance> of(Path file, int firstRow, int rows) {
-        if (!Files.isRegularFile(file)) {
-            return Optional.empty();
-        }
+    public static Optional<Provenance> of(Path file, int firstRow, int rows) throws IOException {
         String name = file.toString().toLowerCase(Locale.ROOT);
-        try {
-            if (name.endsWith(".exr")) {
+        return switch (name.substring(Math.max(0, name.lastIndexOf('.')))) {
+            case ".png" -> PngNotes.of(file).provenance();
+            case ".hdr" -> HdrNotes.of(file);
+            case ".exr" -> {
                 ExrPicture picture = ExrReader.read(file);
-                return picture.provenance().filter(_ -> picture.firstRow() == firstRow && picture.rows() == rows);
+                yield picture.provenance().filter(_ -> picture.firstRow() == firstRow && picture.rows() == rows);
             }
-            return name.endsWith(".hdr") ? HdrNotes.of(file) : PngNotes.of(file).provenance();
-        } catch (IOException _) {
-            return Optional.empty();
-        }
+            default -> throw new IllegalArgumentException(file + " does not end in .png, .hdr or .exr");
+        };
     }
 }

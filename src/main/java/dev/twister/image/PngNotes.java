@@ -12,6 +12,8 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.zip.CRC32;
+import java.util.zip.CheckedInputStream;
 
 /**
  * What a PNG file says beside its pixels.
@@ -21,18 +23,19 @@ import java.util.Optional;
  */
 public record PngNotes(PictureSize size, Optional<Provenance> provenance, boolean linear) {
     private static final long SIGNATURE = 0x89504e470d0a1a0aL;
-    private static final int CHECKSUM_BYTES = 4;
     private static final int LONGEST_TEXT = 1 << 16;
     private static final int LINEAR_GAMMA = 100_000;
 
     /**
      * Reads a file that is whole.
      *
-     * @throws IOException where it is no PNG, ends before its last chunk, or claims more pixels than its data can hold
+     * @throws IOException if it is no PNG, ends before its last chunk, has a wrong checksum, or claims more pixels than
+     *     its data can hold
      */
     public static PngNotes of(Path file) throws IOException {
         try (InputStream bytes = InputFile.open(file);
-                DataInputStream in = new DataInputStream(new BufferedInputStream(bytes))) {
+                CheckedInputStream checked = new CheckedInputStream(new BufferedInputStream(bytes), new CRC32());
+                DataInputStream in = new DataInputStream(checked)) {
             if (in.readLong() != SIGNATURE) {
                 throw new IOException(file + " is no PNG");
             }
@@ -43,16 +46,19 @@ public record PngNotes(PictureSize size, Optional<Provenance> provenance, boolea
             String type;
             do {
                 int length = in.readInt();
+                checked.getChecksum().reset();
                 type = new String(in.readNBytes(Integer.BYTES), StandardCharsets.US_ASCII);
                 dataBytes += type.equals("IDAT") ? Integer.toUnsignedLong(length) : 0;
                 if (type.equals("gAMA")) {
                     linear = in.readInt() == LINEAR_GAMMA;
-                    in.skipNBytes(CHECKSUM_BYTES);
                 } else if (type.equals("tEXt") && length >= 0 && length <= LONGEST_TEXT) {
                     put(texts, new String(in.readNBytes(length), StandardCharsets.ISO_8859_1));
-                    in.skipNBytes(CHECKSUM_BYTES);
                 } else {
-                    in.skipNBytes(Integer.toUnsignedLong(length) + CHECKSUM_BYTES);
+                    in.skipNBytes(Integer.toUnsignedLong(length));
+                }
+                int checksum = (int) checked.getChecksum().getValue();
+                if (in.readInt() != checksum) {
+                    throw new IOException(file + " is damaged: a checksum is wrong");
                 }
             } while (!type.equals("IEND"));
             if (!Deflate.canHold(dataBytes, header.uncompressedBytes())) {

@@ -1,5 +1,7 @@
 package dev.twister.render;
 
+import java.nio.file.Path;
+
 /** Follows a rendering, on its thread. An exception of any method ends the rendering. */
 public interface RenderProgress {
     /** Ignores everything. */
@@ -27,6 +29,13 @@ public interface RenderProgress {
      * @param all number of bands of the picture
      */
     default void bands(String engine, int done, int all) {}
+
+    /**
+     * A frame of an earlier run is not kept; it is rendered again.
+     *
+     * @param why the rest of a sentence that begins with the file
+     */
+    default void replacing(Path file, String why) {}
 
     /** A frame is rendered, or kept; it may not be written yet. */
     default void frame() {}

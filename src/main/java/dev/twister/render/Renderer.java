@@ -16,6 +16,8 @@ import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
@@ -151,10 +153,19 @@ public final class Renderer {
     }
 
     private boolean isKept(int number, Provenance made, FrameInput part) {
-        return output.isNumbered()
-                && output.existing() == ExistingFrames.KEPT
-                && PictureNotes.of(output.file(number), part.firstRow(), part.rows())
-                        .equals(Optional.of(made));
+        Path file = output.file(number);
+        if (!output.isNumbered() || output.existing() != ExistingFrames.KEPT || Files.notExists(file)) {
+            return false;
+        }
+        try {
+            if (PictureNotes.of(file, part.firstRow(), part.rows()).equals(Optional.of(made))) {
+                return true;
+            }
+            progress.replacing(file, "differs in its scene, settings or version");
+        } catch (IOException _) {
+            progress.replacing(file, "is damaged or incomplete");
+        }
+        return false;
     }
 
     private void write(int number, List<DrawnAspect> drawn, FrameInput part, Provenance made) throws IOException {

@@ -6,10 +6,12 @@ import dev.twister.image.PngNotes;
 import java.io.File;
 import java.io.IOException;
 import java.io.RandomAccessFile;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
@@ -17,6 +19,8 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Renders a film, from the simulation to the file. */
 class FilmTest {
@@ -24,6 +28,8 @@ class FilmTest {
 
     @TempDir
     private Path folder;
+
+    private String size = "32x18";
 
     @Test
     void simulatingGoesOnAfterAKill() throws IOException {
@@ -36,7 +42,7 @@ class FilmTest {
         Outcome outcome = Outcome.of("simulate", SCENE, "-o", motion.toString(), "--frames", "12", "--fps", "10");
 
         assertThat(outcome.err()).isEmpty();
-        assertThat(outcome.out()).contains("5 of them were there");
+        assertThat(outcome.out()).contains("5 kept");
         assertThat(motion).hasBinaryContent(whole);
     }
 
@@ -87,7 +93,7 @@ class FilmTest {
 
         Outcome outcome = render("f-####.png", film);
 
-        assertThat(outcome.out()).contains("4 frames").contains("2 of them were there");
+        assertThat(outcome.out()).contains("4 frames").contains("2 kept");
         for (int number = 0; number < 4; number++) {
             assertThat(frame(number)).hasBinaryContent(frames.get(number));
         }
@@ -97,7 +103,7 @@ class FilmTest {
         assertThat(Files.getLastModifiedTime(frame(3)).toMillis()).isZero();
 
         String[] brighter = {"--turntable", "1", "--fps", "4", "--skip-existing", "--exposure", "1"};
-        assertThat(render("f-####.png", brighter).out()).doesNotContain("were there");
+        assertThat(render("f-####.png", brighter).out()).doesNotContain("kept");
         assertThat(Files.readAllBytes(frame(0))).isNotEqualTo(frames.getFirst());
     }
 
@@ -118,8 +124,54 @@ class FilmTest {
             String[] film = {"--turntable", "1", "--fps", "2", "--skip-existing"};
             render(name, film);
 
-            assertThat(render(name, film).out()).contains("2 of them were there");
+            assertThat(render(name, film).out()).contains("2 kept");
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {".png", ".hdr", ".exr"})
+    void aDamagedFrameIsRenderedAgainWithALine(String ending) throws IOException {
+        String[] film = {"--turntable", "1", "--fps", "2", "--skip-existing"};
+        render("f" + ending, film);
+        Path file = folder.resolve("f-0001" + ending);
+        byte[] whole = Files.readAllBytes(file);
+        List<byte[]> damages =
+                List.of(Arrays.copyOf(whole, whole.length - 1), Arrays.copyOf(whole, 20), new byte[0], changed(whole));
+        for (byte[] damaged : damages) {
+            Files.write(file, damaged);
+
+            Outcome outcome = render("f" + ending, film);
+
+            assertThat(outcome.err())
+                    .isEqualToIgnoringNewLines("twister: " + file + " is damaged or incomplete; rendering it again");
+            assertThat(outcome.out()).contains("1 kept");
+            assertThat(file).hasBinaryContent(whole);
+        }
+    }
+
+    /** With another byte in the compressed pixels, or for .hdr, another resolution. */
+    private static byte[] changed(byte[] file) {
+        String text = new String(file, StandardCharsets.ISO_8859_1);
+        byte[] changed = file.clone();
+        int place = text.startsWith("#?RADIANCE") ? text.indexOf("\n-Y ") + 1 : file.length / 2;
+        changed[place] ^= 0x10;
+        return changed;
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {".png", ".hdr", ".exr"})
+    void aFrameOfAnotherSizeIsRenderedAgainWithALine(String ending) {
+        String[] film = {"--turntable", "1", "--fps", "2", "--frames", "0-0", "--skip-existing"};
+        size = "40x30";
+        render("f" + ending, film);
+        size = "32x18";
+
+        Outcome outcome = render("f" + ending, film);
+
+        assertThat(outcome.err())
+                .isEqualToIgnoringNewLines("twister: " + folder.resolve("f-0000" + ending)
+                        + " differs in its scene, settings or version; rendering it again");
+        assertThat(render("f" + ending, film).err()).isEmpty();
     }
 
     @Test
@@ -221,14 +273,14 @@ class FilmTest {
                 "-o",
                 folder.resolve(name).toString(),
                 "--size",
-                "32x18",
+                size,
                 "--engine",
                 "sequential",
                 "--shadow-samples",
                 "1"));
         arguments.addAll(List.of(options));
         Outcome outcome = Outcome.of(arguments.toArray(String[]::new));
-        assertThat(outcome.err()).isEmpty();
+        assertThat(outcome.err().lines()).allMatch(line -> line.endsWith("; rendering it again"));
         return outcome;
     }
 }

@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
@@ -120,6 +121,38 @@ class WholeFileTest {
                 WholeFile.write(file, out -> out.write(1));
             } catch (IOException problem) {
                 System.out.println(problem.getMessage());
+            }
+        }
+    }
+
+    @Test
+    void readersSeeAWholeVersionWhileProcessesReplaceIt() throws IOException, InterruptedException {
+        Path file = Files.writeString(folder.resolve("window.json"), "a".repeat(ReplacingMain.LENGTH));
+        List<Process> processes = new ArrayList<>();
+        for (String letter : List.of("b", "c", "d")) {
+            processes.add(ChildJvm.start(
+                    ChildJvm.of(ReplacingMain.class, file.toString(), letter).inheritIO()));
+        }
+        while (processes.stream().anyMatch(Process::isAlive)) {
+            assertThat(Files.readString(file)).hasSize(ReplacingMain.LENGTH).matches("(.)\\1*");
+        }
+
+        assertThat(processes).allMatch(process -> process.exitValue() == 0);
+        assertThat(names()).containsExactly("window.json");
+    }
+
+    /** Replaces a file many times by versions of one letter, as processes do that share a folder. */
+    static final class ReplacingMain {
+        static final int LENGTH = 100_000;
+
+        private ReplacingMain() {}
+
+        public static void main(String[] arguments) throws IOException {
+            Path file = Path.of(arguments[0]);
+            byte[] version = arguments[1].repeat(LENGTH).getBytes(StandardCharsets.UTF_8);
+            for (int i = 0; i < 50; i++) {
+                WholeFile.deleteLeftovers(file.getParent());
+                WholeFile.write(file, out -> out.write(version));
             }
         }
     }

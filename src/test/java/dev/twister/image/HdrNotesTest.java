@@ -1,6 +1,8 @@
 package dev.twister.image;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIOException;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -29,24 +31,31 @@ class HdrNotesTest {
     }
 
     @Test
-    void tellHowAWholePictureWasMade() {
+    void tellHowAWholePictureWasMade() throws IOException {
         assertThat(PictureNotes.of(file, 0, 5)).isEqualTo(Optional.of(MADE));
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"-Y 5 +X", "-Y 1e30 +X 12", "-Y 99999999999 +X 12", "+X 12", "-Y 999999999 +X 12", ""})
-    void areEmptyWhereTheResolutionLineIsDamaged(String line) throws IOException {
+    void areRefusedIfTheResolutionLineIsDamaged(String line) throws IOException {
         String text = Files.readString(file, StandardCharsets.ISO_8859_1).replace("-Y 5 +X 12", line);
         Files.writeString(file, text, StandardCharsets.ISO_8859_1);
 
-        assertThat(PictureNotes.of(file, 0, 5)).isEmpty();
+        assertThatIOException().isThrownBy(() -> PictureNotes.of(file, 0, 5));
     }
 
     @Test
-    void areEmptyWhereTheLastRowIsMissing() throws IOException {
+    void areRefusedIfTheLastRowIsMissing() throws IOException {
         byte[] bytes = Files.readAllBytes(file);
         Files.write(file, Arrays.copyOf(bytes, bytes.length - 4));
 
-        assertThat(PictureNotes.of(file, 0, 5)).isEmpty();
+        assertThatIOException().isThrownBy(() -> PictureNotes.of(file, 0, 5));
+    }
+
+    @Test
+    void filesOfAnotherEndingAreRefused() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> PictureNotes.of(folder.resolve("a.tif"), 0, 5))
+                .withMessageEndingWith("a.tif does not end in .png, .hdr or .exr");
     }
 }

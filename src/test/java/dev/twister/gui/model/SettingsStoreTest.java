@@ -4,9 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -99,6 +102,27 @@ class SettingsStoreTest {
     void aHugeFileIsNotRead() throws IOException {
         put(" ".repeat(1 << 23));
         assertThat(store().read().message()).isPresent();
+    }
+
+    @Test
+    void settingsAreReadWholeWhileOthersWriteThem() throws IOException {
+        SettingsStore store = store();
+        store.write(WindowSettings.DEFAULT);
+        List<SettingsStore.Found> found = IntStream.range(0, 100)
+                .parallel()
+                .mapToObj(_ -> writeAndRead(store))
+                .toList();
+
+        assertThat(found).allMatch(read -> read.message().isEmpty());
+    }
+
+    private static SettingsStore.Found writeAndRead(SettingsStore store) {
+        try {
+            store.write(WindowSettings.DEFAULT);
+            return store.read();
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
     }
 
     @Test
