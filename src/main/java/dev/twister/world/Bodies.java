@@ -2,7 +2,6 @@ package dev.twister.world;
 
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Vector3;
-import java.util.Arrays;
 
 /**
  * The bodies as the kernel reads them. {@link Layout} describes the arrays, which are immutable. They have room for all
@@ -29,7 +28,8 @@ public record Bodies(
         int end,
         int firstMesh,
         boolean plain,
-        Vector3 origin) {
+        Vector3 origin,
+        HierarchyIdentity hierarchy) {
     /** One coordinate of a body's center, in meters: axis 0 for x, 1 for y, 2 for z. */
     public float center(int body, int axis) {
         return floats[Layout.PLACE_STRIDE * body + axis];
@@ -74,17 +74,13 @@ public record Bodies(
         return place.minus(origin);
     }
 
-    /** Whether the hierarchy over the spheres is the same as in the other ones, and in the same place. */
-    @SuppressWarnings("ReferenceEquality") // the arrays are immutable
+    /** Whether the other ones have the same hierarchy over the spheres, in the same place. */
+    @SuppressWarnings("ReferenceEquality") // see HierarchyIdentity
     public boolean hasHierarchyOf(Bodies other) {
-        return floats == other.floats
-                || (end == other.end
-                        && room == other.room
-                        && Arrays.equals(
-                                floats, spheres(), instances(), other.floats, other.spheres(), other.instances()));
+        return hierarchy == other.hierarchy;
     }
 
     Bodies withFloats(float[] newFloats) {
-        return new Bodies(newFloats, looks, meshes, room, end, firstMesh, plain, origin);
+        return new Bodies(newFloats, looks, meshes, room, end, firstMesh, plain, origin, new HierarchyIdentity());
     }
 }

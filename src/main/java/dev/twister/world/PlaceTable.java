@@ -21,6 +21,7 @@ final class PlaceTable {
     private float[] floats = {};
     private boolean floatsHold;
     private boolean hierarchyHolds;
+    private HierarchyIdentity hierarchy = new HierarchyIdentity();
 
     /** @param origin of the places, in the scene's coordinates */
     PlaceTable(Vector3 origin) {
@@ -99,13 +100,21 @@ final class PlaceTable {
     /** The array; the same one as long as nothing has changed. */
     float[] floats() {
         if (!floatsHold) {
-            floats = hierarchyHolds
-                    ? SphereHierarchy.kept(floats, places, room, instances)
-                    : SphereHierarchy.of(places, present, room, instances);
+            if (hierarchyHolds) {
+                floats = SphereHierarchy.kept(floats, places, room, instances);
+            } else {
+                floats = SphereHierarchy.of(places, present, room, instances);
+                hierarchy = new HierarchyIdentity();
+            }
             floatsHold = true;
             hierarchyHolds = true;
         }
         return floats;
+    }
+
+    /** Of the last {@link #floats}. */
+    HierarchyIdentity hierarchy() {
+        return hierarchy;
     }
 
     /** Maximum number of bodies without meshes. */

@@ -59,7 +59,9 @@ public final class SphereHierarchy {
     static float[] kept(float[] floats, float[] places, int room, float[] instances) {
         int end = places.length + Layout.spheresLength(room);
         float[] changed = Arrays.copyOf(floats, end + instances.length);
-        System.arraycopy(places, 0, changed, 0, places.length);
+        int spheres = Layout.PLACE_STRIDE * room;
+        System.arraycopy(places, 0, changed, 0, Layout.PLACE_STRIDE * Layout.FIRST_SPHERE);
+        System.arraycopy(places, spheres, changed, spheres, places.length - spheres);
         System.arraycopy(instances, 0, changed, end, instances.length);
         return changed;
     }

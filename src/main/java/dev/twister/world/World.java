@@ -215,7 +215,8 @@ public final class World {
                 places.end(),
                 places.firstMesh(),
                 looks.arePlain(),
-                origin);
+                origin,
+                places.hierarchy());
         return new FrameInput(
                 View.of(values(bodies), shadowDisc, pixelSamples, Aspect.FULL), bodies, looks.texels());
     }
