@@ -11,7 +11,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
-/** The arrays {@code looks} and {@code images} of {@link Layout}; the same ones as long as their content is the same. */
+/**
+ * The arrays {@code looks} and {@code images} of {@link Layout}; the same ones as long as their content is the same.
+ */
 final class LookTable {
     private float[] looks = {};
     private boolean plain;
@@ -27,8 +29,7 @@ final class LookTable {
      */
     void put(Light light, Ground ground, List<Sphere> spheres, List<MeshBody> meshes, SceneImages newImages) {
         TexelTable table = new TexelTable(newImages);
-        float[] materials =
-                new float[Layout.LOOK_STRIDE * (Layout.FIRST_SPHERE + spheres.size() + meshes.size())];
+        float[] materials = new float[Layout.LOOK_STRIDE * (Layout.FIRST_SPHERE + spheres.size() + meshes.size())];
         put(materials, Layout.LIGHT, Material.DEFAULT.withColor(light.color()), 0);
         put(materials, Layout.PLANE, ground.material(), table.number(ground.material()));
         int body = Layout.FIRST_SPHERE;

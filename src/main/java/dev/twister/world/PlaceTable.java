@@ -35,7 +35,8 @@ final class PlaceTable {
      * @param newPresent number of present bodies without meshes
      * @param meshData {@link SceneMeshes#floats}
      */
-    void put(Light light, Ground ground, List<Sphere> spheres, int newPresent, List<MeshBody> meshes, float[] meshData) {
+    void put(
+            Light light, Ground ground, List<Sphere> spheres, int newPresent, List<MeshBody> meshes, float[] meshData) {
         float[] before = places;
         float[] instancesBefore = instances;
         boolean held = floatsHold;
@@ -59,7 +60,8 @@ final class PlaceTable {
         hierarchyHolds &= samePresent
                 && before.length == places.length
                 && Arrays.equals(before, first, last, places, first, last);
-        floatsHold = held && hierarchyHolds && Arrays.equals(before, places) && Arrays.equals(instancesBefore, instances);
+        floatsHold =
+                held && hierarchyHolds && Arrays.equals(before, places) && Arrays.equals(instancesBefore, instances);
     }
 
     void put(Light light) {

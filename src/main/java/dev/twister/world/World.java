@@ -154,11 +154,7 @@ public final class World {
 
     private void putLooks() {
         looks.put(
-                scene.lights().first(),
-                scene.ground(),
-                scene.allSpheres(),
-                MeshBody.of(scene, meshes, origin),
-                images);
+                scene.lights().first(), scene.ground(), scene.allSpheres(), MeshBody.of(scene, meshes, origin), images);
     }
 
     private void putSamples(Rendering before) {
@@ -217,8 +213,7 @@ public final class World {
                 looks.arePlain(),
                 origin,
                 places.hierarchy());
-        return new FrameInput(
-                View.of(values(bodies), shadowDisc, pixelSamples, Aspect.FULL), bodies, looks.texels());
+        return new FrameInput(View.of(values(bodies), shadowDisc, pixelSamples, Aspect.FULL), bodies, looks.texels());
     }
 
     private float[] values(Bodies bodies) {

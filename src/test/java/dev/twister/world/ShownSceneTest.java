@@ -64,8 +64,7 @@ class ShownSceneTest {
 
     @Test
     void aMovedLightKeepsTheHierarchyAndTheLooks() {
-        crowd.show(CROWD.withLights(
-                Lights.of(CROWD.lights().first().withPosition(new Vector3(1, 2, 3)))));
+        crowd.show(CROWD.withLights(Lights.of(CROWD.lights().first().withPosition(new Vector3(1, 2, 3)))));
 
         FrameInput after = crowd.snapshot();
         assertThat(after.bodies().hasHierarchyOf(before.bodies())).isTrue();
@@ -111,13 +110,13 @@ class ShownSceneTest {
         positions[6] += 1;
         crowd.setBodyPositions(positions, before.bodyCount());
 
-        crowd.show(CROWD.withLights(
-                Lights.of(CROWD.lights().first().withPosition(new Vector3(1, 2, 3)))));
+        crowd.show(CROWD.withLights(Lights.of(CROWD.lights().first().withPosition(new Vector3(1, 2, 3)))));
         assertThat(crowd.isMoved()).isTrue();
         assertThat(crowd.snapshot().bodies().center(2, 0)).isEqualTo(positions[6]);
 
         crowd.resetBodies();
         assertThat(crowd.isMoved()).isFalse();
-        assertThat(crowd.snapshot().bodies().center(2, 0)).isEqualTo(before.bodies().center(2, 0));
+        assertThat(crowd.snapshot().bodies().center(2, 0))
+                .isEqualTo(before.bodies().center(2, 0));
     }
 }

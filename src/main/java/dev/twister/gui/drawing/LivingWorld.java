@@ -52,11 +52,11 @@ final class LivingWorld implements AutoCloseable {
     FrameInput snapshot(DrawingRequest request, long nanos) {
         Scene wanted = request.scene();
         SceneMeshes atHand = meshes.of(wanted, request.document());
-        Scene shown = atHand.shown(wanted)
-                .withRendering(wanted.rendering().withSize(request.width(), request.height()));
+        Scene shown =
+                atHand.shown(wanted).withRendering(wanted.rendering().withSize(request.width(), request.height()));
         SceneImages images = images(shown, atHand);
-        World now = world.filter(before -> before.isNear(wanted.camera()))
-                .orElseGet(() -> World.of(shown, images, atHand));
+        World now =
+                world.filter(before -> before.isNear(wanted.camera())).orElseGet(() -> World.of(shown, images, atHand));
         now.show(shown, images, atHand);
         if (motion.isOn() && !request.motion().isOn()) {
             now.resetBodies();
