@@ -22,6 +22,9 @@ import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import dev.twister.kernel.Variant;
 import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -88,7 +91,7 @@ class RoomsTest {
                 room("engine.vector", "world", "image", "engine", "threads", "engine.vector.."),
                 room("engine.auto", "files", "world", "image", "engine"),
                 room("explain", "kernel", "scene", "world", "image", "engine"),
-                room("bench", "files", "engine", "engine.auto", "image", "world", "scene", "physics"),
+                room("bench", "files", "engine", "engine.auto", "image", "world", "scene", "scene.format", "physics"),
                 room(
                         "gui.model",
                         "files",
@@ -118,7 +121,7 @@ class RoomsTest {
                         "explain",
                         "image",
                         "gui.model"),
-                room("gui.controls", "scene"),
+                room("gui.controls", "scene", "sky", "mesh"),
                 room(
                         "gui.studio",
                         "mesh",
@@ -157,7 +160,16 @@ class RoomsTest {
                         "gui.model",
                         "gui.studio",
                         "gui.files"),
-                room("gui.bodies", "scene", "world", "image", "gui.drawing", "gui.model", "gui.studio", "gui.picture"),
+                room(
+                        "gui.bodies",
+                        "scene",
+                        "world",
+                        "image",
+                        "gui.controls",
+                        "gui.drawing",
+                        "gui.model",
+                        "gui.studio",
+                        "gui.picture"),
                 room(
                         "gui.camera",
                         "scene",
@@ -305,6 +317,16 @@ class RoomsTest {
         assertThat(TWISTER.stream().map(JavaClass::getPackageName).distinct())
                 .isSubsetOf(Stream.concat(Stream.of("dev.twister"), known.map(name -> "dev.twister." + name))
                         .toList());
+    }
+
+    @Test
+    void noSimpleNameStandsTwice() {
+        Map<String, List<String>> classesByName = TWISTER.stream()
+                .filter(found ->
+                        found.isTopLevelClass() && !found.getSimpleName().equals("package-info"))
+                .collect(Collectors.groupingBy(
+                        JavaClass::getSimpleName, Collectors.mapping(JavaClass::getName, Collectors.toList())));
+        assertThat(classesByName.values()).filteredOn(names -> names.size() > 1).isEmpty();
     }
 
     @Test

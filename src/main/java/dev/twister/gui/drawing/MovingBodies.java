@@ -6,44 +6,43 @@ import dev.twister.world.World;
 import java.util.Optional;
 
 /**
- * Lets a scene's bodies move as time passes between pictures. After an edit they go on as {@link Simulation#goOnIn}
- * says. Used by the drawing thread alone.
+ * Moves a scene's bodies by the time between pictures. After an edit they go on as {@link Simulation#goOnIn} says. Used
+ * only by the drawing thread.
  */
 final class MovingBodies implements AutoCloseable {
     private static final double NANOS_PER_SECOND = 1e9;
 
-    /** Where a picture takes longer, bodies move more slowly: else they would leave ever more steps to take. */
+    /** If a picture takes longer, bodies move more slowly; otherwise the steps to compute would grow without end. */
     private static final double LONGEST_SECONDS = 0.1;
 
     private Optional<Simulation> simulation = Optional.empty();
     private Optional<Scene> seen = Optional.empty();
-    private Optional<World> placed = Optional.empty();
     private long start = Motion.NONE.start();
     private long steps;
     private long lastNanos;
     private boolean wasRunning;
 
-    /** Lets the time pass that has passed, and puts the world's bodies where they are then. */
+    /** Simulates the time that has passed, and updates the places of the world's bodies. */
     void place(Scene wanted, Motion motion, World world, long nanos) {
         if (!motion.isOn()) {
             close();
             return;
         }
         Scene scene = world.meshes().shown(wanted);
+        boolean moved = !world.isMoved();
         if (start != motion.start()) {
             simulation.ifPresent(Simulation::close);
             simulation = Optional.of(Simulation.of(scene, world.meshes()));
-            placed = Optional.empty();
+            moved = true;
             start = motion.start();
             steps = 0;
             wasRunning = false;
         } else if (!seen.equals(Optional.of(scene))) {
             simulation = simulation.map(old -> old.goOnIn(scene, world.meshes()));
-            placed = Optional.empty();
+            moved = true;
         }
         seen = Optional.of(scene);
         Simulation now = simulation.orElseThrow();
-        boolean moved = placed.filter(old -> old.equals(world)).isEmpty();
         if (motion.running() && wasRunning) {
             now.advance(Math.clamp((nanos - lastNanos) / NANOS_PER_SECOND, 0, LONGEST_SECONDS));
             moved = true;
@@ -56,17 +55,15 @@ final class MovingBodies implements AutoCloseable {
         wasRunning = motion.running();
         if (moved) {
             now.place(world);
-            placed = Optional.of(world);
         }
     }
 
-    /** Forgets the motion. */
+    /** Ends the motion. */
     @Override
     public void close() {
         simulation.ifPresent(Simulation::close);
         simulation = Optional.empty();
         seen = Optional.empty();
         start = Motion.NONE.start();
-        placed = Optional.empty();
     }
 }

@@ -4,7 +4,7 @@ import dev.twister.kernel.Layout;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
 
-/** Where points of the scene are in a picture, by the inverse of what {@link dev.twister.kernel.Camera} does. */
+/** Where points of the scene are in a picture, by the inverse of what {@link dev.twister.kernel.CameraRay} does. */
 public final class Projection {
     /** Meters before the camera from which on a line is seen. */
     private static final double NEAREST = 1e-3;
@@ -25,7 +25,15 @@ public final class Projection {
         return new Projection(input);
     }
 
-    /** x and y of a point, in pixels from the upper left corner; empty where it is behind the camera. */
+    /** The camera's position in the scene. */
+    Vector3 viewpoint() {
+        return new Vector3(
+                origin.x() + camera[Layout.CAMERA_POSITION],
+                origin.y() + camera[Layout.CAMERA_POSITION + 1],
+                origin.z() + camera[Layout.CAMERA_POSITION + 2]);
+    }
+
+    /** x and y of a point, in pixels from the upper left corner; empty if it is behind the camera. */
     public double[] point(Vector3 place) {
         double[] seen = seen(place);
         return seen[2] < NEAREST ? new double[0] : pixel(seen);
@@ -48,13 +56,13 @@ public final class Projection {
         return new double[] {first[0], first[1], last[0], last[1]};
     }
 
-    /** The inverse of {@link dev.twister.kernel.Camera#u}. */
-    static double x(double u, int width, int height) {
+    /** The inverse of {@link dev.twister.kernel.CameraRay#u}. */
+    private static double x(double u, int width, int height) {
         return width > height ? (u + 1) / 2 * height + (width - height) / 2.0 : (u + 1) / 2 * width;
     }
 
-    /** The inverse of {@link dev.twister.kernel.Camera#v}. */
-    static double y(double v, int width, int height) {
+    /** The inverse of {@link dev.twister.kernel.CameraRay#v}. */
+    private static double y(double v, int width, int height) {
         return width > height ? (1 - v) / 2 * height : (1 - v) / 2 * width + (height - width) / 2.0;
     }
 
