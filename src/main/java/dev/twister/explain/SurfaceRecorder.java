@@ -1,7 +1,7 @@
 package dev.twister.explain;
 
+import dev.twister.kernel.Illumination;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.Light;
 import dev.twister.kernel.Path;
 import dev.twister.kernel.Refraction;
 import dev.twister.kernel.Shadow;
@@ -91,8 +91,8 @@ final class SurfaceRecorder {
                 Floats.vector(before, Layout.TO_LIGHT),
                 before[Layout.NORMAL_DOT_LIGHT],
                 visible,
-                Light.lit(properties[Layout.AMBIENT], before[Layout.NORMAL_DOT_LIGHT], visible),
-                Light.highlight(before, visible),
+                Illumination.lit(properties[Layout.AMBIENT], before[Layout.NORMAL_DOT_LIGHT], visible),
+                Illumination.highlight(before, visible),
                 Path.mirror(before, bounce, input.view().frame()),
                 transmission,
                 transmission > 0 ? reflectance() : 0,
