@@ -105,9 +105,8 @@ final class ExplainCommand implements Callable<Integer> {
 
     private Rendering settings(Rendering usual) {
         PictureSize wanted = size.orElseGet(() -> new PictureSize(usual.width(), usual.height()));
-        Rendering shaded = usual.withSize(wanted.width(), wanted.height())
-                .withShadows(shading.shadowSamplesOr(usual.shadowSamples()))
-                .withBounces(shading.bouncesOr(usual.bounces()))
+        Rendering shaded = shading.over(usual)
+                .withSize(wanted.width(), wanted.height())
                 .withSamplesPerPixel(Ranges.check(
                         "--samples", samples.orElse(usual.samplesPerPixel()), 1, Rendering.MAX_SAMPLES_PER_PIXEL));
         return tone.over(shaded);

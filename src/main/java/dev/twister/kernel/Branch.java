@@ -69,7 +69,12 @@ public final class Branch {
                     path, refracted, cosineIn, -facing * dot(path, Layout.NORMAL, refractedX, refractedY, refractedZ));
         }
         float least = transmission > 0f ? LEAST_THROUGHPUT : 0f;
-        float strongest = strongest(path, 1f, 1f, 1f) * reflected;
+        float strongest = reflected
+                * strongest(
+                        path,
+                        Scatter.tint(path, 0, Variant.MATERIALS),
+                        Scatter.tint(path, 1, Variant.MATERIALS),
+                        Scatter.tint(path, 2, Variant.MATERIALS));
         float strongestPassed =
                 strongest(path, path[Layout.ALBEDO], path[Layout.ALBEDO + 1], path[Layout.ALBEDO + 2]) * refracted;
         strongest = strongest < least ? 0f : strongest;
@@ -149,7 +154,7 @@ public final class Branch {
         for (int i = 0; i < 3; i++) {
             ray[first + Layout.ORIGIN + i] = path[Layout.POINT + i];
             ray[first + Layout.THROUGHPUT + i] =
-                    path[Layout.THROUGHPUT + i] * part * (passes != 0 ? path[Layout.ALBEDO + i] : 1f);
+                    path[Layout.THROUGHPUT + i] * part * (passes != 0 ? path[Layout.ALBEDO + i] : Scatter.tint(path, i, Variant.MATERIALS));
         }
         ray[first + Layout.LEAVING] = body;
         ray[first + Layout.INSIDE] = inside;

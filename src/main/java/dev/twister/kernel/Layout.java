@@ -77,13 +77,28 @@ public final class Layout {
     /** Place of the textures' table in {@code looks}. */
     public static final int TEXTURES = 37;
 
+    /** For path tracing: limit of what reaches the eye over several surfaces, per channel; 0 for none. */
+    public static final int CLAMP = 38;
+
+    /** Place of the table of emitters in {@code looks}, their number, and the sky's, from 1 on, or 0. */
+    public static final int EMITTER_TABLE = 39;
+
+    public static final int EMITTERS = 40;
+    public static final int SKY_EMITTER = 41;
+
+    /** Place of the sky's table of probabilities in {@code images}, divided by {@value #ALIGNMENT}. */
+    public static final int SKY_TABLE = 42;
+
+    /** Number of the first of the pixel's samples in the infinite sequence. */
+    public static final int FIRST_SAMPLE = 43;
+
     /** Place of the pixel's samples in {@code frame}. */
-    public static final int SAMPLES = 38;
+    public static final int SAMPLES = 44;
 
     /**
      * The points of the unit sunflower, x and y of each shadow sample; then, at {@link #SAMPLES}, the pixel's samples.
      */
-    public static final int DISC = 39;
+    public static final int DISC = 45;
 
     /**
      * A sample of the pixel, {@value #SAMPLE_STRIDE} floats: its position in the pixel, x and y in (0, 1); then pairs
@@ -95,6 +110,9 @@ public final class Layout {
     public static final int SAMPLE_SURFACE = 4;
     public static final int SAMPLE_SURFACES = 6;
     public static final int SAMPLE_STRIDE = SAMPLE_SURFACE + 2 * SAMPLE_SURFACES;
+
+    /** The largest number of bounces. */
+    public static final int MOST_BOUNCES = 64;
 
     /** Numbers of bodies. */
     public static final int LIGHT = 0;
@@ -131,7 +149,24 @@ public final class Layout {
     /** Number of the texture that multiplies the color, from 1 on; 0 for none. */
     public static final int LOOK_TEXTURE = 7;
 
-    public static final int LOOK_STRIDE = 8;
+    /**
+     * How much of a metal the body is, in [0, 1]; {@code -1 - metallic} if in path tracing Fresnel's equations decide
+     * what it reflects.
+     */
+    public static final int LOOK_METALLIC = 8;
+
+    /** Emitted radiance, three floats; the light's is for path tracing. */
+    public static final int LOOK_EMISSION = 9;
+
+    /**
+     * Number of the body's first emitter, from 1 on, negative if only the outer sides of triangles emit; 0 for none.
+     */
+    public static final int LOOK_EMITTER = 12;
+
+    /** Absorption inside a transmitting body, per meter and channel. */
+    public static final int LOOK_ABSORPTION = 13;
+
+    public static final int LOOK_STRIDE = 16;
 
     /**
      * After the bodies' looks, from {@link #TEXTURES} on, a table of the textures: the place of the first texel in
@@ -142,6 +177,20 @@ public final class Layout {
     public static final int TEXTURE_WIDTH = 1;
     public static final int TEXTURE_HEIGHT = 2;
     public static final int TEXTURE_STRIDE = 3;
+
+    /**
+     * After the textures' table, from {@link #EMITTER_TABLE} on, the emitters of path tracing, each with the sum of the
+     * probabilities up to and including its own, its probability, its body ({@link #NOTHING} for the sky), and for a
+     * triangle its instance, its number (else -1) and its area in square meters.
+     */
+    public static final int EMITTER_END = 0;
+
+    public static final int EMITTER_PROBABILITY = 1;
+    public static final int EMITTER_BODY = 2;
+    public static final int EMITTER_INSTANCE = 3;
+    public static final int EMITTER_TRIANGLE = 4;
+    public static final int EMITTER_AREA = 5;
+    public static final int EMITTER_STRIDE = 6;
 
     /** Meshes and textures start at multiples of it. */
     public static final int ALIGNMENT = 256;
@@ -346,7 +395,53 @@ public final class Layout {
     /** The direction's components along the two other axes divided by the dominant one, and the inverse of that. */
     public static final int MESH_SHEAR = 67;
 
-    public static final int PATH_LENGTH = 70;
+    /** How much of a metal the surface is, and whether Fresnel's equations decide what it reflects (1, else 0). */
+    public static final int METALLIC = 70;
+
+    public static final int IS_FRESNEL = 71;
+
+    public static final int PATH_LENGTH = 72;
+
+    /** For path tracing: index of refraction on the ray's side divided by that on the other side. */
+    public static final int RATIO = 72;
+
+    /** 1 for the plane, which has no inside, else 0. */
+    public static final int IS_SHEET = 73;
+
+    /** Weights of the constant reflection, of the dielectric one, of the matte part and of transmission. */
+    public static final int PART_MIRROR = 74;
+
+    public static final int PART_COAT = 75;
+    public static final int PART_MATTE = 76;
+    public static final int PART_GLASS = 77;
+
+    /** Probabilities of the lobes. */
+    public static final int CHOICE_MIRROR = 78;
+
+    public static final int CHOICE_MATTE = 79;
+    public static final int CHOICE_GLASS = 80;
+
+    /** {@code f * |cos|} per channel. */
+    public static final int SCATTERED = 81;
+
+    /** Density per steradian with which the surface chose the path's ray; 0 if it had no choice. */
+    public static final int SURFACE_DENSITY = 84;
+
+    /** The next ray: its direction, and whether it is inside the body (1, else 0). */
+    public static final int NEXT_DIRECTION = 85;
+
+    public static final int NEXT_INSIDE = 88;
+
+    /** Density per steradian of the chosen emitter's direction, its radiance, and what it adds unless blocked. */
+    public static final int LIGHT_DENSITY = 89;
+
+    public static final int EMITTED = 90;
+    public static final int DIRECT = 93;
+
+    /** Unit normal of the chosen triangle. */
+    public static final int EMITTER_FACE = 96;
+
+    public static final int TRACED_PATH_LENGTH = 99;
 
     /** The largest reflectivity, that of a perfect mirror. */
     public static final float MAX_REFLECTIVITY = 128f;

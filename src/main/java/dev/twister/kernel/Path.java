@@ -118,9 +118,10 @@ public final class Path {
         float mirror = mirror(path, bounce, frame);
         float transmission = transmission(path, bounce, frame, variant);
         float lit = Light.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible);
-        Scatter.shade(path, visible, mirror, transmission, lit, looks);
+        Scatter.shade(path, visible, mirror, transmission, lit, looks, variant);
         int waitingNow = waiting;
         if ((variant & Variant.MATERIALS) != 0) {
+            Scatter.emit(path, body, frame, looks, variant);
             Facet.find(path, bounce, frame);
             waitingNow = Branch.split(path, body, bounce, mirror, transmission, lit, scratch, waiting);
         } else {

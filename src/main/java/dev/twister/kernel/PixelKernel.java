@@ -85,6 +85,8 @@ public final class PixelKernel {
             int variant) {
         if (Aspect.endsAtFirstHit(variant) != 0) {
             FirstHit.add(path, scratch, frame, bodies, looks, meshes, images, variant);
+        } else if ((variant & Variant.PATH) != 0) {
+            PathTracer.follow(path, scratch, frame, bodies, looks, meshes, images, variant);
         } else {
             Path.follow(path, 0, scratch, frame, bodies, looks, meshes, images, variant);
         }

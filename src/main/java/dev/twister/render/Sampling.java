@@ -3,6 +3,7 @@ package dev.twister.render;
 import dev.twister.engine.ConvergingPicture;
 import dev.twister.engine.Engine;
 import dev.twister.image.Frame;
+import dev.twister.scene.Rendering;
 import dev.twister.world.FrameInput;
 import java.util.Optional;
 
@@ -16,15 +17,23 @@ public record Sampling(int samples, Optional<Double> noise) {
     /** Fewer do not show how noisy a picture is. */
     public static final int LEAST_CONVERGING = 8;
 
+    /** The largest number of samples per pixel. */
+    public static final int MOST = 65536;
+
+    /** In one call of an engine. */
+    public int atOnce() {
+        return Math.min(samples, Rendering.MAX_SAMPLES_PER_PIXEL);
+    }
+
     /**
      * Draws a band.
      *
-     * @param input with that many samples, where there is no bound of the noise
+     * @param input with {@link #atOnce} samples, where there is no bound of the noise
      * @return the samples of each pixel
      */
     int draw(Engine engine, FrameInput input, Frame frame) {
-        if (noise.isPresent()) {
-            return ConvergingPicture.draw(engine, input, frame, noise.get(), samples);
+        if (noise.isPresent() || samples > atOnce()) {
+            return ConvergingPicture.draw(engine, input, frame, noise.orElse(0.0), samples);
         }
         engine.render(input, frame);
         return samples;

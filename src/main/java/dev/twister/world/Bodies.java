@@ -78,6 +78,10 @@ public record Bodies(
         return new Bodies(newFloats, looks, meshes, room, end, firstMesh, plain, origin);
     }
 
+    Bodies withLooks(float[] newLooks) {
+        return new Bodies(floats, newLooks, meshes, room, end, firstMesh, plain, origin);
+    }
+
     Bodies withLooksOf(Bodies earlier) {
         return Arrays.equals(earlier.looks, looks)
                 ? new Bodies(floats, earlier.looks, meshes, room, end, firstMesh, plain, origin)

@@ -4,6 +4,7 @@ import dev.twister.kernel.Aspect;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Camera;
 import dev.twister.scene.Ground;
+import dev.twister.scene.Integrator;
 import dev.twister.scene.Light;
 import dev.twister.scene.Material;
 import dev.twister.scene.Rendering;
@@ -13,10 +14,14 @@ import dev.twister.scene.Sphere;
 import dev.twister.scene.Vector3;
 import dev.twister.sky.Skybox;
 import java.util.List;
+import java.util.Optional;
 
 /** The mutable state between frames, initialized from a scene. For use by one thread; engines get snapshots. */
 public final class World {
     private static final double DEGREES_PER_TURN = 360;
+
+    /** Lower bound of a color whose logarithm is taken. */
+    private static final double DARKEST = 1e-9;
 
     private final Vector3 origin;
     private final float[] texels;
@@ -39,6 +44,8 @@ public final class World {
     private Rendering settings;
     private float[] shadowDisc;
     private float[] pixelSamples;
+    private Optional<Emitters> emitters = Optional.empty();
+    private int emittersOf;
 
     private World(Scene scene, SceneImages images, SceneMeshes sceneMeshes) {
         origin = originOf(scene);
@@ -69,6 +76,7 @@ public final class World {
             putPlace(body, box.center(), box.radius());
             putLooks(body++, material, table.number(material));
         }
+        putColor(looks, Layout.LOOK_EMISSION, LightStrength.radiance(light, scene));
         plain = arePlain(looks);
         looks = table.withTable(looks);
         texels = table.images();
@@ -184,7 +192,25 @@ public final class World {
         int firstMesh = instances.length > 0 ? room : Layout.NO_MESHES;
         int end = places.length / Layout.PLACE_STRIDE;
         Bodies moved = new Bodies(floats, looks, meshes, room, end, firstMesh, plain, origin);
-        return new FrameInput(View.of(values(moved), shadowDisc, pixelSamples, Aspect.FULL), moved, texels);
+        float[] values = values(moved);
+        if (settings.integrator() == Integrator.WHITTED) {
+            return new FrameInput(View.of(values, shadowDisc, pixelSamples, Aspect.FULL), moved, texels);
+        }
+        Emitters tables = emitters(moved);
+        tables.write(values);
+        return new FrameInput(
+                View.of(values, shadowDisc, pixelSamples, Aspect.FULL),
+                moved.withLooks(tables.looks()),
+                tables.images());
+    }
+
+    /** The tables of path tracing, which do not depend on where bodies are. */
+    private Emitters emitters(Bodies moved) {
+        if (emitters.isEmpty() || emittersOf != bodies) {
+            emitters = Optional.of(Emitters.of(moved, bodies, texels, images.sky(), skyStrength > 0));
+            emittersOf = bodies;
+        }
+        return emitters.get();
     }
 
     private float[] values(Bodies moved) {
@@ -209,6 +235,8 @@ public final class World {
         values[Layout.ROOT] = moved.root(bodies);
         values[Layout.INSTANCES] = moved.instances();
         values[Layout.TEXTURES] = moved.textures();
+        values[Layout.CLAMP] = (float) settings.clamp();
+        values[Layout.FIRST_SAMPLE] = PixelSamples.first(settings.samplesPerPixel());
         return values;
     }
 
@@ -220,7 +248,7 @@ public final class World {
     }
 
     private static boolean arePlain(float[] looks) {
-        for (int look = 0; look < looks.length; look++) {
+        for (int look = Layout.LOOK_STRIDE; look < looks.length; look++) {
             if (look % Layout.LOOK_STRIDE > Layout.LOOK_REFLECTIVITY && looks[look] != 0) {
                 return false;
             }
@@ -244,14 +272,31 @@ public final class World {
     private void putLooks(int body, Material material, int texture) {
         int look = Layout.LOOK_STRIDE * body;
         putColor(looks, look, material.color());
-        float reflectivity = (float) material.reflectivity();
+        boolean fresnel = material.isByFresnel();
+        float reflectivity = (float) material.whittedReflectivity();
         float transmission = (float) material.transmission();
         looks[look + Layout.LOOK_REFLECTIVITY] = reflectivity;
         looks[look + Layout.LOOK_TRANSMISSION] = transmission;
         // Properties without effect stay 0, so that the body counts as plain.
-        looks[look + Layout.LOOK_ROUGHNESS] = reflectivity > 0 || transmission > 0 ? (float) material.roughness() : 0;
-        looks[look + Layout.LOOK_IOR] = transmission > 0 ? (float) material.ior() : 0;
+        boolean glossy = fresnel || reflectivity > 0 || transmission > 0;
+        looks[look + Layout.LOOK_ROUGHNESS] = glossy ? (float) material.roughness() : 0;
+        looks[look + Layout.LOOK_IOR] = fresnel || transmission > 0 ? (float) material.ior() : 0;
+        looks[look + Layout.LOOK_METALLIC] = (float) (fresnel ? -1 - material.metallic() : material.metallic());
+        putColor(looks, look + Layout.LOOK_EMISSION, material.emission().radiance());
+        boolean oneSided = !material.emission().isNone() && !material.emission().doubleSided();
+        looks[look + Layout.LOOK_EMITTER] = oneSided ? -1 : 0;
+        material.attenuation().distance().ifPresent(distance -> {
+            Rgb color = material.attenuation().color();
+            looks[look + Layout.LOOK_ABSORPTION] = absorption(color.red(), distance);
+            looks[look + Layout.LOOK_ABSORPTION + 1] = absorption(color.green(), distance);
+            looks[look + Layout.LOOK_ABSORPTION + 2] = absorption(color.blue(), distance);
+        });
         looks[look + Layout.LOOK_TEXTURE] = texture;
+    }
+
+    /** Per meter, so that {@code color} is left after the distance. */
+    private static float absorption(double color, double distance) {
+        return (float) (-Math.log(Math.max(color, DARKEST)) / distance);
     }
 
     private static void putColor(float[] array, int at, Rgb color) {
