@@ -118,7 +118,7 @@ class RoomsTest {
                         "explain",
                         "image",
                         "gui.model"),
-                room("gui.controls", "scene"),
+                room("gui.controls", "scene", "sky", "mesh"),
                 room(
                         "gui.studio",
                         "mesh",
@@ -157,7 +157,16 @@ class RoomsTest {
                         "gui.model",
                         "gui.studio",
                         "gui.files"),
-                room("gui.bodies", "scene", "world", "image", "gui.drawing", "gui.model", "gui.studio", "gui.picture"),
+                room(
+                        "gui.bodies",
+                        "scene",
+                        "world",
+                        "image",
+                        "gui.controls",
+                        "gui.drawing",
+                        "gui.model",
+                        "gui.studio",
+                        "gui.picture"),
                 room(
                         "gui.camera",
                         "scene",

@@ -7,6 +7,7 @@ import dev.twister.gui.files.SystemFileChoice;
 import dev.twister.gui.model.AutosaveFolder;
 import dev.twister.gui.model.DroppedFile;
 import dev.twister.gui.model.SettingsStore;
+import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.studio.OpenedScene;
 import dev.twister.gui.studio.Studio;
 import java.nio.file.Files;
@@ -71,7 +72,7 @@ public final class Gui {
             Stage stage = new Stage();
             SettingsStore store = SettingsStore.ofThisUser();
             SettingsStore.Found found = store.read();
-            String id = engine.orElse(found.settings().engine());
+            String id = engine.orElse(found.settings().get(WindowSettings.ENGINE));
             // Looking for engines takes TornadoVM a second: that is left to the thread that opens this one.
             EngineOffer offer = EngineOffer.working(id, "", "", () -> Engines.open(id));
             Studio studio = Studio.start(opened, offer);

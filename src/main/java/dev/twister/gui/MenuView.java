@@ -13,6 +13,7 @@ import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.EditState;
 import dev.twister.gui.model.Mnemonics;
 import dev.twister.gui.model.ShownPictures;
+import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.studio.Studio;
 import dev.twister.world.Picture;
 import java.nio.file.Path;
@@ -85,8 +86,8 @@ final class MenuView extends MenuBar {
         underline(getMenus());
         check(Command.MOVE, studio.motion().motionProperty().map(Motion::isOn));
         check(Command.PAUSE, studio.motion().motionProperty().map(motion -> motion.isOn() && !motion.running()));
-        settings.settingsProperty().subscribe(kept -> showRecent(kept.recentScenes(), files));
-        studio.editsProperty().subscribe(this::showEdits);
+        settings.settingsProperty().subscribe(kept -> showRecent(kept.get(WindowSettings.RECENT_SCENES), files));
+        studio.document().editsProperty().subscribe(this::showEdits);
         studio.selection()
                 .bodiesProperty()
                 .subscribe(selected -> items.get(Command.DELETE)

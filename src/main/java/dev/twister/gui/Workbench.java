@@ -9,15 +9,18 @@ import dev.twister.gui.camera.OrbitMouse;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.Dialogs;
+import dev.twister.gui.controls.Problems;
+import dev.twister.gui.files.AssetActions;
 import dev.twister.gui.files.AutosaveKeeper;
 import dev.twister.gui.files.DropTarget;
 import dev.twister.gui.files.FileActions;
+import dev.twister.gui.files.FileNames;
 import dev.twister.gui.files.Reading;
 import dev.twister.gui.files.ReadingView;
+import dev.twister.gui.files.SceneSaving;
 import dev.twister.gui.files.SettingsKeeper;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.ShownPictures;
-import dev.twister.gui.model.ThrownSpheres;
 import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.panel.Panel;
 import dev.twister.gui.panel.PanelKeys;
@@ -40,7 +43,6 @@ import dev.twister.gui.rendering.RenderActions;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Studio;
-import dev.twister.scene.Scene;
 import dev.twister.world.Picture;
 import java.util.Optional;
 import javafx.beans.value.ObservableValue;
@@ -69,6 +71,8 @@ final class Workbench implements AutoCloseable {
     private final Reading reading;
     private final Errands errands = new Errands();
     private final FileActions files;
+    private final SceneSaving saving;
+    private final AssetActions assets;
     private final AutosaveKeeper autosaves;
     private final PictureActions pictures;
     private final RenderActions render;
@@ -105,14 +109,16 @@ final class Workbench implements AutoCloseable {
         this.reading = reading;
         settings = new SettingsKeeper(options.settings(), options.found(), studio::notice);
         Dialogs dialogs = new Dialogs(stage);
-        files = new FileActions(
-                studio, options.files(), options.shipped(), dialogs, settings, errands, reading, this::takeTyped);
+        saving = new SceneSaving(
+                studio, options.files(), options.shipped(), dialogs, settings, errands, this::takeTyped);
+        assets = new AssetActions(studio, options.files(), dialogs, settings, reading);
+        files = new FileActions(studio, options.files(), options.shipped(), dialogs, settings, reading, saving, assets);
         autosaves = new AutosaveKeeper(studio, options.autosaves());
         pictures = new PictureActions(studio, options.files(), dialogs, errands);
         help = new HelpWindows(stage);
         comparison = new Comparison(studio, studio.assets()::drawingLoop);
         middle.getChildren().add(1, new SplitView(picture, studio, comparison));
-        bodies = new BodyActions(studio);
+        bodies = new BodyActions(studio, errands);
         inspector = new PixelInspector(picture, studio, errands);
         StackPane.setAlignment(inspector, Pos.TOP_RIGHT);
         paths = new PathPick(studio);
@@ -131,7 +137,7 @@ final class Workbench implements AutoCloseable {
                         Command.CLIPPING,
                         () -> clipping.shownProperty()
                                 .set(!clipping.shownProperty().get()));
-        panel = new Panel(studio, engines, comparison, clipping.shownProperty(), files, actions);
+        panel = new Panel(studio, engines, comparison, clipping.shownProperty(), assets, actions);
         panel.foldAsKept(settings);
         menu = new MenuView(studio, settings, files, actions);
         pictures.recorderProperty().subscribe(recorder -> menu.showRecording(recorder.isPresent()));
@@ -159,16 +165,17 @@ final class Workbench implements AutoCloseable {
         bodyMouse = BodyMouse.install(picture, studio, paths, handles, stage.focusedProperty());
         bodyMouse.axisProperty().subscribe(outline::showAxis);
         bodyMouse.axisProperty().subscribe(handles::point);
-        handles.onProperty().bind(settings.settingsProperty().map(WindowSettings::axisHandles));
+        handles.onProperty().bind(settings.settingsProperty().map(kept -> kept.get(WindowSettings.AXIS_HANDLES)));
         menu.check(Command.AXIS_HANDLES, handles.onProperty());
         PanelKeys.install(root.getScene(), panel, picture, this::showPanel);
         DropTarget.install(root.getScene(), files);
         errands.run(
                 () -> SkyList.in(options.shipped().skyboxes()),
                 panel::offerSkies,
-                problem -> studio.notice(FileActions.explain(problem)));
-        if (!settings.settings().hintSeen()) {
-            HintLine hint = new HintLine(picture, () -> settings.change(WindowSettings::withHintSeen));
+                problem -> studio.notice(Problems.explain(problem)));
+        if (!settings.settings().get(WindowSettings.HINT_SEEN)) {
+            HintLine hint =
+                    new HintLine(picture, () -> settings.change(kept -> kept.with(WindowSettings.HINT_SEEN, true)));
             StackPane.setAlignment(hint, Pos.BOTTOM_CENTER);
             middle.getChildren().add(hint);
         }
@@ -177,12 +184,12 @@ final class Workbench implements AutoCloseable {
         panel.visibleProperty().subscribe(_ -> limitWidth());
         // Style sheets say it, in the text's size.
         panel.minWidthProperty().subscribe(_ -> limitWidth());
-        options.asked().ifPresent(files::remember);
+        options.asked().ifPresent(settings::remember);
         studio.engineProperty()
-                .subscribe((_, choice) ->
-                        settings.change(kept -> kept.withEngine(choice.offer().id())));
-        studio.editsProperty().subscribe(_ -> showTitle());
-        studio.fileProperty().subscribe(_ -> showTitle());
+                .subscribe((_, choice) -> settings.change(
+                        kept -> kept.with(WindowSettings.ENGINE, choice.offer().id())));
+        studio.document().editsProperty().subscribe(_ -> showTitle());
+        studio.document().fileProperty().subscribe(_ -> showTitle());
         stage.setOnCloseRequest(this::closeOnceSaved);
         autosaves.offer(dialogs, files);
         stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
@@ -205,8 +212,8 @@ final class Workbench implements AutoCloseable {
         boolean filling = stage.isMaximized() || stage.isFullScreen();
         int width = (int) stage.getWidth();
         int height = (int) stage.getHeight();
-        settings.change(kept ->
-                filling ? kept.withWindow(kept.width(), kept.height(), true) : kept.withWindow(width, height, false));
+        settings.change(
+                kept -> (filling ? kept : kept.withSize(width, height)).with(WindowSettings.MAXIMIZED, filling));
         settings.write();
         help.close();
         comparison.close();
@@ -233,9 +240,9 @@ final class Workbench implements AutoCloseable {
         return panel;
     }
 
-    /** See {@link WindowSettings#qUp}. */
+    /** See {@link WindowSettings#Q_UP}. */
     ObservableValue<Boolean> qUpProperty() {
-        return settings.settingsProperty().map(WindowSettings::qUp);
+        return settings.settingsProperty().map(kept -> kept.get(WindowSettings.Q_UP));
     }
 
     Comparison comparison() {
@@ -246,16 +253,19 @@ final class Workbench implements AutoCloseable {
         return files;
     }
 
-    /** What would be kept if the window were closed now. */
-    WindowSettings settings() {
-        return settings.settings();
+    SceneSaving saving() {
+        return saving;
+    }
+
+    SettingsKeeper settings() {
+        return settings;
     }
 
     private CommandActions actions(Runnable resetAll) {
         return new CommandActions()
                 .on(Command.OPEN, files::open)
-                .on(Command.SAVE, files::save)
-                .on(Command.SAVE_AS, files::saveAs)
+                .on(Command.SAVE, saving::save)
+                .on(Command.SAVE_AS, saving::saveAs)
                 .on(Command.SCREENSHOT, pictures::screenshot)
                 .on(Command.RENDER, render::show)
                 .on(Command.RECORD, pictures::toggleRecording)
@@ -264,7 +274,7 @@ final class Workbench implements AutoCloseable {
                 .on(Command.REDO, studio::redo)
                 .on(Command.REDO_ALSO, studio::redo)
                 .on(Command.INSERT, bodies::insert)
-                .on(Command.INSERT_MESH, files::insertMesh)
+                .on(Command.INSERT_MESH, assets::insertMesh)
                 .on(Command.DUPLICATE, bodies::duplicate)
                 .on(Command.COPY, bodies::copy)
                 .on(Command.PASTE, bodies::paste)
@@ -282,16 +292,21 @@ final class Workbench implements AutoCloseable {
                 .on(Command.ZOOM_IN, () -> picture.zoom(ZoomMouse.STEP))
                 .on(Command.ZOOM_OUT, () -> picture.zoom(1 / ZoomMouse.STEP))
                 .on(Command.ZOOM_TO_FIT, picture::zoomToFit)
-                .on(Command.PANEL, () -> showPanel(!isPanelShown()))
+                .on(Command.PANEL, () -> showPanel(!panel.isVisible()))
                 .on(Command.FRAME_TIMES, () -> showFrameTimes(!frameTimes.isVisible()))
                 .on(Command.MOVE, () -> studio.motion().setOn(!studio.motion().isOn()))
                 .on(Command.FRAME, bodies::frameSelected)
                 .on(Command.FRAME_ALSO, bodies::frameSelected)
-                .on(Command.Q_UP, () -> settings.change(kept -> kept.withQUp(!kept.qUp())))
-                .on(Command.AXIS_HANDLES, () -> settings.change(kept -> kept.withAxisHandles(!kept.axisHandles())))
+                .on(
+                        Command.Q_UP,
+                        () -> settings.change(kept -> kept.with(WindowSettings.Q_UP, !kept.get(WindowSettings.Q_UP))))
+                .on(
+                        Command.AXIS_HANDLES,
+                        () -> settings.change(
+                                kept -> kept.with(WindowSettings.AXIS_HANDLES, !kept.get(WindowSettings.AXIS_HANDLES))))
                 .on(Command.PAUSE, studio.motion()::togglePause)
                 .on(Command.STEP, studio.motion()::stepOnce)
-                .on(Command.RANDOMIZE, this::randomize)
+                .on(Command.RANDOMIZE, bodies::randomize)
                 .on(Command.FULL_SCREEN, () -> stage.setFullScreen(!stage.isFullScreen()))
                 .on(Command.PLAY, studio.film()::togglePlaying)
                 .on(Command.SET_KEYFRAME, studio.film()::setKeyframe)
@@ -299,22 +314,22 @@ final class Workbench implements AutoCloseable {
                 .on(Command.NEXT_KEYFRAME, () -> studio.film().goAlong(true))
                 .on(Command.PREVIOUS_KEYFRAME, () -> studio.film().goAlong(false))
                 .on(Command.FILM, () -> studio.film().shownProperty().set(!film.isVisible()))
-                .on(Command.CONTROLS, this::showControls)
+                .on(Command.CONTROLS, () -> help.showControls(panel.rows()))
                 .on(Command.ABOUT, help::showAbout);
     }
 
     private void restore() {
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
-        stage.setWidth(Math.min(settings.settings().width(), screen.getWidth()));
-        stage.setHeight(Math.min(settings.settings().height(), screen.getHeight()));
+        stage.setWidth(Math.min(settings.settings().get(WindowSettings.WIDTH), screen.getWidth()));
+        stage.setHeight(Math.min(settings.settings().get(WindowSettings.HEIGHT), screen.getHeight()));
         if (Double.isNaN(stage.getY())) {
             // Where a window is as high as the screen, JavaFX would have its upper border above it.
             stage.setX(screen.getMinX() + (screen.getWidth() - stage.getWidth()) / 2);
             stage.setY(screen.getMinY() + (screen.getHeight() - stage.getHeight()) / 2);
         }
-        stage.setMaximized(settings.settings().maximized());
-        showPanel(settings.settings().panelShown());
-        showFrameTimes(settings.settings().frameTimesShown());
+        stage.setMaximized(settings.settings().get(WindowSettings.MAXIMIZED));
+        showPanel(settings.settings().get(WindowSettings.PANEL_SHOWN));
+        showFrameTimes(settings.settings().get(WindowSettings.FRAME_TIMES_SHOWN));
     }
 
     /** The panel hides no picture. */
@@ -329,43 +344,12 @@ final class Workbench implements AutoCloseable {
         if (!shown) {
             picture.requestFocus();
         }
-        settings.change(kept -> kept.withPanelShown(shown));
+        settings.change(kept -> kept.with(WindowSettings.PANEL_SHOWN, shown));
     }
 
     private void showFrameTimes(boolean shown) {
         frameTimes.setVisible(shown);
-        settings.change(kept -> kept.withFrameTimesShown(shown));
-    }
-
-    private boolean isPanelShown() {
-        return panel.isVisible();
-    }
-
-    private void showControls() {
-        help.showControls(panel.rows());
-    }
-
-    /** Half a million spheres take a while to place, and may be edited meanwhile. */
-    private void randomize() {
-        Scene before = studio.scene();
-        long document = studio.document();
-        errands.run(
-                () -> ThrownSpheres.of(before, System.nanoTime()),
-                thrown -> {
-                    if (studio.document() == document) {
-                        place(thrown);
-                    }
-                },
-                problem -> studio.notice(FileActions.explain(problem)));
-    }
-
-    private void place(Scene thrown) {
-        if (ThrownSpheres.fit(thrown, studio.scene())) {
-            studio.edit("randomize", scene -> ThrownSpheres.placed(thrown, scene));
-            studio.endGesture();
-        } else {
-            randomize();
-        }
+        settings.change(kept -> kept.with(WindowSettings.FRAME_TIMES_SHOWN, shown));
     }
 
     private void toggleComparison() {
@@ -396,7 +380,7 @@ final class Workbench implements AutoCloseable {
     }
 
     private void closeOnceSaved() {
-        render.beforeClosing(() -> files.afterSaving(stage::hide));
+        render.beforeClosing(() -> saving.afterSaving(stage::hide));
     }
 
     private boolean takeTyped() {
@@ -404,7 +388,7 @@ final class Workbench implements AutoCloseable {
     }
 
     private void showTitle() {
-        String name = FileActions.name(studio.fileProperty().get().path());
-        stage.setTitle((studio.editsProperty().get().changed() ? "• " : "") + name + " – Twister");
+        String name = FileNames.name(studio.document().file());
+        stage.setTitle((studio.document().editsProperty().get().changed() ? "• " : "") + name + " – Twister");
     }
 }

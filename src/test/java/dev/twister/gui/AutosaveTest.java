@@ -101,7 +101,7 @@ class AutosaveTest {
         leave(file);
         try (WindowDriver driver = open()) {
             driver.answer(driver.awaitDialog("restore-question"), "Restore");
-            driver.await(() -> driver.studio.editsProperty().get().changed());
+            driver.await(() -> driver.studio.document().editsProperty().get().changed());
             assertThat(WindowDriver.call(driver.studio::scene)).isEqualTo(edited);
             assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("• mine.json – Twister");
             assertThat(keepsSomething()).isTrue();
@@ -117,10 +117,11 @@ class AutosaveTest {
         leave(file);
         try (WindowDriver driver = open()) {
             driver.answer(driver.awaitDialog("restore-question"), "Restore");
-            driver.await(() -> driver.studio.editsProperty().get().changed());
+            driver.await(() -> driver.studio.document().editsProperty().get().changed());
             driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
             assertThat(WindowDriver.call(driver.studio::scene)).isEqualTo(scene);
-            assertThat(WindowDriver.call(driver.studio.editsProperty()::get).changed())
+            assertThat(WindowDriver.call(driver.studio.document().editsProperty()::get)
+                            .changed())
                     .isFalse();
         }
     }
@@ -130,7 +131,7 @@ class AutosaveTest {
         leave(parent.resolve("gone.json"));
         try (WindowDriver driver = open()) {
             driver.answer(driver.awaitDialog("restore-question"), "Restore");
-            driver.await(() -> driver.studio.editsProperty().get().changed());
+            driver.await(() -> driver.studio.document().editsProperty().get().changed());
             assertThat(WindowDriver.call(driver.studio::scene)).isEqualTo(edited);
             assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("• gone.json – Twister");
         }
@@ -145,7 +146,7 @@ class AutosaveTest {
         Files.delete(sky);
         try (WindowDriver driver = open()) {
             driver.answer(driver.awaitDialog("restore-question"), "Restore");
-            driver.await(() -> driver.studio.editsProperty().get().changed());
+            driver.await(() -> driver.studio.document().editsProperty().get().changed());
             assertThat(WindowDriver.call(driver.studio::scene)).isEqualTo(edited);
         }
     }

@@ -164,7 +164,7 @@ class BodiesTest {
         driver.pulse();
         assertThat(driver.find("#outline", Polygon.class).getPoints()).isEmpty();
         driver.type(KeyCode.DELETE);
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
         click(seenAt(MIDDLE));
         click(new Point2D(picture.getCenterX() + 60, picture.getMinY() + 5));
         assertThat(selected()).isEqualTo(Layout.NOTHING);
@@ -185,7 +185,7 @@ class BodiesTest {
         assertThat(end.getX() - start.getX()).isCloseTo(60, within(6.0));
         assertThat(end.getY() - start.getY()).isCloseTo(-30, within(6.0));
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
 
     @Test
@@ -214,7 +214,7 @@ class BodiesTest {
         assertThat(WindowDriver.call(driver.find("#axis", Line.class)::isVisible))
                 .isFalse();
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
 
     @Test
@@ -229,7 +229,7 @@ class BodiesTest {
         fire(MouseEvent.MOUSE_PRESSED, plane, view());
         fire(MouseEvent.MOUSE_DRAGGED, plane.add(50, 0), view());
         fire(MouseEvent.MOUSE_RELEASED, plane.add(50, 0), view());
-        assertThat(moved).isNotEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(moved).isNotEqualTo(WindowDriver.call(driver.studio.document()::original));
         assertThat(scene().spheres()).isEqualTo(moved.spheres());
     }
 
@@ -256,7 +256,7 @@ class BodiesTest {
         driver.run(() -> focused.set(false));
         fire(MouseEvent.MOUSE_DRAGGED, start.add(70, 0), view);
         driver.run(other::hide);
-        assertThat(moved).isNotEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(moved).isNotEqualTo(WindowDriver.call(driver.studio.document()::original));
         assertThat(scene()).isEqualTo(moved);
     }
 
@@ -270,7 +270,7 @@ class BodiesTest {
         driver.type(Command.NEXT.keys());
         fire(MouseEvent.MOUSE_DRAGGED, start.add(50, 0), view());
         fire(MouseEvent.MOUSE_RELEASED, start.add(50, 0), view());
-        assertThat(moved).isNotEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(moved).isNotEqualTo(WindowDriver.call(driver.studio.document()::original));
         assertThat(selected()).isEqualTo(MIDDLE + 1);
         assertThat(scene().spheres()).isEqualTo(moved.spheres());
     }
@@ -314,7 +314,7 @@ class BodiesTest {
         drag(seenAt(Layout.FIRST_SPHERE), 50, 0);
         assertThat(scene().camera().yawDegrees()).isNotEqualTo(yaw);
         assertThat(scene().spheres())
-                .isEqualTo(WindowDriver.call(driver.studio::original).spheres());
+                .isEqualTo(WindowDriver.call(driver.studio.document()::original).spheres());
         assertThat(selected()).isEqualTo(MIDDLE);
     }
 
@@ -357,7 +357,8 @@ class BodiesTest {
         Point2D middle = seenAt(MIDDLE);
         Polygon outline = driver.find("#outline", Polygon.class);
         driver.run(() -> {
-            driver.studio.show(new OpenedScene(Path.of("test.json"), driver.studio.original()));
+            driver.studio.show(new OpenedScene(
+                    Path.of("test.json"), driver.studio.document().original()));
             fire(MouseEvent.MOUSE_CLICKED, middle, view());
             assertThat(selected()).isEqualTo(Layout.NOTHING);
             driver.studio.selection().select(MIDDLE);
@@ -388,7 +389,7 @@ class BodiesTest {
         driver.type(KeyCode.DELETE);
         driver.run(() -> driver.studio.selection().select(Layout.LIGHT));
         driver.type(KeyCode.DELETE);
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
 
     @Test
@@ -499,7 +500,7 @@ class BodiesTest {
         assertThat(along.x() - middle.x()).isCloseTo(moved.x() - first.x(), within(1e-9));
         assertThat(along.y() - middle.y()).isCloseTo(moved.y() - first.y(), within(1e-9));
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
         assertThat(bodies().count()).isEqualTo(2);
     }
 
@@ -512,7 +513,7 @@ class BodiesTest {
         assertThat(bodies()).isEqualTo(SelectedBodies.of(Layout.LIGHT));
         assertThat(driver.notice()).isEqualTo("The light can't be deleted");
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
 
     @Test
@@ -527,7 +528,7 @@ class BodiesTest {
         assertThat(scene().spheres()).hasSize(before + 4);
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
 
     @Test
@@ -569,7 +570,7 @@ class BodiesTest {
         assertThat(BodyEdits.position(scene(), Layout.FIRST_SPHERE).y())
                 .isCloseTo(first.y() + after.y() - before.y(), within(1e-9));
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
 
     @Test

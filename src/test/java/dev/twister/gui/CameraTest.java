@@ -169,7 +169,7 @@ class CameraTest {
             driver.pulse();
 
             assertThat(there.position())
-                    .isNotEqualTo(driver.studio.original().camera().position());
+                    .isNotEqualTo(driver.studio.document().original().camera().position());
             assertThat(camera(driver)).isEqualTo(there);
         }
     }

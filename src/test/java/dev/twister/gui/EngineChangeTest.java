@@ -151,11 +151,12 @@ class EngineChangeTest {
                             .rendering()
                             .bounces())
                     .isEqualTo(5);
-            assertThat(driver.studio.editsProperty().get().changed()).isTrue();
+            assertThat(driver.studio.document().editsProperty().get().changed()).isTrue();
 
             driver.run(driver.studio::undo);
             assertThat(driver.awaitCurrentPicture().request().scene()).isEqualTo(before);
-            assertThat(driver.studio.editsProperty().get().redoable()).contains("bounces");
+            assertThat(driver.studio.document().editsProperty().get().redoable())
+                    .contains("bounces");
 
             driver.run(driver.studio::redo);
             assertThat(driver.awaitCurrentPicture()

@@ -5,10 +5,11 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.files.FileActions;
+import dev.twister.gui.files.SceneSaving;
 import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.model.FileMark;
 import dev.twister.gui.model.SceneHistory;
+import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.panel.Panel;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
@@ -69,9 +70,9 @@ class FilesTest {
             driver.files.chooseNothing();
             driver.studio.edit(
                     "shadows", now -> now.withRendering(now.rendering().withShadows(1)));
-            SceneHistory.Version saved = driver.studio.toSave();
+            SceneHistory.Version saved = driver.studio.document().toSave();
             SceneWriter.write(saved.scene(), scene);
-            driver.studio.saved(saved, new EditedFile(scene, FileMark.of(scene)));
+            driver.studio.document().saved(saved, new EditedFile(scene, FileMark.of(scene)));
         });
         driver.awaitCurrentPicture();
     }
@@ -201,21 +202,22 @@ class FilesTest {
         Files.copy(folder.resolve("scenes").resolve("start.json"), other);
         driver.files.choose(other);
         driver.typeWith(KeyCode.O, KeyCode.CONTROL);
-        driver.await(() -> driver.studio.fileProperty().get().path().equals(other));
+        driver.await(() -> driver.studio.document().file().equals(other));
         assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("other.json – Twister");
         change();
         assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("• other.json – Twister");
         driver.typeWith(KeyCode.S, KeyCode.CONTROL);
-        driver.await(() -> !driver.studio.editsProperty().get().changed());
+        driver.await(() -> !driver.studio.document().editsProperty().get().changed());
         assertThat(SceneReader.read(other)).isEqualTo(scene());
         assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("other.json – Twister");
         Path third = folder.resolve("scenes").resolve("third.json");
         driver.files.choose(third);
         driver.typeWith(KeyCode.S, KeyCode.CONTROL, KeyCode.SHIFT);
-        driver.await(() -> driver.studio.fileProperty().get().path().equals(third));
+        driver.await(() -> driver.studio.document().file().equals(third));
         assertThat(SceneReader.read(third)).isEqualTo(scene());
         assertThat(driver.notice()).isEqualTo("Saved " + third);
-        assertThat(driver.window.workbench().settings().recentScenes()).startsWith(third.toString(), other.toString());
+        assertThat(driver.window.workbench().settings().settings().get(WindowSettings.RECENT_SCENES))
+                .startsWith(third.toString(), other.toString());
     }
 
     @Test
@@ -231,12 +233,12 @@ class FilesTest {
         assertThat(scene()).isEqualTo(changed);
         drop(other);
         answer(awaitDialog("save-question"), "Save");
-        driver.await(() -> driver.studio.fileProperty().get().path().equals(other));
+        driver.await(() -> driver.studio.document().file().equals(other));
         assertThat(SceneReader.read(start)).isEqualTo(changed);
         change();
         drop(start);
         answer(awaitDialog("save-question"), "Don't save");
-        driver.await(() -> driver.studio.fileProperty().get().path().equals(start));
+        driver.await(() -> driver.studio.document().file().equals(start));
         assertThat(SceneReader.read(other).rendering().bounces())
                 .isEqualTo(changed.rendering().bounces() - 1);
     }
@@ -247,10 +249,10 @@ class FilesTest {
         change();
         Scene changed = scene();
         CompletableFuture<Scene> left = new CompletableFuture<>();
-        FileActions files = driver.window.workbench().files();
+        SceneSaving saving = driver.window.workbench().saving();
         driver.run(() -> {
-            files.save();
-            files.afterSaving(() -> left.complete(SceneReader.read(start)));
+            saving.save();
+            saving.afterSaving(() -> left.complete(SceneReader.read(start)));
             assertThat(left).isNotDone();
         });
         driver.await(left::isDone);
@@ -263,7 +265,7 @@ class FilesTest {
         Path start = folder.resolve("scenes").resolve("start.json");
         change();
         CompletableFuture<Scene> left = new CompletableFuture<>();
-        driver.run(() -> driver.window.workbench().files().afterSaving(() -> left.complete(SceneReader.read(start))));
+        driver.run(() -> driver.window.workbench().saving().afterSaving(() -> left.complete(SceneReader.read(start))));
         DialogPane first = awaitDialog("save-question");
         driver.run(() -> {
             WindowDriver.press(first, "Save");
@@ -292,7 +294,7 @@ class FilesTest {
         driver.files.choose(copy);
         driver.typeWith(KeyCode.S, KeyCode.CONTROL);
         answer(awaitDialog("overwrite-question"), "Save as…");
-        driver.await(() -> driver.studio.fileProperty().get().path().equals(copy));
+        driver.await(() -> driver.studio.document().file().equals(copy));
         assertThat(start).hasContent(theirs);
     }
 
@@ -303,12 +305,12 @@ class FilesTest {
         change();
         driver.typeWith(KeyCode.S, KeyCode.CONTROL);
         answer(awaitDialog("overwrite-question"), "Overwrite");
-        driver.await(() -> !driver.studio.editsProperty().get().changed());
+        driver.await(() -> !driver.studio.document().editsProperty().get().changed());
         assertThat(SceneReader.read(start)).isEqualTo(scene());
 
         change();
         driver.typeWith(KeyCode.S, KeyCode.CONTROL);
-        driver.await(() -> !driver.studio.editsProperty().get().changed());
+        driver.await(() -> !driver.studio.document().editsProperty().get().changed());
         assertThat(SceneReader.read(start)).isEqualTo(scene());
     }
 
@@ -316,13 +318,13 @@ class FilesTest {
     void savingTwiceInARowAsksNothing() {
         Path start = folder.resolve("scenes").resolve("start.json");
         driver.run(() -> {
-            FileActions files = driver.window.workbench().files();
+            SceneSaving saving = driver.window.workbench().saving();
             change();
-            files.save();
+            saving.save();
             change();
-            files.save();
+            saving.save();
         });
-        driver.await(() -> !driver.studio.editsProperty().get().changed());
+        driver.await(() -> !driver.studio.document().editsProperty().get().changed());
         assertThat(dialog("overwrite-question")).isEmpty();
         assertThat(SceneReader.read(start)).isEqualTo(scene());
     }
@@ -333,7 +335,7 @@ class FilesTest {
         Files.delete(start);
         change();
         driver.typeWith(KeyCode.S, KeyCode.CONTROL);
-        driver.await(() -> !driver.studio.editsProperty().get().changed());
+        driver.await(() -> !driver.studio.document().editsProperty().get().changed());
         assertThat(SceneReader.read(start)).isEqualTo(scene());
     }
 
@@ -353,7 +355,7 @@ class FilesTest {
 
         driver.files.choose(mine);
         driver.typeWith(KeyCode.S, KeyCode.CONTROL);
-        driver.await(() -> driver.studio.fileProperty().get().path().equals(mine));
+        driver.await(() -> driver.studio.document().file().equals(mine));
         assertThat(SceneReader.read(mine)).isEqualTo(scene());
         assertThat(shipped).hasBinaryContent(before);
     }
@@ -369,9 +371,10 @@ class FilesTest {
         DialogPane question = awaitDialog("sky-question");
         assertThat(question.getContentText()).isEqualTo(commandLinesMessage(file));
         answer(question, "Use the present sky");
-        driver.await(() -> driver.studio.fileProperty().get().path().equals(file));
+        driver.await(() -> driver.studio.document().file().equals(file));
         assertThat(scene().sky().file()).isEqualTo(before);
-        assertThat(WindowDriver.call(driver.studio.editsProperty()::get).changed())
+        assertThat(WindowDriver.call(driver.studio.document().editsProperty()::get)
+                        .changed())
                 .isTrue();
 
         driver.files.choose(sky);
@@ -386,12 +389,12 @@ class FilesTest {
         Path named = folder.resolve("scenes").resolve("start.json");
         change();
         driver.typeWith(KeyCode.S, KeyCode.CONTROL);
-        driver.await(() -> !driver.studio.editsProperty().get().changed());
+        driver.await(() -> !driver.studio.document().editsProperty().get().changed());
         assertThat(named).content().contains("\"$schema\": \"scene.schema.json\"");
         Path copy = folder.resolve("scenes").resolve("copy.json");
         driver.files.choose(copy);
         driver.typeWith(KeyCode.S, KeyCode.CONTROL, KeyCode.SHIFT);
-        driver.await(() -> driver.studio.fileProperty().get().path().equals(copy));
+        driver.await(() -> driver.studio.document().file().equals(copy));
         assertThat(copy).content().contains("\"$schema\": \"scene.schema.json\"");
     }
 
@@ -452,7 +455,8 @@ class FilesTest {
         DialogPane dialog = awaitDialog("complaint");
         assertThat(dialog.getContentText()).contains("there is no folder to write it in");
         answer(dialog, "OK");
-        assertThat(WindowDriver.call(driver.studio.editsProperty()::get).changed())
+        assertThat(WindowDriver.call(driver.studio.document().editsProperty()::get)
+                        .changed())
                 .isTrue();
     }
 
@@ -545,7 +549,7 @@ class FilesTest {
             driver.files.choose(hdr);
             driver.type(KeyCode.F12);
             driver.typeWith(KeyCode.S, KeyCode.CONTROL);
-            driver.await(() -> !driver.studio.editsProperty().get().changed());
+            driver.await(() -> !driver.studio.document().editsProperty().get().changed());
             assertThat(hdr).doesNotExist();
         } finally {
             driver.run(driver.studio::unwatch);

@@ -113,9 +113,11 @@ class FilmTest {
         assertThat(times()).containsExactly(1.0, 3.0);
         assertThat(camera().keyframes().getLast().position()).isEqualTo(new Vector3(4, 2, -8));
         assertThat(driver.notice()).startsWith("Keyframe set at 3 s");
-        assertThat(WindowDriver.call(driver.studio.editsProperty()::get).changed())
+        assertThat(WindowDriver.call(driver.studio.document().editsProperty()::get)
+                        .changed())
                 .isTrue();
-        assertThat(WindowDriver.call(driver.studio.editsProperty()::get).undoable())
+        assertThat(WindowDriver.call(driver.studio.document().editsProperty()::get)
+                        .undoable())
                 .contains("set keyframe");
         driver.type(Command.UNDO.keys());
         assertThat(times()).containsExactly(1.0);
@@ -157,7 +159,8 @@ class FilmTest {
         walkTo(-7);
         driver.run(() -> slider.setValue(8));
         assertThat(camera().position().x()).isEqualTo(-7);
-        assertThat(WindowDriver.call(driver.studio.editsProperty()::get).undoable())
+        assertThat(WindowDriver.call(driver.studio.document().editsProperty()::get)
+                        .undoable())
                 .contains("set keyframe");
     }
 
@@ -172,7 +175,8 @@ class FilmTest {
         goTo(1);
         driver.run(delete::fire);
         assertThat(times()).containsExactly(3.0);
-        assertThat(WindowDriver.call(driver.studio.editsProperty()::get).undoable())
+        assertThat(WindowDriver.call(driver.studio.document().editsProperty()::get)
+                        .undoable())
                 .contains("delete keyframe");
     }
 
@@ -212,7 +216,8 @@ class FilmTest {
         driver.await(() -> seconds() > 1 && seconds() < 3);
         driver.type(Command.PLAY.keys());
         assertThat(playing()).isFalse();
-        assertThat(WindowDriver.call(driver.studio.editsProperty()::get).undoable())
+        assertThat(WindowDriver.call(driver.studio.document().editsProperty()::get)
+                        .undoable())
                 .contains("set keyframe");
     }
 

@@ -62,7 +62,7 @@ class MenuTest {
     @Test
     void aFilesNameKeepsItsUnderscores() {
         try (WindowDriver driver = WindowDriver.open()) {
-            driver.run(() -> driver.window.workbench().files().remember(Path.of("a_b.json")));
+            driver.run(() -> driver.window.workbench().settings().remember(Path.of("a_b.json")));
             Menu recent = (Menu) item(driver, "recent");
             MenuItem file = recent.getItems().getFirst();
             assertThat(file.getText()).endsWith("a_b.json");

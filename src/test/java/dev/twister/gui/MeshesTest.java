@@ -10,6 +10,7 @@ import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyMaterials;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.MaterialPreset;
+import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.panel.PanelRow;
 import dev.twister.gui.picture.PictureView;
 import dev.twister.gui.studio.OpenedScene;
@@ -152,7 +153,7 @@ class MeshesTest {
 
     private static String undoable() {
         return WindowDriver.call(
-                () -> driver.studio.editsProperty().get().undoable().orElse(""));
+                () -> driver.studio.document().editsProperty().get().undoable().orElse(""));
     }
 
     private static void drag(Point2D from, double right) {
@@ -194,7 +195,7 @@ class MeshesTest {
         assertThat(outlineMiddle().getX() - start.getX()).isCloseTo(-80, within(8.0));
         assertThat(undoable()).isEqualTo("move");
         driver.run(driver.studio::undo);
-        assertThat(now()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(now()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
 
     @Test
@@ -259,7 +260,8 @@ class MeshesTest {
         driver.run(() -> ((CheckBox) row("Own material").firstControl()).fire());
         assertThat(undoable()).isEqualTo("own material");
         // As the file has it, so that nothing else changes.
-        assertThat(mesh(FIRST).material()).contains(WindowDriver.call(() -> driver.studio.fileMaterial(SECOND)));
+        assertThat(mesh(FIRST).material())
+                .contains(WindowDriver.call(() -> driver.studio.bodies().fileMaterial(SECOND)));
         type("Roughness", "0.5");
         assertThat(BodyMaterials.of(now(), FIRST).roughness()).isEqualTo(0.5);
         ComboBox<Optional<MaterialPreset>> box = box("Preset");
@@ -331,7 +333,8 @@ class MeshesTest {
         assertThat(WindowDriver.call(driver.stage::getTitle)).isEqualTo("pot.json – Twister");
         DrawnPicture picture = awaitMeshes();
         assertThat(picture.input().bodies().firstMesh()).isPositive();
-        assertThat(driver.window.workbench().settings().recentScenes()).contains(mesh.toString());
+        assertThat(driver.window.workbench().settings().settings().get(WindowSettings.RECENT_SCENES))
+                .contains(mesh.toString());
     }
 
     @Test

@@ -12,6 +12,7 @@ import dev.twister.gui.model.MaterialNumbers;
 import dev.twister.gui.model.NumberSetting;
 import dev.twister.gui.model.ResolutionMode;
 import dev.twister.gui.model.SceneNumbers;
+import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.panel.ChoiceRow;
 import dev.twister.gui.panel.NumberRow;
 import dev.twister.gui.panel.Panel;
@@ -72,7 +73,7 @@ class PanelTest {
         driver.type(Command.RESET.keys());
         driver.clearNotice();
         driver.run(() -> driver.studio.selection().select(SPHERE));
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
 
     static Stream<NumberSetting> numbers() {
@@ -130,7 +131,7 @@ class PanelTest {
         // Fingers leave the keys in any order.
         driver.release(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.HOME);
 
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
 
     @Test
@@ -313,7 +314,7 @@ class PanelTest {
         TextField field = in(row, ".text-field", TextField.class);
         typeText(field, "many");
         assertThat(driver.notice()).isEqualTo("Shadow samples is 'many', but must be a number from 1 to 1024");
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
         driver.type(KeyCode.ESCAPE);
         assertThat(field.getText()).isEqualTo("1");
         assertThat(driver.text("notice")).isEmpty();
@@ -489,7 +490,7 @@ class PanelTest {
         assertThat(brightness(driver.awaitCurrentPicture())).isLessThan(mapped);
         driver.click(in(row("sRGB curve"), ".reset", Button.class));
         driver.click(in(row("Tone map"), ".reset", Button.class));
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
 
     @Test
@@ -599,14 +600,14 @@ class PanelTest {
                 .scene()
                 .sky()
                 .file()
-                .equals(driver.studio.original().sky().file()));
+                .equals(driver.studio.document().original().sky().file()));
         assertThat(brightness(driver.awaitCurrentPicture())).isNotEqualTo(before);
         driver.click(in(row("Sky"), ".reset", Button.class));
         driver.await(() -> driver.studio
                 .scene()
                 .sky()
                 .file()
-                .equals(driver.studio.original().sky().file()));
+                .equals(driver.studio.document().original().sky().file()));
     }
 
     @Test
@@ -670,7 +671,8 @@ class PanelTest {
         driver.run(() -> driver.studio.selection().select(Layout.NOTHING));
         driver.type(KeyCode.DELETE);
         assertThat(driver.notice()).isEqualTo("Nothing is selected");
-        driver.run(() -> driver.studio.show(new OpenedScene(Path.of("test.json"), driver.studio.original())));
+        driver.run(() -> driver.studio.show(
+                new OpenedScene(Path.of("test.json"), driver.studio.document().original())));
         driver.type(Command.UNDO.keys());
         assertThat(driver.notice()).isEqualTo("Nothing to undo");
         driver.type(Command.REDO.keys());
@@ -689,7 +691,7 @@ class PanelTest {
         driver.run(() -> driver.window.workbench().panel().setVvalue(1));
         driver.pulse();
         driver.click(driver.find("#reset-everything", Button.class));
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
         assertThat(WindowDriver.call(driver.studio.refiningProperty()::get)).isTrue();
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
         assertThat(scene()).isEqualTo(edited);
@@ -757,7 +759,7 @@ class PanelTest {
                 .containsExactly(0.0, 1.0, 1.0);
         driver.type(KeyCode.ESCAPE);
         driver.typeWith(KeyCode.Z, KeyCode.CONTROL);
-        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(scene()).isEqualTo(WindowDriver.call(driver.studio.document()::original));
     }
 
     @Test
@@ -778,7 +780,8 @@ class PanelTest {
         driver.type(Command.AXIS_HANDLES.keys());
         assertThat(WindowDriver.call(() -> driver.find("#handle-x", Group.class).isVisible()))
                 .isFalse();
-        assertThat(WindowDriver.call(() -> driver.window.workbench().settings().axisHandles()))
+        assertThat(WindowDriver.call(
+                        () -> driver.window.workbench().settings().settings().get(WindowSettings.AXIS_HANDLES)))
                 .isFalse();
         driver.type(Command.AXIS_HANDLES.keys());
         assertThat(WindowDriver.call(() -> driver.find("#handle-x", Group.class).isVisible()))

@@ -213,7 +213,7 @@ class PhysicsTest {
             driver.studio.moveCamera(camera -> camera.withPosition(new Vector3(far.x(), 2, far.z() - 8)));
         });
         DrawnPicture fallen = awaitSteps(10);
-        Vector3 now = WindowDriver.call(() -> driver.studio.positionNow(Layout.FIRST_SPHERE));
+        Vector3 now = WindowDriver.call(() -> driver.studio.bodies().position(Layout.FIRST_SPHERE));
 
         assertThat(fallen.input().bodies().origin()).isNotEqualTo(new Vector3(0, 0, 0));
         assertThat(now.x()).isCloseTo(far.x(), within(1e-3));
@@ -235,7 +235,8 @@ class PhysicsTest {
     @Test
     void aResetWhileBodiesMoveIsTakenBackToWhereTheyStarted() {
         driver.run(() -> {
-            List<Sphere> spheres = new ArrayList<>(driver.studio.original().spheres());
+            List<Sphere> spheres =
+                    new ArrayList<>(driver.studio.document().original().spheres());
             spheres.set(0, high(spheres.getFirst()));
             driver.studio.edit("as many as at first", scene -> scene.withSpheres(spheres));
             driver.studio.endGesture();
@@ -244,7 +245,7 @@ class PhysicsTest {
         awaitSteps(20);
         driver.type(Command.RESET.keys());
         Scene reset = scene();
-        assertThat(reset).isEqualTo(WindowDriver.call(driver.studio::original));
+        assertThat(reset).isEqualTo(WindowDriver.call(driver.studio.document()::original));
 
         driver.type(Command.UNDO.keys());
         assertThat(scene()).isEqualTo(before);

@@ -44,11 +44,11 @@ class SettingsTest {
             driver.run(() -> driver.studio.chooseEngine(sequential()));
         }
         WindowSettings kept = store.read().settings();
-        assertThat(kept.panelShown()).isFalse();
-        assertThat(kept.frameTimesShown()).isFalse();
-        assertThat(kept.width()).isEqualTo(700);
-        assertThat(kept.height()).isEqualTo(500);
-        assertThat(kept.engine()).isEqualTo(JvmEngines.SEQUENTIAL);
+        assertThat(kept.get(WindowSettings.PANEL_SHOWN)).isFalse();
+        assertThat(kept.get(WindowSettings.FRAME_TIMES_SHOWN)).isFalse();
+        assertThat(kept.get(WindowSettings.WIDTH)).isEqualTo(700);
+        assertThat(kept.get(WindowSettings.HEIGHT)).isEqualTo(500);
+        assertThat(kept.get(WindowSettings.ENGINE)).isEqualTo(JvmEngines.SEQUENTIAL);
         try (WindowDriver driver = WindowDriver.open(store)) {
             assertThat(driver.stage.getWidth()).isEqualTo(700);
             assertThat(driver.window.workbench().panel().isVisible()).isFalse();
@@ -64,14 +64,14 @@ class SettingsTest {
         try (WindowDriver driver = WindowDriver.open(store)) {
             assertThat(driver.find("#hint-line", Node.class).isVisible()).isTrue();
         }
-        assertThat(store.read().settings().hintSeen()).isFalse();
+        assertThat(store.read().settings().get(WindowSettings.HINT_SEEN)).isFalse();
         try (WindowDriver driver = WindowDriver.open(store)) {
             driver.type(KeyCode.SHIFT);
             assertThat(driver.find("#hint-line", Node.class).isVisible()).isTrue();
             driver.type(KeyCode.D);
             assertThat(driver.find("#hint-line", Node.class).isVisible()).isFalse();
         }
-        assertThat(store.read().settings().hintSeen()).isTrue();
+        assertThat(store.read().settings().get(WindowSettings.HINT_SEEN)).isTrue();
         try (WindowDriver driver = WindowDriver.open(store)) {
             assertThat(driver.find("#hint-line", Node.class)).isNull();
         }
@@ -85,7 +85,8 @@ class SettingsTest {
                 assertThat(driver.find("#hint-line", Node.class).isVisible())
                         .as(used)
                         .isFalse();
-                assertThat(driver.window.workbench().settings().hintSeen()).isTrue();
+                assertThat(driver.window.workbench().settings().settings().get(WindowSettings.HINT_SEEN))
+                        .isTrue();
             }
         }
     }
@@ -103,23 +104,23 @@ class SettingsTest {
         SettingsStore store = new SettingsStore(Optional.of(folder));
         try (WindowDriver later = WindowDriver.open(store)) {
             try (WindowDriver sooner = WindowDriver.open(store)) {
-                sooner.run(() -> sooner.window.workbench().files().remember(Path.of("another.json")));
+                sooner.run(() -> sooner.window.workbench().settings().remember(Path.of("another.json")));
             }
             later.typeWith(KeyCode.E, KeyCode.CONTROL);
         }
         WindowSettings kept = store.read().settings();
-        assertThat(kept.qUp()).isTrue();
-        assertThat(kept.recentScenes()).hasSize(2);
+        assertThat(kept.get(WindowSettings.Q_UP)).isTrue();
+        assertThat(kept.get(WindowSettings.RECENT_SCENES)).hasSize(2);
     }
 
     @Test
     void aSceneThatWasAskedForIsARecentOne() {
         SettingsStore store = new SettingsStore(Optional.of(folder));
         try (WindowDriver driver = WindowDriver.open(store)) {
-            assertThat(driver.window.workbench().settings().recentScenes())
+            assertThat(driver.window.workbench().settings().settings().get(WindowSettings.RECENT_SCENES))
                     .containsExactly(Path.of("test.json").toAbsolutePath().toString());
         }
-        assertThat(store.read().settings().recentScenes()).hasSize(1);
+        assertThat(store.read().settings().get(WindowSettings.RECENT_SCENES)).hasSize(1);
     }
 
     @Test

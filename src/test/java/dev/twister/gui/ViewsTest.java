@@ -102,7 +102,8 @@ class ViewsTest {
 
         assertThat(names()).isEmpty();
         assertThat(scene().spheres()).isEqualTo(before.spheres());
-        assertThat(WindowDriver.call(driver.studio.editsProperty()::get).undoable())
+        assertThat(WindowDriver.call(driver.studio.document().editsProperty()::get)
+                        .undoable())
                 .contains("delete view");
     }
 

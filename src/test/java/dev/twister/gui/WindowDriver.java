@@ -52,14 +52,14 @@ public final class WindowDriver implements AutoCloseable {
 
     /** The window is too small for the panel. */
     private static final SettingsStore.Found FOUND = new SettingsStore.Found(
-            unfolded().withPanelShown(false).withWindow(WIDTH, HEIGHT, false), Optional.empty());
+            unfolded().with(WindowSettings.PANEL_SHOWN, false).withSize(WIDTH, HEIGHT), Optional.empty());
 
     private static WindowSettings unfolded() {
         WindowSettings settings = WindowSettings.DEFAULT;
-        for (String heading : settings.folded()) {
+        for (String heading : settings.get(WindowSettings.FOLDED)) {
             settings = settings.withFolded(heading, false);
         }
-        return settings.withHintSeen();
+        return settings.with(WindowSettings.HINT_SEEN, true);
     }
 
     private static final AutosaveFolder NO_AUTOSAVES = new AutosaveFolder(Optional.empty());

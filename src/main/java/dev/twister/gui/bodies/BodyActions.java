@@ -1,11 +1,14 @@
 package dev.twister.gui.bodies;
 
+import dev.twister.gui.controls.Problems;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyGroup;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.NewSphere;
 import dev.twister.gui.model.Orbit;
 import dev.twister.gui.model.SelectedBodies;
+import dev.twister.gui.model.ThrownSpheres;
+import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Selection;
 import dev.twister.gui.studio.Studio;
 import dev.twister.scene.Scene;
@@ -16,11 +19,14 @@ import java.util.Optional;
 public final class BodyActions {
     public static final String UNDELETED_LIGHT = "The light can't be deleted";
     private static final String UNCOPIED_LIGHT = "The other bodies are copied; the light can't be";
+
     private final Studio studio;
+    private final Errands errands;
     private Optional<BodyGroup> copied = Optional.empty();
 
-    public BodyActions(Studio studio) {
+    public BodyActions(Studio studio, Errands errands) {
         this.studio = studio;
+        this.errands = errands;
     }
 
     public void insert() {
@@ -84,8 +90,8 @@ public final class BodyActions {
 
     /** Moves the camera so that the selected bodies fill the picture. */
     public void frameSelected() {
-        studio.selection()
-                .extent()
+        studio.bodies()
+                .extent(studio.selection().bodies())
                 .ifPresentOrElse(
                         extent -> studio.moveCamera(camera -> Orbit.framed(camera, extent.middle(), extent.radius())),
                         () -> studio.notice("Select a sphere, a mesh or the light to frame it"));
@@ -97,7 +103,7 @@ public final class BodyActions {
 
     /** The selected spheres and meshes where they are now; says so where there is none. */
     private Optional<BodyGroup> selected() {
-        Scene now = studio.sceneNow();
+        Scene now = studio.bodies().scene();
         SelectedBodies solids = solids(now);
         if (solids.count() == 0) {
             studio.notice("Select a sphere or a mesh to copy it");
@@ -105,10 +111,33 @@ public final class BodyActions {
         }
         return Optional.of(new BodyGroup(
                 solids.bodies().stream().map(body -> BodyEdits.solid(now, body)).toList(),
-                studio.selection().extent(solids).orElseThrow().apart()));
+                studio.bodies().extent(solids).orElseThrow().apart()));
     }
 
     private void insert(String what, BodyGroup group) {
         studio.insert(what + " " + group.kind(), group.bodies());
+    }
+
+    /** Throws the spheres into the air; in the background, because placing 500,000 of them takes a while. */
+    public void randomize() {
+        Scene before = studio.scene();
+        long number = studio.document().number();
+        errands.run(
+                () -> ThrownSpheres.of(before, System.nanoTime()),
+                thrown -> {
+                    if (studio.document().number() == number) {
+                        place(thrown);
+                    }
+                },
+                problem -> studio.notice(Problems.explain(problem)));
+    }
+
+    private void place(Scene thrown) {
+        if (ThrownSpheres.fit(thrown, studio.scene())) {
+            studio.edit("randomize", scene -> ThrownSpheres.placed(thrown, scene));
+            studio.endGesture();
+        } else {
+            randomize();
+        }
     }
 }

@@ -120,14 +120,15 @@ public final class BodyMouse {
     /** Takes hold of the active body, and of all that are selected with it. */
     private void take(MouseEvent event) {
         DrawnPicture picture = studio.pictureProperty().get().orElseThrow();
-        HeldBodies bodies = new HeldBodies(studio.sceneNow(), studio.selection().bodies());
+        HeldBodies bodies =
+                new HeldBodies(studio.bodies().scene(), studio.selection().bodies());
         Point2D place = place(event);
         draggedTo = new Point2D(event.getX(), event.getY());
         held = Optional.of(new Held(
                 BodyDrag.start(
                         picture.input(),
                         bodies.held(),
-                        studio.extentNow(studio.selection().active()).middle(),
+                        studio.bodies().extent(studio.selection().active()).middle(),
                         place.getX(),
                         place.getY()),
                 bodies));

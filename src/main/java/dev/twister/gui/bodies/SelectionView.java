@@ -76,7 +76,7 @@ public final class SelectionView extends Pane {
         int selected = studio.selection().active();
         double[] ends = axis.filter(_ -> BodyEdits.isMovable(studio.scene(), selected))
                 .flatMap(along -> studio.pictureProperty().get().map(picture -> {
-                    Vector3 middle = studio.extentNow(selected).middle();
+                    Vector3 middle = studio.bodies().extent(selected).middle();
                     return Projection.of(picture.input())
                             .line(along.from(middle, -AXIS_METERS), along.from(middle, AXIS_METERS));
                 }))

@@ -89,7 +89,10 @@ public final class OrbitMouse {
     }
 
     private Vector3 pivot() {
-        return studio.selection().extent().map(BodyExtent::middle).orElseGet(this::middle);
+        return studio.bodies()
+                .extent(studio.selection().bodies())
+                .map(BodyExtent::middle)
+                .orElseGet(this::middle);
     }
 
     private Vector3 middle() {

@@ -12,12 +12,9 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 
-/**
- * Draws on a thread of its own, always by the newest request. Threads that ask and show never wait: {@link #request}
- * and {@link #takeNewest} return at once.
- */
+/** Draws the newest request on a thread of its own. {@link #request} and {@link #takeNewest} return at once. */
 public final class DrawingLoop implements AutoCloseable {
-    /** Where nothing is asked for in so long, the engine rests. */
+    /** The engine rests after this time without requests. */
     private static final long REST_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private final PictureExchange exchange = new PictureExchange();
@@ -34,17 +31,17 @@ public final class DrawingLoop implements AutoCloseable {
     private record RadianceQuestion(DrawnPicture picture, CompletableFuture<Optional<float[]>> answer) {}
 
     /**
-     * A loop that is not started yet.
+     * A loop whose thread has not been started.
      *
-     * @param skies where panoramas come from
-     * @param meshes where meshes come from
-     * @param substitute the engine that draws until the chosen one is ready, and where that fails; must open at once
+     * @param skies reads panoramas
+     * @param meshes reads meshes
+     * @param substitute draws until the chosen engine is ready, and if it fails; must open at once
      */
     public DrawingLoop(SkyShelf skies, MeshShelf meshes, EngineOffer substitute) {
         this(skies, meshes, substitute, System::nanoTime);
     }
 
-    /** The same by another clock than {@link System#nanoTime}. */
+    /** For tests: a loop with another clock than {@link System#nanoTime}. */
     DrawingLoop(SkyShelf skies, MeshShelf meshes, EngineOffer substitute, LongSupplier clock) {
         work = new PictureWork(exchange, skies, meshes, substitute, this::newest, this::wake, clock);
         thread = Thread.ofPlatform().daemon().name("drawing").unstarted(this::run);
@@ -55,7 +52,7 @@ public final class DrawingLoop implements AutoCloseable {
         thread.start();
     }
 
-    /** From the next picture on, this is what is drawn. */
+    /** Replaces the request; the next picture answers the new one. */
     public void request(DrawingRequest request) {
         lock.lock();
         try {
@@ -73,21 +70,21 @@ public final class DrawingLoop implements AutoCloseable {
     }
 
     /**
-     * From now on each whole picture is handed to that as well, on the drawing thread, which goes on drawing when it
-     * returns; the pixels are to be read until then.
+     * Also hands each whole picture to a watcher, on the drawing thread. The pixels are valid until the watcher
+     * returns.
      */
     public void watch(Consumer<DrawnPicture> watcher) {
         work.watch(Optional.of(watcher));
     }
 
-    /** No one watches any more. */
+    /** Removes the watcher. */
     public void unwatch() {
         work.watch(Optional.empty());
     }
 
     /**
-     * The linear samples that a refined picture has gathered, as {@link dev.twister.image.Frame#radiance} has them: as
-     * many as were seen, or more by now. Empty where it was not refined, or another picture is drawn by now.
+     * The linear samples that a refined picture has gathered so far, as {@link dev.twister.image.Frame#radiance} has
+     * them. Empty if it was not refined or another picture is being drawn.
      */
     public CompletableFuture<Optional<float[]>> radiance(DrawnPicture picture) {
         CompletableFuture<Optional<float[]>> answer = new CompletableFuture<>();
@@ -109,7 +106,7 @@ public final class DrawingLoop implements AutoCloseable {
         return status;
     }
 
-    /** Lets the thread end after the picture it is at, and close its engine; does not wait for it. */
+    /** Ends the thread after its present picture and closes its engine; does not wait for it. */
     @Override
     public void close() {
         lock.lock();
@@ -121,7 +118,7 @@ public final class DrawingLoop implements AutoCloseable {
         }
     }
 
-    /** Waits for the thread to end; whether it did. */
+    /** Waits for the thread to end; returns whether it did. */
     public boolean awaitEnd(Duration limit) throws InterruptedException {
         return thread.join(limit);
     }
@@ -154,7 +151,7 @@ public final class DrawingLoop implements AutoCloseable {
         }
     }
 
-    /** The caller waits, so every request is answered. */
+    /** The caller waits, so every request gets an answer. */
     private void answer(RadianceQuestion question) {
         try {
             question.answer().complete(work.radiance(question.picture()));
@@ -172,7 +169,7 @@ public final class DrawingLoop implements AutoCloseable {
         }
     }
 
-    /** Waits a while, and returns whether there is nothing to do even then. */
+    /** Waits for a while; returns whether there is still nothing to do. */
     private boolean isQuiet() {
         lock.lock();
         try {
@@ -188,7 +185,7 @@ public final class DrawingLoop implements AutoCloseable {
         }
     }
 
-    /** The newest request, once there is something to do for it; empty when the loop is closed. */
+    /** Waits until there is something to do, and returns the newest request; empty if the loop is closed. */
     private Optional<DrawingRequest> await(boolean more) {
         lock.lock();
         try {
@@ -202,7 +199,7 @@ public final class DrawingLoop implements AutoCloseable {
         }
     }
 
-    /** What is asked for by now; empty when the loop is closed. */
+    /** The newest request; empty if the loop is closed. */
     private Optional<DrawingRequest> newest() {
         lock.lock();
         try {
@@ -212,7 +209,7 @@ public final class DrawingLoop implements AutoCloseable {
         }
     }
 
-    /** There may be something to do for a request that was answered. */
+    /** Wakes the thread, for example when an engine has opened. */
     private void wake() {
         lock.lock();
         try {

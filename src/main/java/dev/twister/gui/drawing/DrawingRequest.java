@@ -5,16 +5,15 @@ import dev.twister.scene.Scene;
 import dev.twister.world.Picture;
 
 /**
- * What is to be drawn from now on.
+ * What to draw.
  *
- * @param number counts the requests up; a picture tells which one it answers
- * @param document counts up with each scene that is opened; its edits have the same
- * @param scene what is seen; its settings' width and height do not count
- * @param width of the picture in pixels, 1 or more
- * @param height of the picture in pixels, 1 or more
- * @param engine what is to draw it
- * @param refineTo samples a pixel that the picture gathers while no other request comes, and then rests; 0 to draw the
- *     same picture again and again
+ * @param number counts requests; each picture names the request that it answers
+ * @param document counts the scenes that were opened; the edits of one scene keep its number
+ * @param scene drawn with its own settings except width and height
+ * @param width in pixels, at least 1
+ * @param height in pixels, at least 1
+ * @param engine draws it
+ * @param refineTo samples per pixel to gather before the picture rests; 0 to draw it again and again
  * @param motion whether and how bodies move
  * @param shown the picture, or a stage or a view of it
  */
@@ -28,12 +27,12 @@ public record DrawingRequest(
         int refineTo,
         Motion motion,
         Picture shown) {
-    /** A request for a picture of the first scene, its bodies where it has them. */
+    /** A request of the first document, without motion. */
     public DrawingRequest(long number, Scene scene, int width, int height, EngineChoice engine, int refineTo) {
         this(number, 0, scene, width, height, engine, refineTo, Motion.NONE, Picture.REFLECTIONS);
     }
 
-    /** Whether the other one asks for the same picture, of whatever engine. */
+    /** Whether the other request has the same picture, on any engine. */
     boolean asksForThePictureOf(DrawingRequest other) {
         return equals(new DrawingRequest(
                 number,
@@ -47,7 +46,7 @@ public record DrawingRequest(
                 other.shown()));
     }
 
-    /** Whether the other one asks for the same but for another exposure, tone map or sRGB curve. */
+    /** Whether the other request differs at most in exposure, tone map and sRGB curve. */
     boolean asksForAnotherToneOf(DrawingRequest other) {
         Rendering tone = scene.rendering();
         Scene toned = other.scene()
@@ -66,8 +65,8 @@ public record DrawingRequest(
     }
 
     /**
-     * Whether a picture of the one is worth something to who waits for the other: the same place is seen, if from
-     * elsewhere or its bodies moved, under the same sky and settings.
+     * Whether a picture of one request is useful to who waits for the other: the same place under the same sky and
+     * settings, though from another camera or with bodies moved.
      */
     boolean showsThePlaceOf(DrawingRequest other) {
         return document == other.document()
@@ -79,7 +78,7 @@ public record DrawingRequest(
                 && scene.rendering().equals(other.scene().rendering());
     }
 
-    /** Whether one picture follows the other, though nothing is asked for. */
+    /** Whether pictures are drawn without end although nothing is requested. */
     public boolean isContinuous() {
         return refineTo == 0 || motion.running();
     }

@@ -9,18 +9,18 @@ import dev.twister.world.SceneMeshes;
 /**
  * A finished picture.
  *
- * @param frame 8-bit pixels; they stay as they are until the picture has been given back. Smaller than requested at the
- *     start, when nothing is compiled yet
+ * @param frame 8-bit pixels, valid until the picture is given back; smaller than requested just after the start, when
+ *     nothing is compiled yet
  * @param request the request that it answers
- * @param input what the engine saw: where each body was
- * @param meshes those that it shows, where its scene has them
- * @param engine the id of the engine that drew it
- * @param device what did the work, for a person
- * @param times where its time went
- * @param samples a pixel, those of earlier pictures that it refines included
- * @param number counts the pictures up; every one that the engine drew counts, shown or not
- * @param original the number of the picture of which this one is a repetition, pixel by pixel; its own where it is none
- * @param finishedNanos when it was finished, by {@link System#nanoTime}
+ * @param input the engine's input, which tells where each body was
+ * @param meshes the meshes that it shows
+ * @param engine id of the engine that drew it
+ * @param device name of the device
+ * @param times of the steps
+ * @param samples per pixel, including those of earlier pictures that it refines
+ * @param number counts the pictures that the engine drew, shown or not
+ * @param original number of the picture that this one repeats pixel by pixel; its own if it repeats none
+ * @param finishedNanos by {@link System#nanoTime}
  */
 public record DrawnPicture(
         Frame frame,
@@ -34,18 +34,18 @@ public record DrawnPicture(
         long number,
         long original,
         long finishedNanos) {
-    /** The same picture with its pixels in another frame, which has them too. */
+    /** A copy with another frame that has the same pixels. */
     DrawnPicture in(Frame other) {
         return new DrawnPicture(
                 other, request, input, meshes, engine, device, times, samples, number, original, finishedNanos);
     }
 
-    /** The number that its scene's body has that is seen under a number of the input, see {@link BodyNumber}. */
+    /** Maps a body's number in the input to its number in the scene, see {@link BodyNumber}. */
     public int sceneBody(int body) {
         return BodyNumber.inScene(body, input, request.scene(), meshes);
     }
 
-    /** Whether it has all the pixels that were asked for. */
+    /** Whether it has the requested size. */
     public boolean isWhole() {
         return frame.width() == request.width() && frame.height() == request.height();
     }

@@ -3,10 +3,8 @@ package dev.twister.gui.drawing;
 import dev.twister.engine.EngineOffer;
 
 /**
- * A person's choice of an engine. Each choice is one of its own, so that an engine that failed is tried again when it
- * is chosen again, and only then.
+ * A choice of an engine. An engine that failed is tried again only when it is chosen again, which makes a new choice.
  *
- * @param number counts the choices up
- * @param offer the engine
+ * @param number counts the choices
  */
 public record EngineChoice(long number, EngineOffer offer) {}

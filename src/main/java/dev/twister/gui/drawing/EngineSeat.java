@@ -13,15 +13,14 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 
 /**
- * The engine that draws, and the one that is to take its place. An engine is opened, and draws its first frames, which
- * wait for compilers, on a thread of its own, while the old one goes on drawing; it takes the seat when it is ready.
- * Used by the drawing thread alone.
+ * The engine that draws, and its successor. The successor is opened and draws its first frames, which wait for
+ * compilers, on another thread while the old engine goes on drawing. Used only by the drawing thread.
  */
 final class EngineSeat implements AutoCloseable {
     private final EngineOffer substitute;
     private final Runnable whenReady;
 
-    /** One after the other, however fast a person changes their mind. */
+    /** Opens one engine after the other, however fast the choice changes. */
     private final ExecutorService openings = Executors.newSingleThreadExecutor(
             Thread.ofPlatform().daemon().name("opening an engine").factory());
 
@@ -32,19 +31,19 @@ final class EngineSeat implements AutoCloseable {
     private Optional<String> failure = Optional.empty();
     private volatile boolean faster;
 
-    /** An engine on its way to the seat; one that is not wanted any more is not opened, or closed once it is open. */
+    /** An engine that is being opened. If it is no longer wanted, it is not opened, or closed once it is open. */
     private record Candidate(EngineOffer offer, CompletableFuture<Engine> engine) {}
 
     /**
-     * @param substitute draws until the first engine is ready, and when the seated one fails; must open at once
-     * @param whenReady called on another thread when an opening has ended, or the engine has become a faster one
+     * @param substitute draws until the first engine is ready and when the present one fails; must open at once
+     * @param whenReady called on another thread when opening has ended or the engine has switched to a faster one
      */
     EngineSeat(EngineOffer substitute, Runnable whenReady) {
         this.substitute = substitute;
         this.whenReady = whenReady;
     }
 
-    /** Has an engine opened, where this choice is a new one; {@code warmUp} draws its first frames. */
+    /** Opens an engine if the choice is new; {@code warmUp} draws its first frames. */
     void choose(EngineChoice wanted, WarmUp warmUp) {
         if (wanted.number() != choice) {
             choice = wanted.number();
@@ -54,7 +53,7 @@ final class EngineSeat implements AutoCloseable {
         }
     }
 
-    /** The engine to draw with now: the chosen one, where it is ready. */
+    /** The engine to draw with now: the chosen one if it is ready. */
     Engine engine() {
         candidate.filter(next -> next.engine().isDone() || mustWaitFor(next)).ifPresent(this::seat);
         return seated.orElseGet(() -> {
@@ -65,12 +64,12 @@ final class EngineSeat implements AutoCloseable {
         });
     }
 
-    /** Whether the next frame would be drawn by another engine than the last. */
+    /** Whether the next frame will be drawn by another engine than the last. */
     boolean isReady() {
         return candidate.filter(next -> next.engine().isDone()).isPresent();
     }
 
-    /** Whether the engine has become another, faster one since this was last asked. */
+    /** Whether the engine has switched to a faster one since the last call. */
     boolean hasBecomeFaster() {
         boolean has = faster;
         if (has) {
@@ -79,7 +78,7 @@ final class EngineSeat implements AutoCloseable {
         return has;
     }
 
-    /** The id of the engine that is being opened. */
+    /** Id of the engine that is being opened. */
     Optional<String> opening() {
         return candidate.map(next -> next.offer().id());
     }
@@ -94,14 +93,14 @@ final class EngineSeat implements AutoCloseable {
         return substituted;
     }
 
-    /** No frame is wanted for now: the engine rests, unless another one is being made ready. */
+    /** Lets the engine rest, unless another one is being opened. */
     void rest() {
         if (candidate.isEmpty()) {
             seated.ifPresent(Engine::rest);
         }
     }
 
-    /** The seated engine failed while it drew: the substitute takes its place. */
+    /** Replaces an engine that failed while drawing by the substitute. */
     void giveUp(Throwable problem) {
         failure = Optional.of(explain(seated.map(Engine::id).orElse(substitute.id()), problem));
         vacate();
@@ -120,7 +119,7 @@ final class EngineSeat implements AutoCloseable {
         seated = Optional.empty();
     }
 
-    /** TornadoVM's runtime is one for all its engines: one does not compile while another draws. */
+    /** TornadoVM has one runtime for all its engines: one must not compile while another draws. */
     private boolean mustWaitFor(Candidate next) {
         return Engines.isDevice(next.offer().id())
                 && seated.filter(engine -> Engines.isDevice(engine.id())).isPresent();
@@ -164,7 +163,7 @@ final class EngineSeat implements AutoCloseable {
         try {
             Engine engine = next.offer().opener().get();
             try {
-                // It draws at once, and warms its successor up by itself.
+                // It draws at once, and warms up its successor itself.
                 if (!next.offer().id().equals(FastestEngine.AUTO)) {
                     warmUp.run(engine, next.engine()::isDone);
                 }

@@ -16,9 +16,9 @@ import java.util.TreeMap;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 
-/** The textures of the scene that is being drawn. Used by the drawing thread alone. */
+/** The textures of the scene that is drawn. Used only by the drawing thread. */
 final class LivingTextures {
-    /** Leaves colors as they are. */
+    /** A white texture, which leaves colors unchanged. */
     private static final Skybox WHITE = new Skybox(1, 1, new float[] {1, 1, 1});
 
     private final SkyShelf shelf;
@@ -27,22 +27,18 @@ final class LivingTextures {
     private Map<Path, Skybox> held = Map.of();
     private long edition;
 
-    /**
-     * No textures.
-     *
-     * @param newest the scene that is asked for by now; empty where none is
-     */
+    /** @param newest the scene of the newest request; empty if there is none */
     LivingTextures(SkyShelf shelf, Supplier<Optional<Scene>> newest) {
         this.shelf = shelf;
         this.newest = newest;
     }
 
-    /** Whether files may have changed since {@link #of} was asked. */
+    /** Whether files may have changed since {@link #of} was called. */
     boolean areOld() {
         return edition != shelf.texturesEdition();
     }
 
-    /** The textures of a scene and its meshes by their files; white where one cannot be read. */
+    /** The textures of a scene and its meshes by their files; white if a file cannot be read. */
     Map<Path, Skybox> of(Scene scene, SceneMeshes meshes) {
         if (areOld()) {
             edition = shelf.texturesEdition();
@@ -57,7 +53,7 @@ final class LivingTextures {
         return held;
     }
 
-    /** Why a texture is not seen, where one is not. */
+    /** Why a texture is not shown. */
     Optional<String> complaint() {
         return complaints.values().stream().findFirst();
     }
@@ -76,7 +72,7 @@ final class LivingTextures {
         return WHITE;
     }
 
-    /** Whether the newest scene names it, or its meshes do where they are the same. */
+    /** Whether the newest scene, or one of its meshes that have stayed the same, uses the texture. */
     private boolean isWanted(Path file, Scene scene) {
         return newest.get()
                 .filter(now -> TexturePlaces.of(scene).containsKey(file)

@@ -3,16 +3,15 @@ package dev.twister.gui.drawing;
 /**
  * Whether and how bodies move.
  *
- * @param start counts up: a new number lets the bodies start anew from where the scene has them; 0 where they stand as
- *     the scene has them
+ * @param start counts the starts; a new number starts the bodies anew from their places in the scene; 0 for no motion
  * @param running whether time passes
- * @param steps the single steps that were asked for since the start
+ * @param steps number of single steps since the start
  */
 public record Motion(long start, boolean running, long steps) {
-    /** All stands where the scene has it. */
+    /** No motion. */
     public static final Motion NONE = new Motion(0, false, 0);
 
-    /** Whether bodies are where the physics has them. */
+    /** Whether physics places the bodies. */
     public boolean isOn() {
         return start != 0;
     }

@@ -6,13 +6,13 @@ import dev.twister.world.World;
 import java.util.Optional;
 
 /**
- * Lets a scene's bodies move as time passes between pictures. After an edit they go on as {@link Simulation#goOnIn}
- * says. Used by the drawing thread alone.
+ * Moves a scene's bodies by the time between pictures. After an edit they go on as {@link Simulation#goOnIn} says. Used
+ * only by the drawing thread.
  */
 final class MovingBodies implements AutoCloseable {
     private static final double NANOS_PER_SECOND = 1e9;
 
-    /** Where a picture takes longer, bodies move more slowly: else they would leave ever more steps to take. */
+    /** If a picture takes longer, bodies move more slowly; otherwise the steps to compute would grow without end. */
     private static final double LONGEST_SECONDS = 0.1;
 
     private Optional<Simulation> simulation = Optional.empty();
@@ -23,7 +23,7 @@ final class MovingBodies implements AutoCloseable {
     private long lastNanos;
     private boolean wasRunning;
 
-    /** Lets the time pass that has passed, and puts the world's bodies where they are then. */
+    /** Simulates the time that has passed, and updates the places of the world's bodies. */
     void place(Scene wanted, Motion motion, World world, long nanos) {
         if (!motion.isOn()) {
             close();
@@ -60,7 +60,7 @@ final class MovingBodies implements AutoCloseable {
         }
     }
 
-    /** Forgets the motion. */
+    /** Ends the motion. */
     @Override
     public void close() {
         simulation.ifPresent(Simulation::close);

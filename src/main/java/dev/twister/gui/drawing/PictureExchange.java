@@ -6,9 +6,9 @@ import java.util.Deque;
 import java.util.Optional;
 
 /**
- * Where pictures change hands: one thread draws into frames, another shows the newest finished one, and neither waits
- * for the other. Four frames go round: one is drawn, one is finished, one is shown, and one was shown until the last
- * pulse and may still be on its way to the graphics card.
+ * Hands pictures from the thread that draws to the thread that shows; neither waits. Four frames are in use: one is
+ * drawn, one is finished, one is shown, and one was shown until the last pulse and may still be on its way to the
+ * graphics card.
  */
 public final class PictureExchange {
     private final Deque<Frame> free = new ArrayDeque<>();
@@ -16,28 +16,27 @@ public final class PictureExchange {
     private Optional<DrawnPicture> shown = Optional.empty();
     private Optional<DrawnPicture> replaced = Optional.empty();
 
-    /** A frame of that size that no one reads; the drawing thread's until it is {@link #finished}. */
+    /** A free frame of that size; it belongs to the drawing thread until {@link #finished}. */
     public synchronized Frame frameToDraw(int width, int height) {
         free.removeIf(frame -> frame.width() != width || frame.height() != height);
         return free.isEmpty() ? Frame.ofPixels(width, height) : free.pop();
     }
 
-    /** Gives back a frame that was not finished. */
+    /** Returns a frame that was not finished. */
     public synchronized void abandon(Frame frame) {
         free.push(frame);
     }
 
-    /** Hands a finished picture over; the one before it is drawn over if no one took it. */
+    /** Publishes a finished picture; replaces the previous one if it was not taken. */
     public synchronized void finished(DrawnPicture picture) {
         newest.ifPresent(untaken -> free.push(untaken.frame()));
         newest = Optional.of(picture);
     }
 
     /**
-     * Called once in every pulse by the thread that shows: the newest finished picture, where there is one that has not
-     * been taken. It is not drawn over until the pulse after the one that takes its successor. One that repeats the
-     * picture taken before comes in that one's frame, which is on the screen already; no other picture comes in the
-     * frame of the one before.
+     * Called once per pulse by the thread that shows: the newest finished picture that was not taken before. Its frame
+     * is not drawn over until the pulse after its successor is taken. A picture that repeats the last taken one has the
+     * same frame; any other picture has another.
      */
     public synchronized Optional<DrawnPicture> takeNewest() {
         replaced.ifPresent(picture -> free.push(picture.frame()));

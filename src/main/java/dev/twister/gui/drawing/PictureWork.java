@@ -17,20 +17,20 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
 /**
- * The steps from a request to its pictures: at the very start small ones, because nothing is compiled yet, then the
- * picture itself, then, where nothing else is asked for, finer ones. Used by the drawing thread alone.
+ * The steps from a request to its pictures: small ones right after the start, because nothing is compiled yet, then the
+ * picture itself, then finer ones if there is no other request. Used only by the drawing thread.
  */
 final class PictureWork implements AutoCloseable {
-    /** What the sides of the first picture are divided by. */
+    /** Divisor of the sides of the first picture. */
     private static final int COARSEST = 8;
 
-    /** A refined picture of fewer samples may look worse than the plain one. */
+    /** A refined picture with fewer samples may look worse than the plain one. */
     private static final int FEWEST_REFINED_SAMPLES = 4;
 
-    /** Between two pictures that differ by less than one sees: to show each would take time from their drawing. */
+    /** Time between two published pictures that hardly differ: publishing each would take time from drawing. */
     private static final long REFINED_EVERY_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
 
-    /** A picture that takes longer is not drawn again while only another engine is waited for. */
+    /** A picture that takes longer is not drawn again only because another engine is about to be ready. */
     private static final long SLOW_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private final PictureExchange exchange;
@@ -51,7 +51,7 @@ final class PictureWork implements AutoCloseable {
     private Optional<Engine> drawer = Optional.empty();
     private Optional<RefinedPicture> refined = Optional.empty();
 
-    /** Of what was gathered: a file may have been read anew since. */
+    /** Edition of the sky in the gathered samples: the file may have been read anew since. */
     private float[] refinedSky = {};
 
     private Optional<Frame> pass = Optional.empty();
@@ -60,8 +60,8 @@ final class PictureWork implements AutoCloseable {
     private volatile Optional<Consumer<DrawnPicture>> watcher = Optional.empty();
 
     /**
-     * @param newest what is asked for by now; empty where nothing is to be drawn any more
-     * @param whenReady called on another thread when there may be something to do for a request that was answered
+     * @param newest the newest request; empty if nothing is to be drawn
+     * @param whenReady called on another thread when there may be something to do for an answered request
      */
     PictureWork(
             PictureExchange exchange,
@@ -80,7 +80,8 @@ final class PictureWork implements AutoCloseable {
     }
 
     /**
-     * Looks at a request: the world is as it says, and its engine is being opened. Whether there is something to draw.
+     * Brings the world up to date with a request and starts opening its engine; returns whether there is something to
+     * draw.
      */
     boolean prepare(DrawingRequest wanted) {
         try {
@@ -95,7 +96,7 @@ final class PictureWork implements AutoCloseable {
         return sceneFailure.isEmpty();
     }
 
-    /** Numbers are exact with one sample: the mean of two bodies' numbers is a third one's. */
+    /** Numbers need one sample: the mean of two bodies' numbers is the number of a third. */
     private static FrameInput showing(Picture shown, FrameInput input) {
         if (shown == Picture.REFLECTIONS) {
             return input;
@@ -103,7 +104,7 @@ final class PictureWork implements AutoCloseable {
         return shown.isColor() ? input.showing(shown) : input.showing(shown).withSamples(0, 1);
     }
 
-    /** Takes one step for the request that was prepared; whether there is another to take. */
+    /** Takes one step for the prepared request; returns whether there is another. */
     boolean step(DrawingRequest wanted) {
         Engine engine = seat.engine();
         if (!isAtWork(wanted) || !drawer.equals(Optional.of(engine)) || seat.hasBecomeFaster()) {
@@ -130,7 +131,7 @@ final class PictureWork implements AutoCloseable {
         }
     }
 
-    /** Nothing has been asked for in a while. */
+    /** Called after some time without a request. */
     void rest() {
         seat.rest();
     }
@@ -139,8 +140,8 @@ final class PictureWork implements AutoCloseable {
         return request.filter(old -> old.number() == wanted.number()).isPresent();
     }
 
-    /** Whether what has been gathered is what is asked for, but for exposure, tone map and sRGB curve. */
-    @SuppressWarnings("ReferenceEquality") // another array is of a file that has been read anew
+    /** Whether the gathered samples fit the request, apart from exposure, tone map and sRGB curve. */
+    @SuppressWarnings("ReferenceEquality") // another array means that the file was read anew
     private boolean isOnlyToned(DrawingRequest wanted, Engine engine) {
         return drawn
                 && !wanted.isContinuous()
@@ -152,14 +153,14 @@ final class PictureWork implements AutoCloseable {
                         .isPresent();
     }
 
-    /** Whether only another engine is asked for, and the old one would take long to draw its picture again. */
+    /** Whether the request differs only in the engine, and the old one would take long for its picture. */
     private boolean isSlowAndTheSame(DrawingRequest wanted, Engine engine) {
         return drawer.equals(Optional.of(engine))
                 && request.filter(wanted::asksForThePictureOf).isPresent()
                 && slowPictures.knownNanos(engine, input) > SLOW_NANOS;
     }
 
-    /** What was gathered for that picture; empty where it was not refined, or another request is at work by now. */
+    /** The samples gathered for that picture; empty if it was not refined or another request has begun. */
     Optional<float[]> radiance(DrawnPicture picture) {
         return refined.filter(held -> isAtWork(picture.request())
                         && held.fits(picture.frame().width(), picture.frame().height())
@@ -169,7 +170,7 @@ final class PictureWork implements AutoCloseable {
                 .map(RefinedPicture::radiance);
     }
 
-    /** From now on each whole picture is handed to that, where there is one; called by any thread. */
+    /** Sets the watcher that gets each whole picture; called by any thread. */
     void watch(Optional<Consumer<DrawnPicture>> newWatcher) {
         watcher = newWatcher;
     }
@@ -185,7 +186,7 @@ final class PictureWork implements AutoCloseable {
     }
 
     private boolean draw(DrawingRequest wanted, Engine engine) {
-        // While another engine is made ready, a picture that is there already is not worth the processor's time.
+        // While another engine is being opened, repeating a picture is not worth the processor's time.
         boolean opening = seat.opening().isPresent();
         if (coarseness > 1 && seat.isSubstituted()) {
             drawPlain(wanted, engine, coarse(coarseness), false);
@@ -209,7 +210,7 @@ final class PictureWork implements AutoCloseable {
         return refine(wanted, engine);
     }
 
-    /** A smaller picture first, where the full one is known to take long; whether it was drawn. */
+    /** Draws a smaller picture first if the full one is known to take long; returns whether it was drawn. */
     private boolean drawQuickly(DrawingRequest wanted, Engine engine) {
         boolean unknown = slowPictures.mayTakeLong(engine, input);
         int divisor = unknown ? QuickAnswer.MOST : QuickAnswer.divisor(slowPictures.knownNanos(engine, input));
@@ -242,7 +243,7 @@ final class PictureWork implements AutoCloseable {
         return input.withSize(Math.ceilDiv(input.width(), divisor), Math.ceilDiv(input.height(), divisor));
     }
 
-    /** Whether the picture was drawn, and not left. */
+    /** Draws the picture; returns whether it was finished. */
     private boolean drawPlain(DrawingRequest wanted, Engine engine, FrameInput seen, boolean again) {
         Frame frame = exchange.frameToDraw(seen.width(), seen.height());
         boolean whole = false;
@@ -264,7 +265,7 @@ final class PictureWork implements AutoCloseable {
         return whole;
     }
 
-    /** Numbers are drawn as such, and become colors then. */
+    /** Draws a view of numbers, then turns them into colors. */
     private boolean render(
             DrawingRequest wanted, FrameInput seen, Frame frame, BiPredicate<FrameInput, Frame> renderer) {
         if (wanted.shown().isColor()) {
@@ -287,9 +288,9 @@ final class PictureWork implements AutoCloseable {
     }
 
     /**
-     * Whether the rest of a picture is not worth its time: another engine is to draw, or is ready to, or another size
-     * is asked for, or what looks all different and it takes long. Not so for a camera that moves, or a body that is
-     * dragged: that shall be seen now and then, unless smaller pictures of it are.
+     * Whether to abandon a picture: another engine is ready or about to draw, another size is requested, or the request
+     * looks entirely different and the rest takes long. Pictures of a moving camera or a dragged body are finished,
+     * unless smaller ones of them are shown.
      */
     private boolean isInVain(DrawingRequest wanted, long nanosLeft) {
         return seat.isReady()
@@ -339,14 +340,12 @@ final class PictureWork implements AutoCloseable {
         finish(wanted, input, engine, frame, times, picture.samples(), false);
     }
 
-    /** A pass is not seen by itself, so that any request counts for more. */
+    /** Whether to abandon a refining pass: any new request counts, because a pass is not shown by itself. */
     private boolean isRefinedInVain() {
         return seat.isReady() || newest.get().filter(this::isAtWork).isEmpty();
     }
 
-    /**
-     * Whether to publish the samples gathered so far: a recorder takes all pictures, a person sees a few per second.
-     */
+    /** Whether to publish the samples gathered so far: a watcher gets all pictures, the window a few per second. */
     private boolean isToBeSeen() {
         return watcher.isPresent()
                 || last.filter(old -> isAtWork(old.request())
@@ -364,7 +363,7 @@ final class PictureWork implements AutoCloseable {
             int samples,
             boolean again) {
         pictures++;
-        // An engine may have become another one within the very call that drew.
+        // The engine may have switched during the call that drew.
         long original = last.filter(old -> again
                         && old.engine().equals(engine.id())
                         && old.device().equals(engine.device()))
@@ -385,7 +384,7 @@ final class PictureWork implements AutoCloseable {
         last = Optional.of(picture);
         exchange.finished(picture);
         if (picture.isWhole()) {
-            // Shown or not, its pixels stay: no one but this thread draws over them.
+            // Shown or not, its pixels stay valid: only this thread draws over them.
             watcher.ifPresent(eye -> eye.accept(picture));
         }
     }

@@ -2,12 +2,12 @@ package dev.twister.gui.drawing;
 
 import java.util.concurrent.TimeUnit;
 
-/** How much smaller a picture is with which a slow engine answers first. */
+/** The size of the small picture that comes before a slow one. */
 final class QuickAnswer {
     /** A picture that takes longer is preceded by a smaller one. */
     static final long LONG_NANOS = TimeUnit.MILLISECONDS.toNanos(150);
 
-    /** How long the smaller one may take. */
+    /** The time that the smaller one may take. */
     private static final long QUICK_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
 
     static final int MOST = 8;
@@ -15,10 +15,9 @@ final class QuickAnswer {
     private QuickAnswer() {}
 
     /**
-     * What the sides of the first picture are divided by: 1 where the full one is quick enough, or nothing is known of
-     * it.
+     * Divisor of the sides of the first picture: 1 if the full picture is fast enough or its time is unknown.
      *
-     * @param nanos that the full picture takes; 0 where it is not known
+     * @param nanos time of the full picture; 0 if unknown
      */
     static int divisor(long nanos) {
         int divisor = 1;

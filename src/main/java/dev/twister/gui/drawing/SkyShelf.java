@@ -31,8 +31,8 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
 /**
- * The panoramas used last, so that going back to one does not read its file again, and the textures of the scene. Used
- * by any thread; none waits while another one reads a file.
+ * A cache of the last panoramas and of the scene's textures. Used by any thread; none waits while another one reads a
+ * file.
  */
 public final class SkyShelf {
     private static final int KEPT = 3;
@@ -52,7 +52,7 @@ public final class SkyShelf {
         this(SkyboxReader::read, TextureReader::read);
     }
 
-    /** A shelf whose files are read by those. */
+    /** A cache that reads files with these readers. */
     SkyShelf(
             BiFunction<Path, Consumer<String>, Skybox> reader,
             BiFunction<Path, Consumer<String>, Skybox> textureReader) {
@@ -61,22 +61,22 @@ public final class SkyShelf {
     }
 
     /**
-     * The panorama of that file, read where it is not at hand.
+     * The panorama of a file, read if it is not cached.
      *
-     * @param wanted asked again and again meanwhile, whether it still is
-     * @throws SkyException as {@link SkyboxReader#read} does, and where it is not wanted any more or was {@link #cancel
+     * @param wanted called repeatedly meanwhile; reading stops when it returns false
+     * @throws SkyException as {@link SkyboxReader#read} does, and if it is no longer wanted or was {@link #cancel
      *     canceled}
      */
     Skybox find(Path file, BooleanSupplier wanted) {
         return kept(file).orElseGet(() -> keep(file, await(file, reader, wanted)));
     }
 
-    /** What a thread waits for in {@link #find} or {@link #texture}. */
+    /** The file that a thread waits for in {@link #find} or {@link #texture}. */
     public Optional<Path> beingRead() {
         return beingRead;
     }
 
-    /** Wakes the threads that wait in {@link #find} or {@link #texture}. */
+    /** Cancels reading in {@link #find} and {@link #texture}. */
     public void cancel() {
         beingRead = Optional.empty();
     }
@@ -103,7 +103,7 @@ public final class SkyShelf {
             throw thrown(problem.getCause());
         } finally {
             beingRead = Optional.empty();
-            // Which closes the file under it.
+            // This closes the file under the reading thread.
             thread.interrupt();
         }
     }
@@ -112,7 +112,7 @@ public final class SkyShelf {
         try {
             picture.get(ASKED_EVERY_MILLIS, TimeUnit.MILLISECONDS);
         } catch (InterruptedException | ExecutionException | TimeoutException _) {
-            // The waiting threads look for themselves.
+            // The waiting threads notice it themselves.
         }
     }
 
@@ -124,9 +124,9 @@ public final class SkyShelf {
     }
 
     /**
-     * Reads a file anew, because it may have changed.
+     * Reads a file again, because it may have changed.
      *
-     * @throws SkyException as {@link SkyboxReader#read} does; the panorama that was at hand stays then
+     * @throws SkyException as {@link SkyboxReader#read} does; the cached panorama stays
      */
     public void refresh(Path file) {
         Skybox sky = reader.apply(file, warnings::add);
@@ -137,10 +137,9 @@ public final class SkyShelf {
     }
 
     /**
-     * Reads a scene's sky and textures anew.
+     * Reads a scene's sky and textures again.
      *
-     * @throws SkyException as {@link SkyboxReader#read} and {@link SceneImages#textures} do; the textures that were at
-     *     hand stay then
+     * @throws SkyException as {@link SkyboxReader#read} and {@link SceneImages#textures} do; the cached textures stay
      */
     public void refresh(Scene scene) {
         refresh(scene.sky().file());
@@ -148,9 +147,9 @@ public final class SkyShelf {
     }
 
     /**
-     * Reads a scene's textures anew.
+     * Reads a scene's textures again.
      *
-     * @throws SkyException as {@link SceneImages#textures} does; the textures that were at hand stay then
+     * @throws SkyException as {@link SceneImages#textures} does; the cached textures stay
      */
     public void refreshTextures(Scene scene) {
         Map<Path, Skybox> read = SceneImages.textures(scene, file -> textureReader.apply(file, warnings::add));
@@ -161,9 +160,9 @@ public final class SkyShelf {
     }
 
     /**
-     * Reads a texture anew, which a scene is to have besides its own.
+     * Reads a texture for a scene that does not use it yet.
      *
-     * @throws SkyException as {@link TextureReader#read} does; the textures that were at hand stay then
+     * @throws SkyException as {@link TextureReader#read} does; the cached textures stay
      */
     public void refreshTexture(Scene scene, Path file) {
         Skybox read = textureReader.apply(file, warnings::add);
@@ -177,11 +176,11 @@ public final class SkyShelf {
     }
 
     /**
-     * The texture of that file: as it was read last with the scene or for it, else read now.
+     * The texture of a file, read if it is not cached.
      *
-     * @param wanted asked again and again meanwhile, whether it still is
-     * @throws SkyException as {@link TextureReader#read} does, and where it is not wanted any more or was
-     *     {@link #cancel canceled}
+     * @param wanted called repeatedly meanwhile; reading stops when it returns false
+     * @throws SkyException as {@link TextureReader#read} does, and if it is no longer wanted or was {@link #cancel
+     *     canceled}
      */
     Skybox texture(Path file, BooleanSupplier wanted) {
         return keptTexture(file).orElseGet(() -> await(file, textureReader, wanted));
@@ -192,10 +191,10 @@ public final class SkyShelf {
     }
 
     /**
-     * The sky and the textures of a scene and its meshes: those at hand, and others read now, which are not kept. Waits
-     * for no other thread.
+     * The sky and the textures of a scene and its meshes: the cached ones, and others that are read now and not cached.
+     * Waits for no other thread.
      *
-     * @throws SkyException where one cannot be read
+     * @throws SkyException if one cannot be read
      */
     public SceneImages images(Scene scene, SceneMeshes meshes) {
         // Each once: an edit of the scene asks for its images again.
@@ -213,17 +212,17 @@ public final class SkyShelf {
                                 .orElseGet(() -> textureReader.apply(file, warnings::add))));
     }
 
-    /** How often textures were read anew. */
+    /** Counts how often textures were read again. */
     synchronized long texturesEdition() {
         return texturesEdition;
     }
 
-    /** Adds to what {@link #takeWarnings} tells: what a file says that was read elsewhere. */
+    /** Adds a warning about a file that was read elsewhere to {@link #takeWarnings}. */
     public void warn(String warning) {
         warnings.add(warning);
     }
 
-    /** What the files that were read since the last call say and is not used; empty where there is nothing. */
+    /** Warnings about files read since the last call; empty if there are none. */
     public String takeWarnings() {
         StringJoiner taken = new StringJoiner("; ");
         for (String warning = warnings.poll(); warning != null; warning = warnings.poll()) {
@@ -232,7 +231,7 @@ public final class SkyShelf {
         return taken.toString();
     }
 
-    /** How often a file was read again: a panorama with another number is out of date. */
+    /** Counts how often a file was read again: a panorama with another number is out of date. */
     synchronized long edition(Path file) {
         return editions.getOrDefault(file, 0L);
     }

@@ -10,33 +10,32 @@ import java.util.function.LongPredicate;
 import java.util.function.LongSupplier;
 
 /**
- * Draws pictures that take long in bands of rows, so that one can be left when it is not wanted any more: one thread
- * takes many seconds for a picture of 3840 x 2160. Those that do not take long are drawn in one go, as bands cost time,
- * and so are those of engines that are not made for bands. Used by one thread.
+ * Draws slow pictures in bands of rows, so that they can be abandoned: one thread takes many seconds for a picture of
+ * 3840 x 2160. Fast pictures are drawn in one call, because bands cost time, and so are those of engines that do not
+ * support bands. Used by one thread.
  */
 final class SlowPictures {
-    /** How long a band should take. */
+    /** Time of a band. */
     private static final long BAND_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
 
-    /** Pictures of fewer pixels are not worth it: the slowest engine takes half a second for this number. */
+    /** Smaller pictures are drawn in one call: the slowest engine takes half a second for this number of pixels. */
     private static final int FEWEST_PIXELS = 1 << 16;
 
     /**
-     * Of a picture of which nothing is known about this number of pixels is rendered first, of more than
-     * {@link #FEW_BODIES} fewer.
+     * Number of pixels drawn first if the time of a picture is unknown; fewer with more than {@link #FEW_BODIES}
+     * bodies.
      */
     private static final int FIRST_PIXELS = 1 << 14;
 
-    /** The pixels of a crowd take longer, most of all before the JVM has compiled what they run. */
+    /** Many bodies take longer per pixel, above all before the JVM has compiled their code. */
     private static final int FEW_BODIES = 32;
 
     private final LongSupplier clock;
     private Optional<Pace> pace = Optional.empty();
 
     /**
-     * What the time of a picture hangs on most, beside its samples a pixel, with which it grows. Of a scene only the
-     * room for bodies, and the meshes: more bodies come one by one, and the next picture of the same scene is much like
-     * the last.
+     * The properties that decide the time per pixel and sample. Of a scene only the capacity for bodies and the meshes
+     * count: edits add bodies one by one, which changes little.
      */
     private record Work(Engine engine, int width, int rows, int room, int meshFloats, int shadowSamples, int bounces) {
         static Work of(Engine engine, FrameInput input) {
@@ -57,27 +56,27 @@ final class SlowPictures {
         this.clock = clock;
     }
 
-    /** How long the last picture took, where it was one like that and had enough pixels to be left; else 0. */
+    /** Time of the last picture if it was of this kind and large enough; else 0. */
     long knownNanos(Engine engine, FrameInput input) {
         return (long) (nanosARow(engine, input) * input.rows());
     }
 
-    /** Whether nothing is known of a picture whose meshes may make it take long. */
+    /** Whether the time of a picture is unknown and its meshes may make it slow. */
     boolean mayTakeLong(Engine engine, FrameInput input) {
         return input.bodies().firstMesh() > 0 && isLeft(engine, input) && nanosARow(engine, input) == 0;
     }
 
-    /** Takes it that a picture of which nothing is known would take so long. */
+    /** Assumes this time for a picture whose time is unknown. */
     void guess(Engine engine, FrameInput input, long nanos) {
         pace = Optional.of(new Pace(Work.of(engine, input), nanos / ((double) input.rows() * input.samplesPerPixel())));
     }
 
-    /** Whether such a picture is drawn in bands, between which it can be left. */
+    /** Whether the picture is drawn in bands. */
     private static boolean isLeft(Engine engine, FrameInput input) {
         return engine.drawsBandsInProportion() && input.width() * input.rows() >= FEWEST_PIXELS;
     }
 
-    /** 0 where it is not known. */
+    /** 0 if unknown. */
     private double nanosARow(Engine engine, FrameInput input) {
         Work work = Work.of(engine, input);
         return pace.filter(known -> known.work().equals(work))
@@ -88,9 +87,8 @@ final class SlowPictures {
     /**
      * Draws a picture.
      *
-     * @param leave whether to leave the picture, that number of nanoseconds before it would be done; asked between
-     *     bands
-     * @return whether the picture was drawn, and not left
+     * @param leave whether to abandon the picture, given the nanoseconds that are left; called between bands
+     * @return whether the picture was finished
      */
     boolean draw(Engine engine, FrameInput input, Frame frame, LongPredicate leave) {
         int height = input.rows();
@@ -115,7 +113,7 @@ final class SlowPictures {
                 times = times.plus(band.times());
             }
             drawn += rows;
-            // Rows are not alike: the next ones are like the last, more than like the sky above.
+            // Rows differ: the next ones are more like the last than like the sky above.
             long now = clock.getAsLong();
             nanosARow = Math.max(1, (double) (now - before) / rows);
             before = now;

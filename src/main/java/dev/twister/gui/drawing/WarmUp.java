@@ -13,22 +13,22 @@ import java.util.function.LongSupplier;
  * The first frames of an engine, which wait for compilers and are not shown.
  *
  * @param whole what will be drawn
- * @param small the same with few pixels: the JVM compiles the same code for it, and before it has, an engine may be
+ * @param small the same with few pixels: the JVM compiles the same code for it, and before that an engine may be
  *     hundreds of times slower
- * @param clock tells nanoseconds, as {@link System#nanoTime} does
+ * @param clock in nanoseconds, as {@link System#nanoTime}
  */
 record WarmUp(FrameInput whole, FrameInput small, LongSupplier clock) {
-    /** A JVM engine is warm when a whole picture may be expected in this time, or when its times have settled ... */
+    /** A JVM engine is warm when a whole picture is expected to take this time, when its times have settled ... */
     private static final long SWIFT_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
 
-    /** ... or when it has had this much time. */
+    /** ... or after this time. */
     private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(6);
 
-    /** Of the first small picture of many spheres. */
+    /** Time of the first small picture with many spheres. */
     private static final int BANDS = 16;
 
     /**
-     * Draws until the engine is about as fast as it will be.
+     * Draws until the engine has reached its speed.
      *
      * @param unwanted whether to stop because the engine will not be used
      */
@@ -60,10 +60,9 @@ record WarmUp(FrameInput whole, FrameInput small, LongSupplier clock) {
     }
 
     /**
-     * Draws the small picture once, in bands: where there are thousands of bodies, a cold JVM takes many seconds for
-     * it.
+     * Draws the small picture once, in bands: with thousands of bodies a cold JVM takes many seconds for it.
      *
-     * @param leave whether to draw no more of it; asked between bands
+     * @param leave whether to stop; called between bands
      * @return whether all of it was drawn
      */
     private boolean drawInBands(Engine engine, BooleanSupplier leave) {

@@ -2,6 +2,7 @@ package dev.twister.gui.files;
 
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Dialogs.Answer;
+import dev.twister.gui.controls.Problems;
 import dev.twister.gui.model.Autosave;
 import dev.twister.gui.model.AutosaveFolder;
 import dev.twister.gui.model.EditedFile;
@@ -63,7 +64,7 @@ public final class AutosaveKeeper implements AutoCloseable {
         Autosave newest = found.getFirst();
         List<Autosave> others = found.subList(1, found.size());
         dialogs.askToRestore(
-                FileActions.name(newest.edited().path()),
+                FileNames.name(newest.edited().path()),
                 newest.written(),
                 new Answer("Restore", () -> {
                     leave(others);
@@ -82,13 +83,13 @@ public final class AutosaveKeeper implements AutoCloseable {
             return;
         }
         lookedNanos = nanos;
-        if (!studio.editsProperty().get().changed()) {
+        if (!studio.document().editsProperty().get().changed()) {
             waitingSince = Optional.empty();
             kept.ifPresent(_ -> thread.execute(this::forget));
             kept = Optional.empty();
             return;
         }
-        SceneHistory.Version now = studio.present();
+        SceneHistory.Version now = studio.document().present();
         if (writing || kept.filter(now::isSame).isPresent()) {
             return;
         }
@@ -98,7 +99,7 @@ public final class AutosaveKeeper implements AutoCloseable {
             waitingSince = Optional.empty();
             writing = true;
             kept = Optional.of(now);
-            EditedFile file = studio.fileProperty().get();
+            EditedFile file = studio.document().fileProperty().get();
             thread.execute(() -> write(now, file));
         }
     }
@@ -115,7 +116,7 @@ public final class AutosaveKeeper implements AutoCloseable {
             current.orElseThrow().write(version.scene());
             old.ifPresent(AutosaveKeeper::delete);
         } catch (IOException | SceneException refused) {
-            problem = FileActions.explain(refused);
+            problem = Problems.explain(refused);
         }
         long took = System.nanoTime() - began;
         String said = problem;
@@ -136,7 +137,7 @@ public final class AutosaveKeeper implements AutoCloseable {
 
     /** The edits that were found are the ones that the studio has now. */
     private void adopt(Autosave restored) {
-        kept = Optional.of(studio.present());
+        kept = Optional.of(studio.document().present());
         thread.execute(() -> {
             forget();
             current = Optional.of(restored);

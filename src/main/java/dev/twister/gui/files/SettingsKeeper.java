@@ -3,6 +3,8 @@ package dev.twister.gui.files;
 import dev.twister.gui.model.SettingsStore;
 import dev.twister.gui.model.WindowSettings;
 import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -45,6 +47,19 @@ public final class SettingsKeeper {
     public void change(UnaryOperator<WindowSettings> change) {
         settings.set(change.apply(settings.get()));
         changes.add(change);
+    }
+
+    /** Puts a file that was opened or saved first in the menu of recent scenes. */
+    public void remember(Path file) {
+        change(kept -> kept.withRecentScene(FileNames.absolute(file).toString()));
+        write();
+    }
+
+    /** Takes a file that no longer exists out of the menu of recent scenes. */
+    void forgetIfGone(Path file) {
+        if (!Files.exists(file)) {
+            change(kept -> kept.withoutRecentScene(FileNames.absolute(file).toString()));
+        }
     }
 
     /** A few hundred bytes, written whole. */

@@ -25,7 +25,15 @@ public final class Projection {
         return new Projection(input);
     }
 
-    /** x and y of a point, in pixels from the upper left corner; empty where it is behind the camera. */
+    /** The camera's position in the scene. */
+    Vector3 viewpoint() {
+        return new Vector3(
+                origin.x() + camera[Layout.CAMERA_POSITION],
+                origin.y() + camera[Layout.CAMERA_POSITION + 1],
+                origin.z() + camera[Layout.CAMERA_POSITION + 2]);
+    }
+
+    /** x and y of a point, in pixels from the upper left corner; empty if it is behind the camera. */
     public double[] point(Vector3 place) {
         double[] seen = seen(place);
         return seen[2] < NEAREST ? new double[0] : pixel(seen);
@@ -49,12 +57,12 @@ public final class Projection {
     }
 
     /** The inverse of {@link dev.twister.kernel.Camera#u}. */
-    static double x(double u, int width, int height) {
+    private static double x(double u, int width, int height) {
         return width > height ? (u + 1) / 2 * height + (width - height) / 2.0 : (u + 1) / 2 * width;
     }
 
     /** The inverse of {@link dev.twister.kernel.Camera#v}. */
-    static double y(double v, int width, int height) {
+    private static double y(double v, int width, int height) {
         return width > height ? (1 - v) / 2 * height : (1 - v) / 2 * width + (height - width) / 2.0;
     }
 

@@ -7,9 +7,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.util.Map;
 import java.util.Optional;
 import tools.jackson.core.JacksonException;
-import tools.jackson.databind.DeserializationFeature;
+import tools.jackson.core.type.TypeReference;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.SerializationFeature;
 import tools.jackson.databind.json.JsonMapper;
@@ -28,11 +29,8 @@ public record SettingsStore(Optional<Path> folder) {
     /** Thousands of times what the settings take. */
     private static final int MAX_BYTES = 1 << 22;
 
-    private static final JsonMapper JSON = JsonMapper.builder()
-            .enable(SerializationFeature.INDENT_OUTPUT)
-            // A newer version's file is no damaged one.
-            .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
-            .build();
+    private static final JsonMapper JSON =
+            JsonMapper.builder().enable(SerializationFeature.INDENT_OUTPUT).build();
 
     /**
      * What was found.
@@ -67,7 +65,7 @@ public record SettingsStore(Optional<Path> folder) {
         if (folder.isEmpty()) {
             return;
         }
-        byte[] json = JSON.writeValueAsBytes(settings);
+        byte[] json = JSON.writeValueAsBytes(settings.values());
         Files.createDirectories(folder.get());
         WholeFile.write(folder.get().resolve(FILE), out -> {
             out.write(json);
@@ -80,9 +78,7 @@ public record SettingsStore(Optional<Path> folder) {
         if (!(found instanceof ObjectNode fields)) {
             throw new IOException("not an object");
         }
-        ObjectNode whole = JSON.valueToTree(WindowSettings.DEFAULT);
-        whole.setAll(fields);
-        return JSON.treeToValue(whole, WindowSettings.class);
+        return new WindowSettings(JSON.treeToValue(fields, new TypeReference<Map<String, Object>>() {}));
     }
 
     private static String setAside(Path file) {

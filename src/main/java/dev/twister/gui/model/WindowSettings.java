@@ -1,234 +1,162 @@
 package dev.twister.gui.model;
 
 import dev.twister.engine.auto.FastestEngine;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SequencedMap;
+import java.util.function.Function;
 import java.util.stream.Stream;
 
 /**
- * What the window keeps from one run to the next.
+ * The settings that the window keeps from one run to the next.
  *
- * @param width of the window, in the screen's units, {@value #MIN_SIDE} to {@value #MAX_SIDE}
- * @param height as the width
- * @param maximized whether the window fills the screen
- * @param panelShown whether the panel is shown
- * @param frameTimesShown whether frames a second are shown over the picture
- * @param engine an engine's id
- * @param recentScenes scene files as absolute paths, the newest first, at most {@value #MAX_RECENT}
- * @param qUp whether Q leads up and E down, instead of the other way round
- * @param axisHandles whether bodies have arrows by which they are moved along an axis
- * @param folded headings of the panel whose sections are folded
- * @param hintSeen whether the hint of the first start has been seen
+ * @param values by the names of the keys; missing ones have their defaults, those of unknown names are dropped
  */
-public record WindowSettings(
-        int width,
-        int height,
-        boolean maximized,
-        boolean panelShown,
-        boolean frameTimesShown,
-        String engine,
-        List<String> recentScenes,
-        boolean qUp,
-        boolean axisHandles,
-        List<String> folded,
-        boolean hintSeen) {
+public record WindowSettings(Map<String, Object> values) {
     public static final int MIN_SIDE = 200;
     public static final int MAX_SIDE = 16384;
     public static final int MAX_RECENT = 10;
     private static final int MAX_SECTIONS = 100;
     private static final int MAX_TEXT_LENGTH = 4096;
 
-    public static final WindowSettings DEFAULT = new WindowSettings(
-            1280,
-            800,
-            false,
-            true,
-            true,
-            FastestEngine.AUTO,
-            List.of(),
-            false,
-            true,
-            List.of("Camera", "Views", "Light", "Sky", "Plane", "Physics", "Compare"),
-            false);
+    /**
+     * One setting.
+     *
+     * @param name in the settings file
+     * @param usual the default
+     * @param read checks a value from the file; empty if it is out of range or of another type
+     */
+    public record Key<T>(String name, T usual, Function<Object, Optional<T>> read) {
+        private T checked(Object value) {
+            return read.apply(value).orElseThrow(() -> new IllegalArgumentException(name + " is out of range"));
+        }
+    }
+
+    /** Of the window, in the screen's units. */
+    public static final Key<Integer> WIDTH = side("width", 1280);
+
+    public static final Key<Integer> HEIGHT = side("height", 800);
+    public static final Key<Boolean> MAXIMIZED = flag("maximized", false);
+    public static final Key<Boolean> PANEL_SHOWN = flag("panelShown", true);
+    public static final Key<Boolean> FRAME_TIMES_SHOWN = flag("frameTimesShown", true);
+
+    /** The id of an engine. */
+    public static final Key<String> ENGINE = new Key<>("engine", FastestEngine.AUTO, WindowSettings::text);
+
+    /** Scene files as absolute paths, the newest first. */
+    public static final Key<List<String>> RECENT_SCENES = texts("recentScenes", MAX_RECENT, List.of());
+
+    /** Whether Q moves the camera up and E down, instead of the other way round. */
+    public static final Key<Boolean> Q_UP = flag("qUp", false);
+
+    /** Whether selected bodies have arrows that move them along an axis. */
+    public static final Key<Boolean> AXIS_HANDLES = flag("axisHandles", true);
+
+    /** Headings of the panel's folded sections. */
+    public static final Key<List<String>> FOLDED =
+            texts("folded", MAX_SECTIONS, List.of("Camera", "Views", "Light", "Sky", "Plane", "Physics", "Compare"));
+
+    /** Whether the hint of the first start has been seen. */
+    public static final Key<Boolean> HINT_SEEN = flag("hintSeen", false);
+
+    private static final List<Key<?>> KEYS = List.of(
+            WIDTH,
+            HEIGHT,
+            MAXIMIZED,
+            PANEL_SHOWN,
+            FRAME_TIMES_SHOWN,
+            ENGINE,
+            RECENT_SCENES,
+            Q_UP,
+            AXIS_HANDLES,
+            FOLDED,
+            HINT_SEEN);
+
+    public static final WindowSettings DEFAULT = new WindowSettings(Map.of());
 
     /**
-     * Checks what may come from a file.
+     * Checks the values, which may come from a file.
      *
-     * @throws IllegalArgumentException where a value is out of range
+     * @throws IllegalArgumentException if one is out of range
      */
     public WindowSettings {
-        require(width >= MIN_SIDE && width <= MAX_SIDE, "width");
-        require(height >= MIN_SIDE && height <= MAX_SIDE, "height");
-        require(engine != null && engine.length() <= MAX_TEXT_LENGTH, "engine");
-        require(
-                recentScenes != null
-                        && recentScenes.size() <= MAX_RECENT
-                        && recentScenes.stream().allMatch(file -> file != null && file.length() <= MAX_TEXT_LENGTH),
-                "recentScenes");
-        require(
-                folded != null
-                        && folded.size() <= MAX_SECTIONS
-                        && folded.stream().allMatch(name -> name != null && name.length() <= MAX_TEXT_LENGTH),
-                "folded");
-        recentScenes = List.copyOf(recentScenes);
-        folded = List.copyOf(folded);
+        SequencedMap<String, Object> known = new LinkedHashMap<>();
+        for (Key<?> key : KEYS) {
+            known.put(key.name(), key.checked(values.getOrDefault(key.name(), key.usual())));
+        }
+        values = Collections.unmodifiableMap(known);
     }
 
-    public WindowSettings withWindow(int newWidth, int newHeight, boolean newMaximized) {
-        return new WindowSettings(
-                Math.clamp(newWidth, MIN_SIDE, MAX_SIDE),
-                Math.clamp(newHeight, MIN_SIDE, MAX_SIDE),
-                newMaximized,
-                panelShown,
-                frameTimesShown,
-                engine,
-                recentScenes,
-                qUp,
-                axisHandles,
-                folded,
-                hintSeen);
+    public <T> T get(Key<T> key) {
+        return key.checked(values.get(key.name()));
     }
 
-    public WindowSettings withPanelShown(boolean shown) {
-        return new WindowSettings(
-                width,
-                height,
-                maximized,
-                shown,
-                frameTimesShown,
-                engine,
-                recentScenes,
-                qUp,
-                axisHandles,
-                folded,
-                hintSeen);
+    public <T> WindowSettings with(Key<T> key, T value) {
+        Map<String, Object> changed = new LinkedHashMap<>(values);
+        changed.put(key.name(), value);
+        return new WindowSettings(changed);
     }
 
-    public WindowSettings withFrameTimesShown(boolean shown) {
-        return new WindowSettings(
-                width, height, maximized, panelShown, shown, engine, recentScenes, qUp, axisHandles, folded, hintSeen);
+    /** With the window's size, clamped to what is allowed. */
+    public WindowSettings withSize(int width, int height) {
+        return with(WIDTH, Math.clamp(width, MIN_SIDE, MAX_SIDE)).with(HEIGHT, Math.clamp(height, MIN_SIDE, MAX_SIDE));
     }
 
-    public WindowSettings withEngine(String id) {
-        return new WindowSettings(
-                width,
-                height,
-                maximized,
-                panelShown,
-                frameTimesShown,
-                id,
-                recentScenes,
-                qUp,
-                axisHandles,
-                folded,
-                hintSeen);
-    }
-
-    /** The file comes first; where there are too many, the oldest is forgotten. */
+    /** With a file as the newest; the oldest is dropped if there are too many. */
     public WindowSettings withRecentScene(String file) {
-        List<String> newest = Stream.concat(Stream.of(file), recentScenes.stream())
-                .distinct()
-                .limit(MAX_RECENT)
-                .toList();
-        return new WindowSettings(
-                width,
-                height,
-                maximized,
-                panelShown,
-                frameTimesShown,
-                engine,
-                newest,
-                qUp,
-                axisHandles,
-                folded,
-                hintSeen);
+        return with(
+                RECENT_SCENES,
+                Stream.concat(Stream.of(file), get(RECENT_SCENES).stream())
+                        .distinct()
+                        .limit(MAX_RECENT)
+                        .toList());
     }
 
-    /** Without a file that is no longer there. */
+    /** Without a file that no longer exists. */
     public WindowSettings withoutRecentScene(String file) {
-        List<String> rest =
-                recentScenes.stream().filter(recent -> !recent.equals(file)).toList();
-        return new WindowSettings(
-                width,
-                height,
-                maximized,
-                panelShown,
-                frameTimesShown,
-                engine,
-                rest,
-                qUp,
-                axisHandles,
-                folded,
-                hintSeen);
-    }
-
-    public WindowSettings withQUp(boolean up) {
-        return new WindowSettings(
-                width,
-                height,
-                maximized,
-                panelShown,
-                frameTimesShown,
-                engine,
-                recentScenes,
-                up,
-                axisHandles,
-                folded,
-                hintSeen);
-    }
-
-    public WindowSettings withAxisHandles(boolean shown) {
-        return new WindowSettings(
-                width,
-                height,
-                maximized,
-                panelShown,
-                frameTimesShown,
-                engine,
-                recentScenes,
-                qUp,
-                shown,
-                folded,
-                hintSeen);
+        return with(RECENT_SCENES, without(get(RECENT_SCENES), file));
     }
 
     /** With a section of the panel folded or not. */
     public WindowSettings withFolded(String heading, boolean isFolded) {
-        List<String> others =
-                folded.stream().filter(name -> !name.equals(heading)).toList();
-        List<String> now =
-                isFolded ? Stream.concat(others.stream(), Stream.of(heading)).toList() : others;
-        return new WindowSettings(
-                width,
-                height,
-                maximized,
-                panelShown,
-                frameTimesShown,
-                engine,
-                recentScenes,
-                qUp,
-                axisHandles,
-                now,
-                hintSeen);
+        List<String> others = without(get(FOLDED), heading);
+        return with(
+                FOLDED,
+                isFolded ? Stream.concat(others.stream(), Stream.of(heading)).toList() : others);
     }
 
-    public WindowSettings withHintSeen() {
-        return new WindowSettings(
-                width,
-                height,
-                maximized,
-                panelShown,
-                frameTimesShown,
-                engine,
-                recentScenes,
-                qUp,
-                axisHandles,
-                folded,
-                true);
+    private static List<String> without(List<String> texts, String text) {
+        return texts.stream().filter(other -> !other.equals(text)).toList();
     }
 
-    private static void require(boolean holds, String field) {
-        if (!holds) {
-            throw new IllegalArgumentException(field + " is out of range");
-        }
+    private static Key<Integer> side(String name, int usual) {
+        return new Key<>(
+                name,
+                usual,
+                value -> value instanceof Integer side && side >= MIN_SIDE && side <= MAX_SIDE
+                        ? Optional.of(side)
+                        : Optional.empty());
+    }
+
+    private static Key<Boolean> flag(String name, boolean usual) {
+        return new Key<>(name, usual, value -> value instanceof Boolean on ? Optional.of(on) : Optional.empty());
+    }
+
+    private static Key<List<String>> texts(String name, int most, List<String> usual) {
+        return new Key<>(name, usual, value -> {
+            if (!(value instanceof List<?> list) || list.size() > most) {
+                return Optional.empty();
+            }
+            List<String> texts =
+                    list.stream().flatMap(text -> text(text).stream()).toList();
+            return Optional.of(texts).filter(_ -> texts.size() == list.size());
+        });
+    }
+
+    private static Optional<String> text(Object value) {
+        return value instanceof String text && text.length() <= MAX_TEXT_LENGTH ? Optional.of(text) : Optional.empty();
     }
 }

@@ -36,7 +36,7 @@ final class CameraSection {
                 .speedProperty()
                 .subscribe(now -> speed.show(CameraNumbers.SPEEDS, now, CameraMotion.WALK_METERS_PER_SECOND));
         studio.sceneProperty().subscribe(_ -> refresh());
-        studio.originalProperty().subscribe(_ -> refresh());
+        studio.document().originalProperty().subscribe(_ -> refresh());
     }
 
     List<PanelRow> rows() {
@@ -44,6 +44,6 @@ final class CameraSection {
     }
 
     private void refresh() {
-        numbers.forEach(row -> row.show(studio.scene(), studio.original()));
+        numbers.forEach(row -> row.show(studio.scene(), studio.document().original()));
     }
 }

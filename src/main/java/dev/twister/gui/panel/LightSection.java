@@ -34,7 +34,7 @@ final class LightSection {
                 scene -> Radiance.of(scene.lights().first().color()).hue(),
                 LightSection::withHue);
         studio.sceneProperty().subscribe(_ -> refresh());
-        studio.originalProperty().subscribe(_ -> refresh());
+        studio.document().originalProperty().subscribe(_ -> refresh());
     }
 
     List<PanelRow> rows() {
@@ -48,7 +48,7 @@ final class LightSection {
     }
 
     private void refresh() {
-        numbers.forEach(row -> row.show(studio.scene(), studio.original()));
-        color.show(studio.scene(), studio.original());
+        numbers.forEach(row -> row.show(studio.scene(), studio.document().original()));
+        color.show(studio.scene(), studio.document().original());
     }
 }

@@ -1,7 +1,8 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Tooltips;
-import dev.twister.gui.files.FileActions;
+import dev.twister.gui.files.AssetActions;
+import dev.twister.gui.files.FileNames;
 import dev.twister.gui.model.BodyChoices;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyMaterials;
@@ -26,7 +27,7 @@ import javafx.scene.control.Button;
 /** The rows of one body's material. A reset leads back to how it was at first. */
 final class MaterialRows {
     private final Studio studio;
-    private final FileActions files;
+    private final AssetActions assets;
     private final int body;
     private final Scene before;
     private final ChoiceRow<Optional<MaterialPreset>> preset;
@@ -47,9 +48,9 @@ final class MaterialRows {
     private List<Optional<Path>> textures;
 
     /** The material of the plane, of a sphere, or the own one of a mesh. */
-    MaterialRows(Studio studio, FileActions files, int body) {
+    MaterialRows(Studio studio, AssetActions assets, int body) {
         this.studio = studio;
-        this.files = files;
+        this.assets = assets;
         this.body = body;
         selected = SelectedBodies.of(body);
         before = studio.scene();
@@ -190,7 +191,7 @@ final class MaterialRows {
                 "A picture that multiplies the color.",
                 "Alt+Shift+X",
                 file -> {
-                    String name = file.map(FileActions::name).orElse("None");
+                    String name = file.map(FileNames::name).orElse("None");
                     return new Look(name, name, file.map(Path::toString).orElse(""), Optional.empty());
                 },
                 file -> file.ifPresentOrElse(this::useTexture, () -> setTexture(Optional.empty())),
@@ -198,13 +199,13 @@ final class MaterialRows {
         Button other = new Button("Other…");
         other.setId("other-texture");
         other.setTooltip(Tooltips.of("Chooses a texture file: .png or .jpg."));
-        other.setOnAction(_ -> files.chooseTexture(material(studio.scene()).texture(), this::useTexture));
+        other.setOnAction(_ -> assets.chooseTexture(material(studio.scene()).texture(), this::useTexture));
         row.addControl(other);
         return row;
     }
 
     private void useTexture(Path file) {
-        files.readTexture(file, () -> setTexture(Optional.of(file)), this::show);
+        assets.readTexture(file, () -> setTexture(Optional.of(file)), this::show);
     }
 
     private void setTexture(Optional<Path> file) {

@@ -1,6 +1,6 @@
 package dev.twister.gui.panel;
 
-import dev.twister.gui.files.FileActions;
+import dev.twister.gui.files.AssetActions;
 import dev.twister.gui.model.BodyChoices;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyMaterials;
@@ -15,15 +15,15 @@ import javafx.scene.layout.VBox;
 /** What the selected sphere, mesh or plane is made of; not seen where none is selected. */
 final class MaterialSection extends VBox {
     private final Studio studio;
-    private final FileActions files;
+    private final AssetActions assets;
     private final Label hint = new Label();
     private final SwitchRow own;
     private int body = BodyNumber.NONE;
     private Optional<MaterialRows> material = Optional.empty();
 
-    MaterialSection(Studio studio, FileActions files) {
+    MaterialSection(Studio studio, AssetActions assets) {
         this.studio = studio;
-        this.files = files;
+        this.assets = assets;
         getStyleClass().add("rows");
         hint.getStyleClass().add("hint");
         hint.setWrapText(true);
@@ -52,7 +52,7 @@ final class MaterialSection extends VBox {
         body = studio.selection().active();
         material = Optional.of(body)
                 .filter(selected -> BodyMaterials.has(studio.scene(), selected))
-                .map(selected -> new MaterialRows(studio, files, selected));
+                .map(selected -> new MaterialRows(studio, assets, selected));
         setVisible(material.isPresent() || BodyEdits.isMesh(studio.scene(), body));
         getChildren().setAll(hint);
         getChildren().addAll(rows());
@@ -85,7 +85,7 @@ final class MaterialSection extends VBox {
         studio.edit(
                 on ? "own material" : "file's materials",
                 scene -> on
-                        ? BodyMaterials.with(scene, mesh, studio.fileMaterial(mesh))
+                        ? BodyMaterials.with(scene, mesh, studio.bodies().fileMaterial(mesh))
                         : BodyMaterials.withFiles(scene, mesh));
         studio.endGesture();
     }

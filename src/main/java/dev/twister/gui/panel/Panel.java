@@ -3,11 +3,12 @@ package dev.twister.gui.panel;
 import dev.twister.gui.controls.Command;
 import dev.twister.gui.controls.CommandActions;
 import dev.twister.gui.controls.Tooltips;
-import dev.twister.gui.files.FileActions;
+import dev.twister.gui.files.AssetActions;
 import dev.twister.gui.files.SettingsKeeper;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.CameraRig;
 import dev.twister.gui.model.ResolutionMode;
+import dev.twister.gui.model.WindowSettings;
 import dev.twister.gui.picture.Comparison;
 import dev.twister.gui.picture.HistogramView;
 import dev.twister.gui.studio.EngineList;
@@ -55,7 +56,7 @@ public final class Panel extends ScrollPane {
             EngineList engines,
             Comparison comparison,
             BooleanProperty clippingShown,
-            FileActions files,
+            AssetActions assets,
             CommandActions actions) {
         engine = new EngineSection(
                 studio, engines, studio.engineProperty().get().offer().id());
@@ -64,11 +65,11 @@ public final class Panel extends ScrollPane {
         histogram = new HistogramView(studio, actions);
         camera = new CameraSection(studio);
         light = new LightSection(studio);
-        sky = new SkySection(studio, files);
+        sky = new SkySection(studio, assets);
         plane = new PlaneSection(studio);
         physics = new PhysicsSection(studio, actions);
         selection = new SelectionSection(studio);
-        material = new MaterialSection(studio, files);
+        material = new MaterialSection(studio, assets);
         Button reset = new Button("Reset everything");
         reset.setId("reset-everything");
         reset.setTooltip(Tooltips.of(
@@ -200,7 +201,7 @@ public final class Panel extends ScrollPane {
 
     /** Lets sections be folded as they were kept, and keeps how they are. */
     public void foldAsKept(SettingsKeeper settings) {
-        List<String> folded = settings.settings().folded();
+        List<String> folded = settings.settings().get(WindowSettings.FOLDED);
         sections.forEach(section -> section.makeFoldable(
                 folded.contains(section.heading()),
                 isFolded -> settings.change(kept -> kept.withFolded(section.heading(), isFolded))));
@@ -226,8 +227,10 @@ public final class Panel extends ScrollPane {
         studio.motion().setOn(false);
         studio.edit(
                 "everything",
-                scene -> studio.original()
-                        .withCamera(CameraRig.of(studio.original().camera()).on(scene.camera())));
+                scene -> studio.document()
+                        .original()
+                        .withCamera(CameraRig.of(studio.document().original().camera())
+                                .on(scene.camera())));
         studio.endGesture();
         studio.hand().goHome();
         studio.setResolution(ResolutionMode.WINDOW);

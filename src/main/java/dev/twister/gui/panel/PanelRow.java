@@ -16,7 +16,7 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 
 /** A line of the panel: a name, controls, and a button that resets them. */
-public abstract sealed class PanelRow extends HBox permits NumberRow, ColorRow, ChoiceRow, SwitchRow, BodiesRow {
+public abstract class PanelRow extends HBox {
     private final Button reset = new Button("↺");
     private final Label nameLabel;
     private final Tooltip tooltip;

@@ -42,8 +42,8 @@ final class PhysicsSection {
         buttons = new HBox(pause, button(Command.STEP, actions), button(Command.RANDOMIZE, actions));
         buttons.getStyleClass().add("buttons");
         studio.motion().motionProperty().subscribe(motion -> show(motion));
-        studio.sceneProperty().subscribe(scene -> show(scene, studio.original()));
-        studio.originalProperty().subscribe(original -> show(studio.scene(), original));
+        studio.sceneProperty().subscribe(scene -> show(scene, studio.document().original()));
+        studio.document().originalProperty().subscribe(original -> show(studio.scene(), original));
     }
 
     List<PanelRow> rows() {

@@ -46,7 +46,7 @@ final class PictureSection {
         clipping = new SwitchRow("Show clipping", Command.CLIPPING.hint(), "Alt+Z", clippingShown::set);
         clippingShown.subscribe(on -> clipping.show(on, false));
         studio.sceneProperty().subscribe(_ -> refresh());
-        studio.originalProperty().subscribe(_ -> refresh());
+        studio.document().originalProperty().subscribe(_ -> refresh());
         studio.refiningProperty().subscribe(on -> refining.show(on, true));
     }
 
@@ -57,7 +57,7 @@ final class PictureSection {
 
     private void refresh() {
         Scene scene = studio.scene();
-        Scene usual = studio.original();
+        Scene usual = studio.document().original();
         numbers.forEach(row -> row.show(scene, usual));
         toneMap.show(
                 List.of(ToneMap.values()),

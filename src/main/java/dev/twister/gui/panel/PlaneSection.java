@@ -23,8 +23,12 @@ final class PlaneSection {
         select.setOnAction(_ -> studio.selection().select(BodyNumber.PLANE));
         buttons = new HBox(select);
         buttons.getStyleClass().add("buttons");
-        studio.sceneProperty().subscribe(scene -> numbers.forEach(row -> row.show(scene, studio.original())));
-        studio.originalProperty().subscribe(original -> numbers.forEach(row -> row.show(studio.scene(), original)));
+        studio.sceneProperty()
+                .subscribe(scene ->
+                        numbers.forEach(row -> row.show(scene, studio.document().original())));
+        studio.document()
+                .originalProperty()
+                .subscribe(original -> numbers.forEach(row -> row.show(studio.scene(), original)));
     }
 
     List<PanelRow> rows() {

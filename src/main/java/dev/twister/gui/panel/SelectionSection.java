@@ -160,7 +160,9 @@ final class SelectionSection extends VBox {
         int body = studio.selection().active();
         // The selection follows a scene that has lost the body; until then there is nothing to show.
         if (BodyEdits.isSolid(scene, body) && body == shownBody) {
-            Scene seen = studio.motion().isOn() ? BodyEdits.moved(scene, body, studio.positionNow(body)) : scene;
+            Scene seen = studio.motion().isOn()
+                    ? BodyEdits.moved(scene, body, studio.bodies().position(body))
+                    : scene;
             numbers.stream().filter(which).forEach(row -> row.show(seen, atSelection));
         }
     }

@@ -1,7 +1,7 @@
 package dev.twister.gui.panel;
 
 import dev.twister.gui.controls.Tooltips;
-import dev.twister.gui.files.FileActions;
+import dev.twister.gui.files.AssetActions;
 import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.panel.ChoiceRow.Look;
 import dev.twister.gui.studio.Studio;
@@ -19,24 +19,24 @@ final class SkySection {
     private final Button other = new Button("Other…");
     private List<Path> known = List.of();
 
-    SkySection(Studio studio, FileActions files) {
+    SkySection(Studio studio, AssetActions assets) {
         this.studio = studio;
         sky = new ChoiceRow<>(
                 "Sky",
                 "The panorama behind everything, which mirrors show too. A file can be dropped on the window.",
                 "Alt+K",
                 file -> new Look(SkyList.label(file), SkyList.label(file), file.toString(), Optional.empty()),
-                file -> files.useSky(file, this::refresh),
+                file -> assets.useSky(file, this::refresh),
                 studio::notice);
         other.setId("other-sky");
         other.setTooltip(Tooltips.of("Chooses a panorama's file: .hdr, .png or .jpg."));
-        other.setOnAction(_ -> files.chooseSky());
+        other.setOnAction(_ -> assets.chooseSky());
         sky.addControl(other);
         numbers = List.of(
                 new NumberRow(SceneNumbers.SKY_ROTATION, "Alt+D", studio),
                 new NumberRow(SceneNumbers.SKY_STRENGTH, "Alt+O", studio));
         studio.sceneProperty().subscribe(_ -> refresh());
-        studio.originalProperty().subscribe(_ -> refresh());
+        studio.document().originalProperty().subscribe(_ -> refresh());
     }
 
     /** Offers these panoramas too. */
@@ -51,8 +51,8 @@ final class SkySection {
 
     private void refresh() {
         Path used = studio.scene().sky().file();
-        Path own = studio.original().sky().file();
+        Path own = studio.document().original().sky().file();
         sky.show(SkyList.with(known, own, used), used, own);
-        numbers.forEach(row -> row.show(studio.scene(), studio.original()));
+        numbers.forEach(row -> row.show(studio.scene(), studio.document().original()));
     }
 }

@@ -1,8 +1,8 @@
 package dev.twister.gui.picture;
 
 import dev.twister.engine.ExposureMeter;
+import dev.twister.gui.controls.Problems;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.files.FileActions;
 import dev.twister.gui.model.SceneNumbers;
 import dev.twister.gui.studio.Errands;
 import dev.twister.gui.studio.Studio;
@@ -32,7 +32,7 @@ public final class ExposureActions {
     }
 
     private void measure(DrawnPicture picture) {
-        long document = studio.document();
+        long document = studio.document().number();
         boolean srgb = studio.scene().rendering().srgb();
         CompletableFuture<Optional<float[]>> gathered = studio.radiance(picture);
         errands.run(
@@ -41,11 +41,11 @@ public final class ExposureActions {
                         .map(radiance -> AutoExposure.stops(radiance, srgb))
                         .orElseGet(() -> ExposureMeter.stops(picture.input())),
                 stops -> {
-                    if (studio.document() == document) {
+                    if (studio.document().number() == document) {
                         set(stops);
                     }
                 },
-                problem -> studio.notice(FileActions.explain(problem)));
+                problem -> studio.notice(Problems.explain(problem)));
     }
 
     private void set(OptionalDouble measured) {

@@ -13,7 +13,7 @@ public final class PathPick {
     private final ReadOnlyObjectWrapper<Optional<PixelPath>> path = new ReadOnlyObjectWrapper<>(Optional.empty());
 
     public PathPick(Studio studio) {
-        studio.originalProperty().subscribe(_ -> clear());
+        studio.document().originalProperty().subscribe(_ -> clear());
     }
 
     public ReadOnlyObjectProperty<Optional<PixelPath>> pathProperty() {

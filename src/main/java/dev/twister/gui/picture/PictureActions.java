@@ -3,8 +3,8 @@ package dev.twister.gui.picture;
 import dev.twister.engine.Engine;
 import dev.twister.engine.JvmEngines;
 import dev.twister.gui.controls.Dialogs;
+import dev.twister.gui.controls.Problems;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.files.FileActions;
 import dev.twister.gui.files.FileChoice;
 import dev.twister.gui.model.FrameRecorder;
 import dev.twister.gui.model.PictureFile;
@@ -75,7 +75,7 @@ public final class PictureActions implements AutoCloseable {
                                 return file;
                             },
                             written -> studio.notice("Saved " + written),
-                            problem -> dialogs.complain("Couldn't save the picture", FileActions.explain(problem)));
+                            problem -> dialogs.complain("Couldn't save the picture", Problems.explain(problem)));
                 });
     }
 

@@ -3,9 +3,10 @@ package dev.twister.gui.rendering;
 import dev.twister.engine.EngineException;
 import dev.twister.gui.controls.Dialogs;
 import dev.twister.gui.controls.Dialogs.Answer;
+import dev.twister.gui.controls.Problems;
 import dev.twister.gui.drawing.DrawnPicture;
-import dev.twister.gui.files.FileActions;
 import dev.twister.gui.files.FileChoice;
+import dev.twister.gui.files.FileNames;
 import dev.twister.gui.model.RenderJob;
 import dev.twister.gui.studio.EngineList;
 import dev.twister.gui.studio.Studio;
@@ -68,7 +69,7 @@ public final class RenderActions implements AutoCloseable {
     public void beforeClosing(Runnable then) {
         if (job.isPresent()) {
             dialogs.askToCancelRender(
-                    FileActions.name(job.get().order().output().file()), new Answer("Cancel render", () -> {
+                    FileNames.name(job.get().order().output().file()), new Answer("Cancel render", () -> {
                         cancel();
                         then.run();
                     }));
@@ -112,7 +113,7 @@ public final class RenderActions implements AutoCloseable {
     }
 
     private String stem() {
-        String name = FileActions.name(studio.fileProperty().get().path());
+        String name = FileNames.name(studio.document().file());
         int dot = name.lastIndexOf('.');
         return dot > 0 ? name.substring(0, dot) : name;
     }
@@ -122,14 +123,13 @@ public final class RenderActions implements AutoCloseable {
         Path file = order.output().file();
         lastFolder = Optional.ofNullable(file.toAbsolutePath().getParent()).orElse(lastFolder);
         try {
-            if (SceneInputs.areReplacedBy(
-                    file, SceneInputs.of(studio.fileProperty().get().path(), order.scene()))) {
+            if (SceneInputs.areReplacedBy(file, SceneInputs.of(studio.document().file(), order.scene()))) {
                 dialogs.complain(FAILED, file + " is a file of the scene; choose another one");
             } else {
                 Optional<Path> there = firstFrameThere(order);
                 if (there.isPresent()) {
                     dialogs.askToReplaceFrames(
-                            FileActions.name(there.get()),
+                            FileNames.name(there.get()),
                             new Answer("Other name…", this::start),
                             new Answer("Replace", () -> start(order)));
                 } else {
@@ -178,7 +178,7 @@ public final class RenderActions implements AutoCloseable {
     }
 
     private static String explain(Throwable problem) {
-        return problem instanceof EngineException ? problem.getMessage() : FileActions.explain(problem);
+        return problem instanceof EngineException ? problem.getMessage() : Problems.explain(problem);
     }
 
     private void tell(String what) {

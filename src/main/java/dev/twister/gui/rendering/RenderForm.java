@@ -109,8 +109,8 @@ final class RenderForm extends GridPane {
             films.showUsual();
             engines.want();
         }
-        if (!document.equals(Optional.of(studio.document()))) {
-            document = Optional.of(studio.document());
+        if (!document.equals(Optional.of(studio.document().number()))) {
+            document = Optional.of(studio.document().number());
             shadows.show(scene.rendering().shadowSamples());
             films.startAnew();
         }

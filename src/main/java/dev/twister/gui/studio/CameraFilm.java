@@ -8,6 +8,7 @@ import dev.twister.scene.SceneLimits;
 import dev.twister.world.CameraPath;
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.function.Consumer;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
@@ -17,7 +18,8 @@ import javafx.beans.property.SimpleBooleanProperty;
 
 /** A time in the film that the camera's keyframes make; the camera follows it along their path. */
 public final class CameraFilm {
-    private final Studio studio;
+    private final Document document;
+    private final Consumer<String> notice;
     private final ReadOnlyDoubleWrapper seconds = new ReadOnlyDoubleWrapper(0);
     private final BooleanProperty shown = new SimpleBooleanProperty(false);
     private final ReadOnlyBooleanWrapper playing = new ReadOnlyBooleanWrapper(false);
@@ -25,9 +27,10 @@ public final class CameraFilm {
     /** As it was when the film began to play: keyframes may leave its field of view and its focus as they are. */
     private Camera start;
 
-    CameraFilm(Studio studio) {
-        this.studio = studio;
-        start = studio.scene().camera();
+    CameraFilm(Document document, Consumer<String> notice) {
+        this.document = document;
+        this.notice = notice;
+        start = document.scene().camera();
         startAnew();
     }
 
@@ -53,7 +56,7 @@ public final class CameraFilm {
     }
 
     public List<CameraKeyframe> keyframes() {
-        return studio.scene().camera().keyframes();
+        return document.scene().camera().keyframes();
     }
 
     /** The keyframe at the present time. */
@@ -69,7 +72,7 @@ public final class CameraFilm {
         if (!keys.isEmpty()
                 && seconds.get() >= keys.getFirst().seconds()
                 && seconds.get() <= keys.getLast().seconds()) {
-            studio.followPath(CameraPath.at(studio.scene().camera(), seconds.get()));
+            document.followPath(CameraPath.at(document.scene().camera(), seconds.get()));
         }
     }
 
@@ -87,7 +90,7 @@ public final class CameraFilm {
                         .findFirst()
                         .ifPresentOrElse(
                                 this::goTo,
-                                () -> studio.notice(
+                                () -> notice.accept(
                                         times.isEmpty()
                                                 ? "No keyframes: "
                                                         + Command.SET_KEYFRAME
@@ -99,16 +102,16 @@ public final class CameraFilm {
     /** Makes the camera as it is now a keyframe of the present time. */
     public void setKeyframe() {
         if (keyframes().size() >= SceneLimits.MAX_KEYFRAMES && present().isEmpty()) {
-            studio.notice("A camera has at most " + SceneLimits.MAX_KEYFRAMES + " keyframes");
+            notice.accept("A camera has at most " + SceneLimits.MAX_KEYFRAMES + " keyframes");
             return;
         }
         playing.set(false);
         shown.set(true);
         double time = KeyframeEdits.time(seconds.get());
         seconds.set(time);
-        studio.edit("set keyframe", scene -> KeyframeEdits.set(scene, time));
-        studio.endGesture();
-        studio.notice("Keyframe set at " + KeyframeEdits.text(time) + " s; change the time for the next one");
+        document.edit("set keyframe", scene -> KeyframeEdits.set(scene, time));
+        document.endGesture();
+        notice.accept("Keyframe set at " + KeyframeEdits.text(time) + " s; change the time for the next one");
     }
 
     /** Deletes the keyframe of the present time; says so where there is none. */
@@ -116,16 +119,16 @@ public final class CameraFilm {
         present()
                 .ifPresentOrElse(
                         index -> {
-                            studio.edit("delete keyframe", scene -> KeyframeEdits.deleted(scene, index));
-                            studio.endGesture();
+                            document.edit("delete keyframe", scene -> KeyframeEdits.deleted(scene, index));
+                            document.endGesture();
                         },
-                        () -> studio.notice("No keyframe at " + KeyframeEdits.text(seconds.get()) + " s"));
+                        () -> notice.accept("No keyframe at " + KeyframeEdits.text(seconds.get()) + " s"));
     }
 
     /** Moves a keyframe to another time, and goes along with it. */
     public void moveKeyframe(int index, double time) {
         playing.set(false);
-        studio.edit("move keyframe", scene -> KeyframeEdits.moved(scene, index, time));
+        document.edit("move keyframe", scene -> KeyframeEdits.moved(scene, index, time));
         seconds.set(keyframes().get(index).seconds());
     }
 
@@ -135,9 +138,9 @@ public final class CameraFilm {
         if (playing.get()) {
             playing.set(false);
         } else if (keys.size() < 2) {
-            studio.notice("Set two keyframes or more to play the camera's path");
+            notice.accept("Set two keyframes or more to play the camera's path");
         } else {
-            start = studio.scene().camera();
+            start = document.scene().camera();
             boolean within = seconds.get() >= keys.getFirst().seconds()
                     && seconds.get() < keys.getLast().seconds();
             seconds.set(within ? seconds.get() : keys.getFirst().seconds());
@@ -157,7 +160,7 @@ public final class CameraFilm {
         }
         double end = keyframes().getLast().seconds();
         seconds.set(Math.min(end, seconds.get() + passed));
-        studio.followPath(CameraPath.at(start.withKeyframes(keyframes()), seconds.get()));
+        document.followPath(CameraPath.at(start.withKeyframes(keyframes()), seconds.get()));
         if (seconds.get() >= end) {
             playing.set(false);
         }

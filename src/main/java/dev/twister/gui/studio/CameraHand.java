@@ -7,6 +7,7 @@ import dev.twister.world.CameraMotion;
 import dev.twister.world.Turn;
 import dev.twister.world.Walk;
 import java.util.List;
+import java.util.function.Consumer;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleObjectProperty;
 
@@ -14,13 +15,15 @@ import javafx.beans.property.SimpleObjectProperty;
 public final class CameraHand {
     public static final String FULL = "The scene has " + SceneLimits.MAX_VIEWS + " views, and can't have more";
 
-    private final Studio studio;
+    private final Document document;
+    private final Consumer<String> notice;
     private final ObjectProperty<Double> speed = new SimpleObjectProperty<>(CameraMotion.WALK_METERS_PER_SECOND);
     private Walk walk = Walk.STILL;
     private Turn turn = Turn.STILL;
 
-    CameraHand(Studio studio) {
-        this.studio = studio;
+    CameraHand(Document document, Consumer<String> notice) {
+        this.document = document;
+        this.notice = notice;
     }
 
     /** Meters per second that a walk has, above 0. */
@@ -30,27 +33,27 @@ public final class CameraHand {
 
     /** Back to where the scene's file has the camera. */
     public void goHome() {
-        studio.moveCamera(_ -> studio.original().camera());
+        document.moveCamera(_ -> document.original().camera());
     }
 
     /** Keeps the camera as it is now as the view that a number key leads to, or as another one behind the last. */
     public void keepView(int digit) {
         int index = ViewEdits.ofKey(digit);
-        boolean there = index < studio.scene().views().size();
-        if (!there && ViewEdits.isFull(studio.scene())) {
-            studio.notice(FULL);
+        boolean there = index < document.scene().views().size();
+        if (!there && ViewEdits.isFull(document.scene())) {
+            notice.accept(FULL);
             return;
         }
-        studio.endGesture();
-        studio.edit(
+        document.endGesture();
+        document.edit(
                 there ? "update view" : "add view",
                 scene -> there
                         ? ViewEdits.updated(scene, index, scene.camera())
                         : ViewEdits.added(scene, scene.camera()));
-        studio.endGesture();
-        List<CameraView> views = studio.scene().views();
+        document.endGesture();
+        List<CameraView> views = document.scene().views();
         int kept = there ? index : views.size() - 1;
-        studio.notice("View kept"
+        notice.accept("View kept"
                 + ViewEdits.key(kept).map(key -> " under " + key).orElse("") + ": "
                 + views.get(kept).name());
     }
@@ -58,17 +61,17 @@ public final class CameraHand {
     /** Goes to the view that a number key leads to; says so where there is none. */
     public void recallView(int digit) {
         int index = ViewEdits.ofKey(digit);
-        List<CameraView> views = studio.scene().views();
+        List<CameraView> views = document.scene().views();
         if (index < views.size()) {
             goTo(views.get(index));
         } else {
-            studio.notice("No view is kept under " + digit + "; Ctrl+" + digit + " keeps this one");
+            notice.accept("No view is kept under " + digit + "; Ctrl+" + digit + " keeps this one");
         }
     }
 
     public void goTo(CameraView view) {
-        studio.goTo(view.camera());
-        studio.notice("View: " + view.name());
+        document.goTo(view.camera());
+        notice.accept("View: " + view.name());
     }
 
     /** From now on each pulse moves the camera that way, until told otherwise. */
@@ -83,10 +86,10 @@ public final class CameraHand {
 
     /** Called in every pulse, with the time since the one before. */
     void pulse(double seconds) {
-        studio.moveCamera(camera -> CameraMotion.walk(
+        document.moveCamera(camera -> CameraMotion.walk(
                 CameraMotion.turn(camera, turn, seconds),
                 walk,
                 seconds * speed.get() / CameraMotion.WALK_METERS_PER_SECOND,
-                studio.scene().ground()));
+                document.scene().ground()));
     }
 }

@@ -3,17 +3,29 @@ package dev.twister.gui.studio;
 import dev.twister.gui.drawing.Motion;
 import dev.twister.gui.model.BodyEdits;
 import dev.twister.gui.model.BodyNumber;
+import java.util.function.Consumer;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 
 /** Starts, pauses and ends the motion of a studio's bodies. */
 public final class MotionControl {
-    private final Studio studio;
+    private final Document document;
+    private final Selection selection;
+    private final Consumer<String> notice;
+    private final Runnable request;
     private final ReadOnlyObjectWrapper<Motion> motion = new ReadOnlyObjectWrapper<>(Motion.NONE);
     private long starts;
 
-    MotionControl(Studio studio) {
-        this.studio = studio;
+    /**
+     * A motion that is off.
+     *
+     * @param request requests a picture after each change
+     */
+    MotionControl(Document document, Selection selection, Consumer<String> notice, Runnable request) {
+        this.document = document;
+        this.selection = selection;
+        this.notice = notice;
+        this.request = request;
     }
 
     /** Whether and how bodies move. */
@@ -32,9 +44,9 @@ public final class MotionControl {
         boolean moved = isOn();
         set(on ? new Motion(starts, true, 0) : Motion.NONE);
         if (on) {
-            studio.notice(StatusText.whatFalls(studio.scene()));
+            notice.accept(StatusText.whatFalls(document.scene()));
         } else if (moved) {
-            studio.notice("Physics off: bodies are where the scene has them");
+            notice.accept("Physics off: bodies are where the scene has them");
         }
     }
 
@@ -43,7 +55,7 @@ public final class MotionControl {
         Motion now = motion.get();
         if (now.isOn()) {
             set(new Motion(now.start(), !now.running(), now.steps()));
-            studio.notice(now.running() ? "Paused" : "Resumed");
+            notice.accept(now.running() ? "Paused" : "Resumed");
         } else {
             setOn(true);
         }
@@ -64,11 +76,10 @@ public final class MotionControl {
     }
 
     private void set(Motion next) {
-        if (next.start() != motion.get().start()
-                && BodyEdits.isPoured(studio.scene(), studio.selection().active())) {
-            studio.selection().select(BodyNumber.NONE);
+        if (next.start() != motion.get().start() && BodyEdits.isPoured(document.scene(), selection.active())) {
+            selection.select(BodyNumber.NONE);
         }
         motion.set(next);
-        studio.request();
+        request.run();
     }
 }

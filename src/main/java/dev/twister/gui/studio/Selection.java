@@ -1,14 +1,11 @@
 package dev.twister.gui.studio;
 
-import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyExtent;
 import dev.twister.gui.model.BodyNumber;
 import dev.twister.gui.model.SelectedBodies;
 import dev.twister.scene.Scene;
-import dev.twister.world.SceneMeshes;
 import java.util.Collection;
-import java.util.Optional;
+import java.util.function.Consumer;
 import javafx.beans.property.ReadOnlyIntegerProperty;
 import javafx.beans.property.ReadOnlyIntegerWrapper;
 import javafx.beans.property.ReadOnlyObjectProperty;
@@ -19,12 +16,14 @@ import javafx.beans.property.ReadOnlyObjectWrapper;
  * alone.
  */
 public final class Selection {
-    private final Studio studio;
+    private final Document document;
+    private final Consumer<String> notice;
     private final ReadOnlyObjectWrapper<SelectedBodies> bodies = new ReadOnlyObjectWrapper<>(SelectedBodies.NONE);
     private final ReadOnlyIntegerWrapper active = new ReadOnlyIntegerWrapper(BodyNumber.NONE);
 
-    Selection(Studio studio) {
-        this.studio = studio;
+    Selection(Document document, Consumer<String> notice) {
+        this.document = document;
+        this.notice = notice;
     }
 
     public ReadOnlyObjectProperty<SelectedBodies> bodiesProperty() {
@@ -46,7 +45,7 @@ public final class Selection {
 
     /** Selects the light, the plane, a sphere, a mesh, or a sphere that is poured; any other number selects nothing. */
     public void select(int body) {
-        set(SelectedBodies.of(BodyEdits.isSelectable(studio.scene(), body) ? body : BodyNumber.NONE));
+        set(SelectedBodies.of(BodyEdits.isSelectable(document.scene(), body) ? body : BodyNumber.NONE));
     }
 
     /** Selects the movable ones of several bodies, the last of them active; one alone as {@link #select(int)}. */
@@ -64,11 +63,11 @@ public final class Selection {
         boolean movable = isMovable(body);
         if (movable || selected.contains(body)) {
             set((movable ? selected.where(this::isMovable) : selected).toggled(body));
-        } else if (BodyEdits.isSelectable(studio.scene(), body)) {
+        } else if (BodyEdits.isSelectable(document.scene(), body)) {
             if (selected.where(this::isMovable).count() == 0) {
                 select(body);
             } else {
-                studio.notice((body == BodyNumber.PLANE ? "The plane" : "A poured sphere") + " is only selected alone");
+                notice.accept((body == BodyNumber.PLANE ? "The plane" : "A poured sphere") + " is only selected alone");
             }
         }
     }
@@ -80,27 +79,9 @@ public final class Selection {
 
     /** Selects all movable bodies; the active one stays it. */
     public void selectAll() {
-        SelectedBodies all = SelectedBodies.of(BodyEdits.movable(studio.scene()));
+        SelectedBodies all = SelectedBodies.of(BodyEdits.movable(document.scene()));
         set(all.contains(active()) ? all.withActive(active()) : all);
-        studio.notice(all.count() + " bodies selected");
-    }
-
-    /** The room that its movable bodies take together in the picture that is shown; empty where there are none. */
-    public Optional<BodyExtent> extent() {
-        return extent(bodies());
-    }
-
-    /** The same of some of them. */
-    public Optional<BodyExtent> extent(SelectedBodies some) {
-        Scene now = studio.sceneNow();
-        SceneMeshes shown =
-                studio.pictureProperty().get().map(DrawnPicture::meshes).orElse(SceneMeshes.NONE);
-        return Optional.of(some.bodies().stream()
-                        .filter(this::isMovable)
-                        .map(body -> BodyExtent.of(now, shown, body))
-                        .toList())
-                .filter(extents -> !extents.isEmpty())
-                .map(BodyExtent::of);
+        notice.accept(all.count() + " bodies selected");
     }
 
     /** Keeps those bodies alone whose numbers mean the same ones in the scene as it is now. */
@@ -115,13 +96,13 @@ public final class Selection {
     }
 
     private boolean isMovable(int body) {
-        return BodyEdits.isMovable(studio.scene(), body);
+        return BodyEdits.isMovable(document.scene(), body);
     }
 
     private void set(SelectedBodies selected) {
         if (!selected.equals(bodies.get())) {
             // The next edit may have the same name, but is of other bodies.
-            studio.endGesture();
+            document.endGesture();
             bodies.set(selected);
             active.set(selected.active());
         }

@@ -7,24 +7,14 @@ import dev.twister.gui.drawing.DrawingStatus;
 import dev.twister.gui.drawing.DrawnPicture;
 import dev.twister.gui.drawing.EngineChoice;
 import dev.twister.gui.model.BodyEdits;
-import dev.twister.gui.model.BodyExtent;
 import dev.twister.gui.model.BodyNumber;
-import dev.twister.gui.model.CameraRig;
-import dev.twister.gui.model.EditState;
-import dev.twister.gui.model.EditedFile;
 import dev.twister.gui.model.RefinementGoal;
 import dev.twister.gui.model.ResolutionMode;
-import dev.twister.gui.model.SceneHistory;
 import dev.twister.image.PictureSize;
 import dev.twister.scene.Body;
 import dev.twister.scene.Camera;
-import dev.twister.scene.Material;
-import dev.twister.scene.Mesh;
 import dev.twister.scene.Scene;
-import dev.twister.scene.Vector3;
-import dev.twister.world.CameraMotion;
 import dev.twister.world.Picture;
-import dev.twister.world.SceneMeshes;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -40,59 +30,55 @@ import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
 
 /**
- * What a person sees and edits, and the one place where it changes: views bind to its properties and call its methods.
- * Used by JavaFX's thread alone; needs no toolkit.
+ * What the window shows and edits, and the only place where it changes: views bind to its properties and call its
+ * methods. Used by JavaFX's thread alone; needs no toolkit.
  */
 public final class Studio implements AutoCloseable {
     private static final double NANOS_PER_SECOND = 1e9;
 
-    /** After the window was asleep, say, the camera does not leap. */
+    /** Bounds the camera's movement in one pulse, for example after the window was suspended. */
     private static final double LONGEST_STEP_SECONDS = 0.25;
 
     private final SceneAssets assets;
     private final DrawingLoop loop;
-    private final ReadOnlyObjectWrapper<Scene> scene;
+    private final Document document;
     private final ReadOnlyObjectWrapper<EngineChoice> engine;
-    private final ReadOnlyObjectWrapper<EditedFile> file;
-    private final ReadOnlyObjectWrapper<EditState> edits = new ReadOnlyObjectWrapper<>(EditState.UNTOUCHED);
     private final ReadOnlyObjectWrapper<ResolutionMode> resolution = new ReadOnlyObjectWrapper<>(ResolutionMode.WINDOW);
     private final ReadOnlyObjectWrapper<Picture> shown = new ReadOnlyObjectWrapper<>(Picture.REFLECTIONS);
-    private final Selection selection = new Selection(this);
     private final ReadOnlyObjectWrapper<Optional<DrawnPicture>> picture = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ReadOnlyObjectWrapper<DrawingStatus> drawing = new ReadOnlyObjectWrapper<>(DrawingStatus.QUIET);
     private final BooleanProperty refining = new SimpleBooleanProperty(true);
-    private final CameraHand hand = new CameraHand(this);
-    private final CameraFilm film;
-    private final FrameHistory frames = new FrameHistory();
-    private final MotionControl motion = new MotionControl(this);
     private final ReadOnlyStringWrapper notice = new ReadOnlyStringWrapper("");
-    private SceneHistory document;
-    private long documents;
-    private final ReadOnlyObjectWrapper<Scene> original;
+    private final FrameHistory frames = new FrameHistory();
+    private final Selection selection;
+    private final MotionControl motion;
+    private final PresentBodies bodies;
+    private final CameraHand hand;
+    private final CameraFilm film;
     private double displayMillis;
     private long lastPulseNanos;
     private double viewWidth;
     private double viewHeight;
     private long requests;
 
-    /** The first request with the numbers that bodies have now; they change where some come or go. */
+    /** The first request with the present body numbers; they change when bodies are added or deleted. */
     private long numbered;
 
     private Studio(OpenedScene opened, EngineOffer offer, SceneAssets assets) {
         this.assets = assets;
         loop = assets.drawingLoop();
-        Scene first = withCameraAbovePlane(opened.scene());
-        scene = new ReadOnlyObjectWrapper<>(first);
+        document = new Document(opened, this::changing, this::changed);
         engine = new ReadOnlyObjectWrapper<>(new EngineChoice(0, offer));
-        file = new ReadOnlyObjectWrapper<>(opened.file());
-        document = new SceneHistory(first);
-        original = new ReadOnlyObjectWrapper<>(opened.scene());
-        film = new CameraFilm(this);
+        selection = new Selection(document, this::notice);
+        motion = new MotionControl(document, selection, this::notice, this::request);
+        bodies = new PresentBodies(document, motion, picture);
+        hand = new CameraHand(document, this::notice);
+        film = new CameraFilm(document, this::notice);
         refining.subscribe(_ -> request());
     }
 
     /**
-     * A studio with its drawing thread at work, which draws once the view's size is known.
+     * A studio whose drawing thread has started; it draws once the size of the view is known.
      *
      * @param opened shown first
      * @param engine draws first
@@ -103,13 +89,18 @@ public final class Studio implements AutoCloseable {
         return studio;
     }
 
-    /** The scene as it is now, the camera included. */
+    /** The scene that is open, its file and its edits. */
+    public Document document() {
+        return document;
+    }
+
+    /** The scene as it is now, including the camera. */
     public ReadOnlyObjectProperty<Scene> sceneProperty() {
-        return scene.getReadOnlyProperty();
+        return document.sceneProperty();
     }
 
     public Scene scene() {
-        return scene.get();
+        return document.scene();
     }
 
     /** The engine that was chosen; {@link #pictureProperty} tells which one drew. */
@@ -122,17 +113,15 @@ public final class Studio implements AutoCloseable {
         return picture.getReadOnlyProperty();
     }
 
-    /**
-     * Which body of the scene that is shown is which of the scene's; empty while it is a picture of the scene before.
-     */
+    /** Maps bodies of the picture to bodies of the scene; empty while the picture is of the previous scene. */
     public Optional<PictureBodies> picturedBodies() {
         return picture.get()
                 .map(DrawnPicture::request)
-                .filter(request -> request.document() == documents)
-                .map(request -> new PictureBodies(request.scene(), scene.get(), request.number() < numbered));
+                .filter(request -> request.document() == document.number())
+                .map(request -> new PictureBodies(request.scene(), document.scene(), request.number() < numbered));
     }
 
-    /** The samples per pixel of the picture that is shown, where it is finished and no other one is being drawn. */
+    /** The samples per pixel of the picture; empty unless it is finished and no other is being drawn. */
     public Optional<Integer> restingSamples() {
         return picture.get()
                 .filter(shown -> shown.request().number() == requests
@@ -141,7 +130,7 @@ public final class Studio implements AutoCloseable {
                 .map(DrawnPicture::samples);
     }
 
-    /** What the drawing thread has to say. */
+    /** The state of the drawing thread. */
     public ReadOnlyObjectProperty<DrawingStatus> drawingProperty() {
         return drawing.getReadOnlyProperty();
     }
@@ -166,144 +155,87 @@ public final class Studio implements AutoCloseable {
         loop.unwatch();
     }
 
-    /** Whether a picture at rest gathers samples and then rests; otherwise it is drawn again and again. */
+    /** Whether a still picture gathers samples and then rests; if not, it is drawn again and again. */
     public BooleanProperty refiningProperty() {
         return refining;
     }
 
-    /** The last ten seconds' pictures. */
+    /** The pictures of the last ten seconds. */
     public FrameHistory frames() {
         return frames;
     }
 
-    /** What was done or refused last, for the status line; may be empty. */
+    /** The message for the status line; may be empty. */
     public ReadOnlyStringProperty noticeProperty() {
         return notice.getReadOnlyProperty();
     }
 
-    /** Tells a person something that needs no answer. */
+    /** Shows a message in the status line. */
     public void notice(String text) {
         notice.set(text);
     }
 
-    /** Takes a notice away, where it is still the last one. */
+    /** Clears a message, if it is still shown. */
     public void retract(String text) {
         if (notice.get().equals(text)) {
             notice.set("");
         }
     }
 
-    /** The file that the scene came from or was saved to last. */
-    public ReadOnlyObjectProperty<EditedFile> fileProperty() {
-        return file.getReadOnlyProperty();
-    }
-
-    /** The scene as its file had it, to which a reset leads. */
-    public ReadOnlyObjectProperty<Scene> originalProperty() {
-        return original.getReadOnlyProperty();
-    }
-
-    public Scene original() {
-        return original.get();
-    }
-
-    /** What can be undone, made again, and whether there is something to save. */
-    public ReadOnlyObjectProperty<EditState> editsProperty() {
-        return edits.getReadOnlyProperty();
-    }
-
     /**
-     * Changes the scene. Where bodies move, the change is told where they are seen, and only those that it puts
-     * elsewhere are there from then on; all others go on as they were. Successive edits of the same name are one to
-     * {@link #undo}, until {@link #endGesture}; the camera is no part of that.
+     * Changes the scene. While physics runs, the change is applied to the bodies where they are seen; those that it
+     * moves start there from now on, the others are not affected. Successive edits of the same name are undone
+     * together, until {@link #endGesture}; moving the camera is no edit.
      *
-     * @param what names the edit to a person, such as "light's size"
+     * @param what names the edit in the menu, such as "light's size"
      */
     public void edit(String what, UnaryOperator<Scene> change) {
-        Scene standing = scene.get();
-        Scene edited = change.apply(standing);
-        if (motion.isOn() && !edited.spheres().equals(standing.spheres())) {
-            MovedScene.Edit edit = MovedScene.of(
-                            standing, motion.motionProperty().get(), picture.get())
-                    .edit(change);
+        Scene edited = change.apply(scene());
+        if (motion.isOn() && !edited.spheres().equals(scene().spheres())) {
+            MovedScene.Edit edit = bodies.moved().edit(change);
             document.carryOnMoved(edit.before());
-            edited = edit.after();
+            document.edit(what, _ -> edit.after());
+        } else {
+            document.edit(what, _ -> edited);
         }
-        document.edit(what, edited);
-        show();
     }
 
-    /** Adds spheres and meshes to the scene, which is an edit of its own, and selects them. */
-    public void insert(String what, List<Body> bodies) {
-        edit(what, standing -> standing.withBodies(standing.bodies().with(bodies)));
+    /** Adds spheres and meshes to the scene as an edit of its own, and selects them. */
+    public void insert(String what, List<Body> added) {
+        edit(what, standing -> standing.withBodies(standing.bodies().with(added)));
         endGesture();
-        selection.select(BodyEdits.numbersOfLast(scene.get(), bodies));
+        selection.select(BodyEdits.numbersOfLast(scene(), added));
     }
 
-    /** Whether and how bodies move. */
-    public MotionControl motion() {
-        return motion;
-    }
-
-    /** Where a movable body is in the picture that is shown. */
-    public Vector3 positionNow(int body) {
-        return BodyEdits.isSphere(scene.get(), body)
-                ? MovedScene.of(scene.get(), motion.motionProperty().get(), picture.get())
-                        .position(BodyNumber.sphere(body))
-                : BodyEdits.position(scene.get(), body);
-    }
-
-    /** The scene with its spheres where the picture that is shown has them. */
-    public Scene sceneNow() {
-        return motion.isOn()
-                ? MovedScene.of(scene.get(), motion.motionProperty().get(), picture.get())
-                        .asSeen()
-                : scene.get();
-    }
-
-    /** The room that a movable body takes in the picture that is shown. */
-    public BodyExtent extentNow(int body) {
-        SceneMeshes shown = picture.get().map(DrawnPicture::meshes).orElse(SceneMeshes.NONE);
-        Vector3 standing = BodyEdits.position(scene.get(), body);
-        Vector3 now = positionNow(body);
-        return BodyExtent.of(scene.get(), shown, body).movedBy(now.minus(standing));
-    }
-
-    /** What a mesh's file says that it is made of; the default where it has not been read. */
-    public Material fileMaterial(int body) {
-        Mesh mesh = BodyEdits.mesh(scene.get(), body);
-        return picture.get()
-                .map(DrawnPicture::meshes)
-                .filter(shown -> shown.holds(mesh))
-                .map(shown -> shown.fileMaterial(mesh))
-                .orElse(Material.DEFAULT);
-    }
-
-    /** The next edit is one of its own: the mouse button was let go, say. */
+    /** Starts a new undo step, for example when the mouse button is released. */
     public void endGesture() {
         document.endGesture();
     }
 
-    /** Takes the last edit back, where there is one. */
     public void undo() {
-        document.undoable().ifPresent(what -> notice("Undone: " + what));
-        document.undo();
-        show();
+        document.undo().ifPresent(what -> notice("Undone: " + what));
     }
 
-    /** Makes the edit again that was taken back last, where there is one. */
     public void redo() {
-        document.redoable().ifPresent(what -> notice("Redone: " + what));
-        document.redo();
-        show();
+        document.redo().ifPresent(what -> notice("Redone: " + what));
     }
 
-    /** The bodies that a person works on. */
+    /** Starts and pauses physics. */
+    public MotionControl motion() {
+        return motion;
+    }
+
+    /** Where bodies are in the picture. */
+    public PresentBodies bodies() {
+        return bodies;
+    }
+
+    /** The selected bodies. */
     public Selection selection() {
         return selection;
     }
 
-    /** How large the picture is drawn. */
+    /** The size of the picture, relative to the window. */
     public ReadOnlyObjectProperty<ResolutionMode> resolutionProperty() {
         return resolution.getReadOnlyProperty();
     }
@@ -313,7 +245,7 @@ public final class Studio implements AutoCloseable {
         request();
     }
 
-    /** What is shown of the scene: its picture, or a stage or a view of it. */
+    /** What is shown of the scene: the picture, or a stage or a view of it. */
     public ReadOnlyObjectProperty<Picture> shownProperty() {
         return shown.getReadOnlyProperty();
     }
@@ -323,42 +255,19 @@ public final class Studio implements AutoCloseable {
         request();
     }
 
-    /** What walks, turns and keeps views. */
+    /** Walks, turns, and keeps views. */
     public CameraHand hand() {
         return hand;
     }
 
-    /** What plays the film of the camera's keyframes. */
+    /** Plays the film of the camera's keyframes. */
     public CameraFilm film() {
         return film;
     }
 
-    /** Moves the viewer along the film's path, which is no edit; the focus goes along. */
-    void followPath(Camera seen) {
-        Scene now = scene.get();
-        Camera followed = seen.withKeyframes(now.camera().keyframes())
-                .withAperture(now.camera().aperture());
-        if (!followed.equals(now.camera())) {
-            document.carryOn(now.withCamera(followed));
-            show();
-        }
-    }
-
-    /** Moves the viewer, which is no edit; the lens and the keyframes stay. */
+    /** Moves the camera, which is no edit; its lens and keyframes stay. */
     public void moveCamera(UnaryOperator<Camera> move) {
-        Scene now = scene.get();
-        Camera moved = CameraRig.of(now.camera()).on(move.apply(now.camera()));
-        if (!moved.equals(now.camera())) {
-            document.carryOn(now.withCamera(moved));
-            show();
-        }
-    }
-
-    /** Moves the viewer to a view, which is no edit; its lens comes along, the keyframes stay. */
-    void goTo(Camera view) {
-        Scene now = scene.get();
-        document.carryOn(now.withCamera(view.withKeyframes(now.camera().keyframes())));
-        show();
+        document.moveCamera(move);
     }
 
     /** Draws with that engine as soon as it is ready. */
@@ -367,62 +276,34 @@ public final class Studio implements AutoCloseable {
         request();
     }
 
-    /** Shows another scene, and forgets the old one with its edits. */
+    /** Shows another scene, and discards the present one with its edits. */
     public void show(OpenedScene opened) {
-        documents++;
-        document = new SceneHistory(opened.scene());
-        original.set(opened.scene());
-        file.set(opened.file());
+        document.open(opened);
         selection.select(BodyNumber.NONE);
         motion.reset();
-        show();
+        document.refresh();
         film.startAnew();
         request();
     }
 
     /**
-     * Shows a scene with edits of it that were not saved.
+     * Shows a scene with unsaved edits of it.
      *
-     * @param before to which they are taken back
+     * @param before the scene without them, to which undo leads
      */
     public void restore(OpenedScene before, Scene edited) {
         show(before);
         edit("restored changes", _ -> edited);
         endGesture();
         document.markUnsaved();
-        show();
     }
 
-    /** The number of the last request: a picture of it, or of a later one, is of what there is now. */
+    /** The number of the last request: pictures of it or of later ones show the present scene. */
     public long lastRequest() {
         return requests;
     }
 
-    /** Which one of the scenes that were opened this is; its edits have the same number. */
-    public long document() {
-        return documents;
-    }
-
-    /** The scene with its edits up to now. */
-    public SceneHistory.Version present() {
-        return document.version();
-    }
-
-    /** The scene as it is to be written, the camera where it is now; to be told of by {@link #saved}. */
-    public SceneHistory.Version toSave() {
-        document.endGesture();
-        return document.version();
-    }
-
-    /** A scene was written to that file: the edits up to it are safe, those after it are not. */
-    public void saved(SceneHistory.Version version, EditedFile target) {
-        if (document.markSaved(version)) {
-            file.set(target);
-            edits.set(EditState.of(document));
-        }
-    }
-
-    /** Makes a panorama that was read the sky; one that the scene has already is drawn as its file has it now. */
+    /** Makes a panorama the sky; if it is the sky already, the picture is drawn again with the file's new content. */
     public void useSky(Path panorama) {
         edit("sky", now -> now.withSky(now.sky().withFile(panorama)));
         endGesture();
@@ -439,7 +320,7 @@ public final class Studio implements AutoCloseable {
     }
 
     /**
-     * Called in every pulse: walks and turns on, and takes over what the drawing thread has finished.
+     * Called in every pulse: moves the camera, and takes the picture that the drawing thread has finished.
      *
      * @param nanos now, by {@link System#nanoTime}
      */
@@ -459,55 +340,46 @@ public final class Studio implements AutoCloseable {
         drawing.set(loop.status());
     }
 
-    /** How long the interface's thread was busy in a pulse, up to the end of its layout. */
+    /** Tells how long JavaFX's thread was busy in a pulse, up to the end of its layout. */
     public void noteDisplayMillis(double millis) {
         displayMillis = millis;
     }
 
-    /** Lets the drawing thread end. */
+    /** Ends the drawing thread; returns at once. */
     @Override
     public void close() {
         loop.close();
     }
 
-    /** Waits for the drawing thread to end, after {@link #close}; whether it did. */
+    /** Waits for the drawing thread to end after {@link #close}; returns whether it did. */
     public boolean awaitEnd(Duration limit) throws InterruptedException {
         return loop.awaitEnd(limit);
     }
 
-    private void show() {
-        document.carryOn(withCameraAbovePlane(document.present()));
-        edits.set(EditState.of(document));
-        if (!document.present().equals(scene.get())) {
-            Scene before = scene.get();
-            Scene now = document.present();
-            if (before.spheres().size() != now.spheres().size()
-                    || before.meshes().size() != now.meshes().size()) {
-                numbered = requests + 1;
-            }
-            scene.set(now);
-            selection.follow(before, now);
-            // Views that are kept change no picture.
-            if (!before.withViews(now.views()).equals(now)) {
-                request();
-            }
+    private void changing(Scene before, Scene now) {
+        if (before.spheres().size() != now.spheres().size()
+                || before.meshes().size() != now.meshes().size()) {
+            numbered = requests + 1;
         }
     }
 
-    private static Scene withCameraAbovePlane(Scene scene) {
-        return scene.withCamera(CameraMotion.above(scene.camera(), scene.ground()));
+    private void changed(Scene before, Scene now) {
+        selection.follow(before, now);
+        // Views that are kept change no picture.
+        if (!before.withViews(now.views()).equals(now)) {
+            request();
+        }
     }
 
-    /** Asks for a picture of what there is now. */
-    void request() {
+    private void request() {
         if (viewWidth >= 1 && viewHeight >= 1) {
             requests++;
             PictureSize size = resolution.get().size(viewWidth, viewHeight);
-            int refineTo = refining.get() ? RefinementGoal.samples(scene.get(), shown.get()) : 0;
+            int refineTo = refining.get() ? RefinementGoal.samples(scene(), shown.get()) : 0;
             loop.request(new DrawingRequest(
                     requests,
-                    documents,
-                    scene.get(),
+                    document.number(),
+                    scene(),
                     size.width(),
                     size.height(),
                     engine.get(),

@@ -31,12 +31,13 @@ class SettingsStoreTest {
     @Test
     void whatIsWrittenIsReadBack() throws IOException {
         WindowSettings settings = WindowSettings.DEFAULT
-                .withWindow(900, 700, true)
-                .withPanelShown(false)
-                .withEngine("vector")
+                .withSize(900, 700)
+                .with(WindowSettings.MAXIMIZED, true)
+                .with(WindowSettings.PANEL_SHOWN, false)
+                .with(WindowSettings.ENGINE, "vector")
                 .withRecentScene("/a/b \u00e9.json")
                 .withRecentScene("/c.json")
-                .withHintSeen();
+                .with(WindowSettings.HINT_SEEN, true);
         store().write(settings);
         assertThat(store().read()).isEqualTo(new SettingsStore.Found(settings, Optional.empty()));
     }
@@ -49,7 +50,7 @@ class SettingsStoreTest {
     @Test
     void withoutAPlaceNothingIsKept() throws IOException {
         SettingsStore nowhere = new SettingsStore(Optional.empty());
-        nowhere.write(WindowSettings.DEFAULT.withEngine("vector"));
+        nowhere.write(WindowSettings.DEFAULT.with(WindowSettings.ENGINE, "vector"));
         assertThat(nowhere.read().settings()).isEqualTo(WindowSettings.DEFAULT);
     }
 
@@ -57,7 +58,8 @@ class SettingsStoreTest {
     void whatAFileDoesNotSayIsAsUsualAndWhatIsUnknownIsLeftAlone() throws IOException {
         put("{\"engine\": \"vector\", \"ofTheFuture\": [1, {}]}");
         assertThat(store().read())
-                .isEqualTo(new SettingsStore.Found(WindowSettings.DEFAULT.withEngine("vector"), Optional.empty()));
+                .isEqualTo(new SettingsStore.Found(
+                        WindowSettings.DEFAULT.with(WindowSettings.ENGINE, "vector"), Optional.empty()));
     }
 
     @ParameterizedTest
@@ -132,15 +134,17 @@ class SettingsStoreTest {
             settings = settings.withRecentScene("/" + i);
         }
         settings = settings.withRecentScene("/10");
-        assertThat(settings.recentScenes())
+        assertThat(settings.get(WindowSettings.RECENT_SCENES))
                 .containsExactly("/10", "/14", "/13", "/12", "/11", "/9", "/8", "/7", "/6", "/5");
-        assertThat(settings.withoutRecentScene("/10").recentScenes()).hasSize(9).doesNotContain("/10");
+        assertThat(settings.withoutRecentScene("/10").get(WindowSettings.RECENT_SCENES))
+                .hasSize(9)
+                .doesNotContain("/10");
     }
 
     @Test
     void aWindowOfNoSizeIsKeptUsable() {
-        WindowSettings settings = WindowSettings.DEFAULT.withWindow(0, 100_000, false);
-        assertThat(settings.width()).isEqualTo(WindowSettings.MIN_SIDE);
-        assertThat(settings.height()).isEqualTo(WindowSettings.MAX_SIDE);
+        WindowSettings settings = WindowSettings.DEFAULT.withSize(0, 100_000);
+        assertThat(settings.get(WindowSettings.WIDTH)).isEqualTo(WindowSettings.MIN_SIDE);
+        assertThat(settings.get(WindowSettings.HEIGHT)).isEqualTo(WindowSettings.MAX_SIDE);
     }
 }

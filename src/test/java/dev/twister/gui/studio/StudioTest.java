@@ -74,8 +74,8 @@ class StudioTest {
         double lowest = scene.ground().height() + CameraMotion.CLEARANCE_METERS;
         try (Studio first = start(buried)) {
             assertThat(first.scene().camera().position()).isEqualTo(new Vector3(0, lowest, -8));
-            assertThat(first.toSave().scene()).isEqualTo(first.scene());
-            assertThat(first.editsProperty().get().changed()).isFalse();
+            assertThat(first.document().toSave().scene()).isEqualTo(first.scene());
+            assertThat(first.document().editsProperty().get().changed()).isFalse();
         }
 
         studio.show(new OpenedScene(FILE, buried));
@@ -103,7 +103,7 @@ class StudioTest {
         studio.hand().recallView(1);
 
         assertThat(studio.scene().camera()).isEqualTo(scene.camera().withAperture(0.1));
-        assertThat(studio.editsProperty().get().undoable()).contains("lens");
+        assertThat(studio.document().editsProperty().get().undoable()).contains("lens");
     }
 
     @Test
@@ -119,11 +119,11 @@ class StudioTest {
         assertThat(studio.scene().views()).hasSize(10);
         assertThat(studio.scene().views().get(9)).isEqualTo(new CameraView("View 10", scene.camera()));
         assertThat(studio.lastRequest()).isEqualTo(requests);
-        assertThat(studio.editsProperty().get().changed()).isTrue();
-        assertThat(studio.editsProperty().get().undoable()).contains("add view");
+        assertThat(studio.document().editsProperty().get().changed()).isTrue();
+        assertThat(studio.document().editsProperty().get().undoable()).contains("add view");
         studio.undo();
         assertThat(studio.scene().views()).hasSize(9);
-        assertThat(studio.toSave().scene().views()).hasSize(9);
+        assertThat(studio.document().toSave().scene().views()).hasSize(9);
     }
 
     @Test
@@ -135,7 +135,7 @@ class StudioTest {
 
         assertThat(studio.scene().views())
                 .containsExactly(new CameraView("View 1", scene.camera().withYaw(90)));
-        assertThat(studio.editsProperty().get().undoable()).contains("update view");
+        assertThat(studio.document().editsProperty().get().undoable()).contains("update view");
     }
 
     @Test

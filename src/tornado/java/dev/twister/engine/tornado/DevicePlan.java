@@ -43,9 +43,7 @@ final class DevicePlan implements AutoCloseable {
     private final int[] pixels;
     private final float[] radiance;
     private final float[] view = new float
-            [Layout.DISC
-                    + 2 * Rendering.MAX_SHADOW_SAMPLES
-                    + Layout.SAMPLE_STRIDE * Rendering.MAX_SAMPLES_PER_PIXEL];
+            [Layout.DISC + 2 * Rendering.MAX_SHADOW_SAMPLES + Layout.SAMPLE_STRIDE * Rendering.MAX_SAMPLES_PER_PIXEL];
     private final float[] bodies;
     private final float[] looks;
     private final TornadoExecutionPlan plan;
