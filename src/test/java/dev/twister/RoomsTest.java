@@ -88,7 +88,7 @@ class RoomsTest {
                 room("engine.vector", "world", "image", "engine", "threads", "engine.vector.."),
                 room("engine.auto", "files", "world", "image", "engine"),
                 room("explain", "kernel", "scene", "world", "image", "engine"),
-                room("bench", "files", "engine", "engine.auto", "image", "world", "scene", "physics"),
+                room("bench", "files", "engine", "engine.auto", "image", "world", "scene", "scene.format", "physics"),
                 room(
                         "gui.model",
                         "files",

@@ -90,7 +90,8 @@ public record BenchmarkReport(
         PictureComparison comparison = measurement.comparison();
         return String.format(
                 Locale.ROOT,
-                "%s at %s draws another picture than %s: %d of %d pixels differ by more than %d of 255 (%d may), by %d at"
+                "%s at %s differs from the picture of %s: %d of %d pixels differ by more than %d of 255 (%d may), by"
+                        + " %d at"
                         + " most",
                 measurement.engine(),
                 measurement.setting(),

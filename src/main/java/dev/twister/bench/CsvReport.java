@@ -21,8 +21,10 @@ public final class CsvReport {
     /** All columns of a measurement. */
     private static final List<String> COLUMNS =
             List.of(("engine device width height shadowSamples bounces bodies warmupFrames frames fps msMin "
-                            + "msMedian msMean msP95 msKernel msCopyIn msCopyOut msStep msRebuild speedupOverSequential "
-                            + "speedupOverParallel differingPixels allowedDifferingPixels largestDifference samePicture "
+                            + "msMedian msMean msP95 msKernel msCopyIn msCopyOut msStep msRebuild"
+                            + " speedupOverSequential "
+                            + "speedupOverParallel differingPixels allowedDifferingPixels largestDifference"
+                            + " samePicture "
                             + "failure scene plannedWarmupFrames plannedFrames maxSeconds processor cores memoryBytes "
                             + "maxHeapBytes operatingSystem jdk jdkVendor jit twister tornadoVm finished")
                     .split(" "));

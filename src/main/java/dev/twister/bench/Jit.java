@@ -4,6 +4,7 @@ import dev.twister.engine.JvmOptions;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 
 /** The JVM's optimizing JIT compiler. */
@@ -36,6 +37,11 @@ public enum Jit {
 
     /** The JVM option that replaces C2 by Graal. */
     static final String USES_GRAAL = "UseJVMCICompiler";
+
+    /** Name for commands and reports. */
+    public String id() {
+        return name().toLowerCase(Locale.ROOT);
+    }
 
     /** Whether this JVM can use it. */
     public abstract boolean isHere();

@@ -120,7 +120,7 @@ public record JitReport(Map<String, JsonNode> reports) {
         Stream<String> wrong = results(report)
                 .filter(result -> !result.path("samePicture").asBoolean())
                 .map(Key::of)
-                .map(key -> key.engine() + " at " + key.size() + " draws another picture than " + Benchmark.REFERENCE);
+                .map(key -> key.engine() + " at " + key.size() + " differs from the picture of " + Benchmark.REFERENCE);
         Stream<String> failed = report.path("failures")
                 .valueStream()
                 .map(failure -> failure.path("engine").asString() + ": "

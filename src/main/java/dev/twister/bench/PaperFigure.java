@@ -2,9 +2,9 @@ package dev.twister.bench;
 
 /** The figures of the paper's evaluation. */
 public enum PaperFigure {
-    SIZES("sizes", "Frames a second by picture size"),
-    SHADOW_SAMPLES("shadow-samples", "Frames a second against shadow samples"),
-    BOUNCES("bounces", "Frames a second against bounces"),
+    SIZES("sizes", "Frames per second by picture size"),
+    SHADOW_SAMPLES("shadow-samples", "Frames per second against shadow samples"),
+    BOUNCES("bounces", "Frames per second against bounces"),
     SPEEDUP("speed-up", "Speed-up over the baselines");
 
     private final String id;

@@ -68,8 +68,8 @@ final class PaperPage {
                 .flatMap(engine -> report.find(engine, first).stream())
                 .max(Comparator.comparingDouble(
                         measurement -> measurement.times().fps()))
-                .map(fastest -> repeated + " The fastest engine, " + fastest.engine() + ", draws "
-                        + PlotLook.number(fastest.times().fps()) + " frames a second at "
+                .map(fastest -> repeated + " The fastest engine, " + fastest.engine() + ", renders "
+                        + PlotLook.number(fastest.times().fps()) + " frames per second at "
                         + first.size().name() + " with hard shadows and one bounce"
                         + PublishedFigures.fps(first.size())
                                 .map(fps -> "; the paper reports " + PlotLook.number(fps) + " on an "

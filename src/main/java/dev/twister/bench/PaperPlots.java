@@ -22,7 +22,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 /** The plots of the evaluation. */
 final class PaperPlots {
     private static final List<String> BASELINES = List.of(JvmEngines.SEQUENTIAL, JvmEngines.PARALLEL);
-    private static final String FPS = "frames a second";
+    private static final String FPS = "frames per second";
     private static final float LINE_WIDTH = 2.5f;
     private static final int MARKER_SIZE = 9;
     private static final double BARS_SHARE = 0.85;

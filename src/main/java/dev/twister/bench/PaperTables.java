@@ -52,7 +52,7 @@ final class PaperTables {
                         fact(
                                 "time of a frame",
                                 "from the call to the pixels in Java's memory, copies included; "
-                                        + "frames a second are 1 over the mean"),
+                                        + "frames per second are 1 over the mean"),
                         fact(
                                 "pictures",
                                 report.passed()

@@ -5,6 +5,7 @@ import dev.twister.bench.BenchmarkPlan;
 import dev.twister.bench.BenchmarkReport;
 import dev.twister.bench.Jit;
 import dev.twister.bench.JitReport;
+import dev.twister.bench.JitRuns;
 import dev.twister.bench.MotionPlan;
 import dev.twister.bench.PaperFolder;
 import dev.twister.bench.PaperPlan;
@@ -165,13 +166,21 @@ final class BenchmarkCommand implements Callable<Integer> {
         if (paper || csv.isPresent()) {
             throw new BadInputException("--jit excludes --paper and --csv");
         }
+        for (Jit jit : jits) {
+            if (!jit.isHere()) {
+                throw new BadInputException("--jit is " + jit.id() + ", but the JDK in "
+                        + System.getProperty("java.home")
+                        + " does not have it; set JAVA_HOME to a GraalVM, or install a TornadoVM SDK, which has Graal");
+            }
+        }
         ReportFiles files = new ReportFiles(json, Optional.empty());
         files.check();
         // An error in these should not come out once for each JVM.
         engineIds();
         files.checkKeeps(List.of(SceneFiles.find(sceneName)));
         List<String> arguments = spec.commandLine().getParseResult().originalArgs();
-        JitReport report = new JitRuns(arguments).run(jits.stream().distinct().toList());
+        JitReport report = new JitRuns(Main.class.getName(), arguments)
+                .run(jits.stream().distinct().toList());
         spec.commandLine().getOut().println(report.table());
         if (json.isPresent()) {
             report.write(json.get());
@@ -199,7 +208,7 @@ final class BenchmarkCommand implements Callable<Integer> {
         files.write(report);
         PrintWriter out = spec.commandLine().getOut();
         out.println(PaperFolder.write(
-                        report, folder, scene.rendering().srgb(), PaperFigures.render(JvmEngines.PARALLEL))
+                        report, folder, scene.rendering().srgb(), FiguresCommand.render(JvmEngines.PARALLEL))
                 + ": "
                 + report.engines().size() + " engines at " + plan.settings().size()
                 + " settings; beside it JSON, CSV, plots and pictures");

@@ -108,8 +108,8 @@ final class DevicesCommand implements Callable<Integer> {
 
     private static String autoLine(Optional<String> taken) {
         return taken.map(id -> "auto takes " + id + " here.")
-                .orElse(
-                        "auto has not been measured here yet; 'twister devices --measure' does that and says what it takes.");
+                .orElse("auto has not been measured here yet; 'twister devices --measure' does that and says what it"
+                        + " takes.");
     }
 
     private static void printTime(PrintWriter out, FastestEngine.Time time) {

@@ -1,10 +1,15 @@
 package dev.twister.cli;
 
 import dev.twister.bench.FiguresPage;
+import dev.twister.bench.PaperFigures;
 import dev.twister.bench.RenderedFigure;
+import dev.twister.engine.EngineException;
 import dev.twister.engine.Engines;
 import dev.twister.engine.JvmEngines;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.io.Writer;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -42,7 +47,7 @@ final class FiguresCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         Engines.offer(engineId).check();
         OutputFile.check("--output", output);
-        List<RenderedFigure> figures = PaperFigures.render(engineId);
+        List<RenderedFigure> figures = render(engineId);
         FiguresPage.write(figures, output);
         spec.commandLine()
                 .getOut()
@@ -52,5 +57,20 @@ final class FiguresCommand implements Callable<Integer> {
                                 .sum()
                         + " pictures");
         return Main.OK;
+    }
+
+    /** The paper's figures, made by the commands that the page shows. */
+    static List<RenderedFigure> render(String engineId) throws IOException {
+        return PaperFigures.render(FiguresCommand::run, Home.folder(), engineId);
+    }
+
+    private static void run(Writer out, List<String> arguments) {
+        StringWriter err = new StringWriter();
+        int exitCode =
+                Main.run(new PrintWriter(out, true), new PrintWriter(err, true), arguments.toArray(String[]::new));
+        if (exitCode != Main.OK) {
+            String message = err.toString().strip().replaceFirst("^twister: ", "");
+            throw exitCode == Main.BAD_INPUT ? new BadInputException(message) : new EngineException(message);
+        }
     }
 }

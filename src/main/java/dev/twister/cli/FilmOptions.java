@@ -14,7 +14,7 @@ import java.util.Optional;
 import java.util.function.DoubleFunction;
 import picocli.CommandLine.Option;
 
-/** Which frames of a film are rendered, and what moves in them beside what physics moves. */
+/** Options for the frames of a film, and for what moves in them besides physics. */
 final class FilmOptions {
     private static final double MAX_SECONDS = 86_400;
 
@@ -56,7 +56,7 @@ final class FilmOptions {
         return skipExisting ? ExistingFrames.KEPT : overwrite ? ExistingFrames.REPLACED : ExistingFrames.REFUSED;
     }
 
-    /** Refuses options that make no sense together. */
+    /** Rejects options that exclude each other. */
     void check(MotionOptions physics) {
         if (motion.isPresent() && (physics.isOn() || physics.isTimeGiven())) {
             throw new BadInputException(
@@ -68,15 +68,15 @@ final class FilmOptions {
         }
     }
 
-    /** Opens the motion file, where there is one. */
+    /** Opens the motion file; empty without {@code --motion}. */
     Optional<MotionFile> open(Scene scene) throws IOException {
         return motion.isPresent() ? Optional.of(MotionFile.open(motion.get(), scene)) : Optional.empty();
     }
 
     /**
-     * The frames; empty where a single picture is wanted.
+     * The frames to render; empty for a single picture.
      *
-     * @param film whether the output is one
+     * @param film whether the output is a film
      */
     Optional<FrameRange> frames(Camera camera, MotionOptions physics, Optional<MotionFile> recorded, boolean film)
             throws IOException {
@@ -95,7 +95,7 @@ final class FilmOptions {
         physics.checkStart();
         if (frames.isPresent()) {
             if (recorded.isPresent()) {
-                // Told before the first one is drawn, not after the last one that is there.
+                // Fails before the first frame is rendered, not after the last one in the file.
                 recorded.get().frame(frames.get().first());
                 recorded.get().frame(frames.get().last());
             }
@@ -145,7 +145,7 @@ final class FilmOptions {
                 recorded.map(MotionFile::rate).orElse(1 / secondsPerFrame));
     }
 
-    /** Checks what a single picture has no use for. */
+    /** Rejects options that apply only to frames. */
     void checkSingle() {
         if (overwrite || skipExisting) {
             throw new BadInputException((overwrite ? "--overwrite" : "--skip-existing")

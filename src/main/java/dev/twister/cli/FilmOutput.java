@@ -5,14 +5,14 @@ import dev.twister.film.FilmFile;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 
-/** Where a film goes. */
+/** Checks the output of a film. */
 final class FilmOutput {
     private FilmOutput() {}
 
     /**
-     * Looks where a film is to go before it is made.
+     * The film's file, checked before rendering.
      *
-     * @param err told where an animated PNG takes an .mp4's place
+     * @param err receives a note if an animated PNG replaces an .mp4
      */
     static FilmFile of(Path output, PrintWriter err) {
         FilmFile film = FilmFile.of(output);

@@ -4,14 +4,14 @@ import dev.twister.render.FrameRange;
 import dev.twister.render.NumberedFiles;
 import java.nio.file.Path;
 
-/** The names of a film's frames, as options give them. */
+/** File names of frames from options. */
 final class FrameNames {
     private FrameNames() {}
 
     /**
      * Names for frames, see {@link NumberedFiles#of}.
      *
-     * @throws BadInputException where the name makes none
+     * @throws BadInputException if the name is invalid
      */
     static NumberedFiles of(Path file, FrameRange frames) {
         try {

@@ -3,7 +3,7 @@ package dev.twister.cli;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
-/** Whether bodies move, and when they are looked at. */
+/** Options for physics and the time of frames. */
 final class MotionOptions {
     private static final double MAX_RATE = 1000;
     private static final double MAX_START_SECONDS = 86_400;
@@ -21,7 +21,7 @@ final class MotionOptions {
         return physics;
     }
 
-    /** Refuses what makes no sense without motion. */
+    /** Rejects options that apply only to moving bodies. */
     void check() {
         if (isTimeGiven() && !physics) {
             throw new BadInputException("--fps and --start require --physics: without it nothing moves");
@@ -34,7 +34,7 @@ final class MotionOptions {
         return rate.isPresent() || start.isPresent();
     }
 
-    /** Refuses a start where only the camera moves. */
+    /** Rejects {@code --start} if only the camera moves. */
     void checkStart() {
         if (start.isPresent() && !physics) {
             throw new BadInputException("--start requires --physics; use --frames to begin a film later");
@@ -47,7 +47,7 @@ final class MotionOptions {
         return 1 / checkRate(rate);
     }
 
-    /** Frames a second. */
+    /** Frames per second. */
     static double checkRate(Optional<Double> rate) {
         return Ranges.check("--fps", rate.orElse(60.0), 1 / MAX_RATE, MAX_RATE);
     }

@@ -10,7 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 
-/** Looks at where a result is to go before the work is done, not after it. */
+/** Checks output files before the work begins. */
 final class OutputFile {
     private OutputFile() {}
 
@@ -30,7 +30,7 @@ final class OutputFile {
         if (!Files.isDirectory(folder)) {
             throw new BadInputException(option + " is " + file + ", but there is no folder " + folder);
         }
-        // A regular file is replaced, which is up to its folder; anything else, /dev/null say, is written to.
+        // Replacing a regular file needs permission for its folder; a device is written directly.
         boolean replaced = !Files.exists(file) || Files.isRegularFile(file);
         boolean writable = Files.isWritable(replaced ? folder : file);
         if (!writable) {

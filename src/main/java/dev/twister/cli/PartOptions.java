@@ -12,7 +12,7 @@ import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
 
-/** Which part of a picture is rendered, for {@code twister join}. */
+/** Options that limit rendering to a part of a picture, for {@code twister join}. */
 final class PartOptions {
     @Option(
             names = "--tile",
@@ -68,7 +68,7 @@ final class PartOptions {
         return tile.isPresent() || samples.isPresent();
     }
 
-    /** Refuses what parts cannot have. */
+    /** Rejects options that exclude parts. */
     void check(Path output, SampleOptions sampling) {
         if (!areGiven()) {
             return;
@@ -80,22 +80,23 @@ final class PartOptions {
         if (sampling.isNoiseGiven() || (samples.isPresent() && sampling.isGiven())) {
             throw new BadInputException(
                     sampling.isNoiseGiven()
-                            ? "--noise looks at the whole picture, so --tile and --sample-range exclude it; give --samples"
+                            ? "--noise looks at the whole picture, so --tile and --sample-range exclude it; give"
+                                    + " --samples"
                             : "--samples and --sample-range exclude each other; give one of them");
         }
     }
 
-    /** Checks that every tile has a row. */
+    /** Rejects more tiles than rows. */
     void check(int height) {
         tile.ifPresent(part -> Ranges.check("the number of tiles of --tile", part.count(), 1, height));
     }
 
-    /** The part of a picture. */
+    /** The part to render. */
     PicturePart part() {
         return new PicturePart(tile, samples);
     }
 
-    /** How many samples each pixel has. */
+    /** Number of samples per pixel. */
     int samplesOr(int usual) {
         return samples.map(Samples::count).orElse(usual);
     }

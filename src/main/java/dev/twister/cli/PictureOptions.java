@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
-/** What is rendered: the picture, a stage of it, or views. */
+/** Options for what is rendered: the picture, a stage, or views. */
 final class PictureOptions {
     @Option(
             names = "--stage",
@@ -22,14 +22,15 @@ final class PictureOptions {
             converter = PictureConverter.OfView.class,
             completionCandidates = Completions.OfView.class,
             description =
-                    "Render values per pixel: ${COMPLETION-CANDIDATES}. Several names, separated by commas, become layers of an"
+                    "Render values per pixel: ${COMPLETION-CANDIDATES}. Several names, separated by commas, become"
+                            + " layers of an"
                             + " .exr file.")
     private List<Picture> views = List.of();
 
     /**
-     * In the order in which they were named; one of them at least.
+     * The pictures in the order of the options; at least one.
      *
-     * @throws BadInputException where a view is named twice, or beside a stage
+     * @throws BadInputException if a view is named twice, or together with a stage
      */
     List<Picture> pictures() {
         if (stage.isPresent() && !views.isEmpty()) {

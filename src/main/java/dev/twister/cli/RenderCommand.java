@@ -71,9 +71,9 @@ final class RenderCommand implements Callable<Integer> {
             names = {"-o", "--output"},
             required = true,
             paramLabel = "FILE",
-            description =
-                    "The picture: .png, or .hdr or .exr for linear radiance; - writes a PNG to standard output. A film of"
-                            + " frames: .mp4 (needs ffmpeg) or .apng.")
+            description = "The picture: .png, or .hdr or .exr for linear radiance; - writes a PNG to standard output. A"
+                    + " film of"
+                    + " frames: .mp4 (needs ffmpeg) or .apng.")
     private Path output;
 
     @Option(

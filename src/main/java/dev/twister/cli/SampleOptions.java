@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
-/** How many view rays each pixel has. */
+/** Options for the number of samples per pixel. */
 final class SampleOptions {
     private static final double LEAST_NOISE = 1e-4;
 
@@ -34,9 +34,9 @@ final class SampleOptions {
     }
 
     /**
-     * Checks that there is noise to speak of.
+     * Rejects a noise bound for pictures of numbers.
      *
-     * @throws BadInputException where a picture has numbers, which are not shown as they are
+     * @throws BadInputException if a picture has numbers, whose noise is not defined
      */
     void check(List<Picture> pictures) {
         if (noise.isPresent() && !pictures.stream().allMatch(Picture::isColor)) {
@@ -45,7 +45,7 @@ final class SampleOptions {
         }
     }
 
-    /** What the options say over a scene's own samples. */
+    /** The sampling, with the scene's number of samples as the default. */
     Sampling over(int usual) {
         int least = noise.isPresent() ? Sampling.LEAST_CONVERGING : 1;
         return new Sampling(

@@ -19,7 +19,8 @@ public final class MissingTornado implements EngineProvider {
                         TORNADO,
                         "any OpenCL, CUDA or Metal device",
                         "the kernel compiled by TornadoVM for an accelerator",
-                        "no TornadoVM SDK was found. Install one (sdk install tornadovm, or set TORNADOVM_HOME), then start"
+                        "no TornadoVM SDK was found. Install one (sdk install tornadovm, or set TORNADOVM_HOME),"
+                                + " then start"
                                 + " with the command twister, which builds the engine and runs it"));
     }
 

@@ -12,7 +12,7 @@ import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
 
-/** Writes animated PNGs, which browsers play: every frame whole, in 24 bits, without loss. */
+/** An animated PNG, which browsers play: 24-bit frames without loss. */
 final class AnimatedPng implements FilmEncoder {
     private static final long SIGNATURE = 0x89504e470d0a1a0aL;
     private static final int CHANNELS = 3;
@@ -20,12 +20,12 @@ final class AnimatedPng implements FilmEncoder {
     private static final byte TRUE_COLOR = 2;
     private static final byte PERCEPTUAL = 0;
 
-    /** Each byte is the difference to the one above. */
+    /** PNG filter: each byte minus the byte above. */
     private static final int FILTER_UP = 2;
 
     private static final int FRAME_CONTROL_BYTES = 26;
 
-    /** The longest denominator of a frame's time. */
+    /** Largest denominator of a frame's duration. */
     private static final double MOST_PARTS = 65_535;
 
     private final Path file;

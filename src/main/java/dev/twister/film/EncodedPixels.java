@@ -2,7 +2,7 @@ package dev.twister.film;
 
 import java.util.stream.IntStream;
 
-/** Makes pixels of linear light into sRGB's, which films have. */
+/** Converts pixels to sRGB, the encoding of films. */
 public final class EncodedPixels {
     private static final int LEVELS = 256;
 
@@ -11,7 +11,7 @@ public final class EncodedPixels {
 
     private EncodedPixels() {}
 
-    /** The pixels as they are where they are sRGB-encoded already. */
+    /** The pixels sRGB-encoded; the same array if they are already. */
     public static int[] of(int[] argb, boolean srgb) {
         if (srgb) {
             return argb;

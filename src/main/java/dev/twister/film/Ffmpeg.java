@@ -10,15 +10,15 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * The program ffmpeg, which makes MP4 films of H.264: 4:2:0 chroma, as all players take it, BT.709's primaries and
- * matrix and the sRGB transfer function, all tagged.
+ * The program ffmpeg, which encodes MP4 films in H.264 with 4:2:0 chroma, which all players support, tagged with
+ * BT.709's primaries and matrix and the sRGB transfer function.
  *
- * @param program its file
+ * @param program the executable file
  */
 public record Ffmpeg(Path program) {
     private static final List<String> NAMES = List.of("ffmpeg", "ffmpeg.exe");
 
-    /** The first one on a search path. */
+    /** The first ffmpeg on a search path. */
     public static Optional<Ffmpeg> find(String path) {
         return Arrays.stream(path.split(Pattern.quote(File.pathSeparator)))
                 .filter(folder -> !folder.isEmpty())

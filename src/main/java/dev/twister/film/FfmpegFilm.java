@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.CompletableFuture;
 
@@ -19,6 +20,7 @@ final class FfmpegFilm implements FilmEncoder {
     private final Process process;
     private final CompletableFuture<String> lastLine = new CompletableFuture<>();
     private final ByteBuffer frame;
+    private final Thread hook = Thread.ofPlatform().name("end of ffmpeg").unstarted(this::end);
 
     private FfmpegFilm(Ffmpeg ffmpeg, Path file, FilmFormat format, FileReplacement replacement) throws IOException {
         this.ffmpeg = ffmpeg;
@@ -32,6 +34,11 @@ final class FfmpegFilm implements FilmEncoder {
                 .redirectErrorStream(true)
                 .start();
         Thread.ofPlatform().name("ffmpeg's messages").daemon().start(this::readMessages);
+        try {
+            Runtime.getRuntime().addShutdownHook(hook);
+        } catch (IllegalStateException _) {
+            end();
+        }
     }
 
     static FfmpegFilm begin(Ffmpeg ffmpeg, Path file, FilmFormat format) throws IOException {
@@ -126,11 +133,26 @@ final class FfmpegFilm implements FilmEncoder {
         return line.isEmpty() ? "" : ": " + line.replace(replacement.path().toString(), file.toString());
     }
 
+    /** The process ends: ffmpeg, which may create its file late, must not outlive it. */
+    private void end() {
+        try {
+            process.destroyForcibly().onExit().join();
+            Files.deleteIfExists(replacement.path());
+        } catch (IOException _) {
+            // Deleted as a leftover by the next process that writes there.
+        }
+    }
+
     @Override
     public void close() throws IOException {
         process.destroyForcibly();
         closeInput();
         process.onExit().join();
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException _) {
+            // The process ends: the hook finds nothing to delete.
+        }
         replacement.close();
     }
 }

@@ -7,16 +7,16 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * A film in one file: .mp4 by ffmpeg, .apng by Java.
+ * The file of a film: .mp4, encoded by ffmpeg, or .apng, encoded in Java.
  *
- * @param file where it is written
+ * @param file the output file
  * @param ffmpeg empty for an animated PNG
  */
 public record FilmFile(Path file, Optional<Ffmpeg> ffmpeg) {
     private static final String MP4 = ".mp4";
     private static final String APNG = ".apng";
 
-    /** Whether a file of that name is a film. */
+    /** Whether the name has a film's ending. */
     public static boolean isFilm(Path output) {
         return endsIn(output, MP4) || endsIn(output, APNG);
     }
@@ -27,9 +27,9 @@ public record FilmFile(Path file, Optional<Ffmpeg> ffmpeg) {
     }
 
     /**
-     * The film that a name means; where there is no ffmpeg, an animated PNG beside it takes an .mp4's place.
+     * The film with this name. Without ffmpeg, an .mp4 becomes an .apng in the same folder.
      *
-     * @param path where programs are looked for
+     * @param path search path of programs
      */
     static FilmFile of(Path output, String path) {
         Optional<Ffmpeg> ffmpeg = endsIn(output, MP4) ? Ffmpeg.find(path) : Optional.empty();

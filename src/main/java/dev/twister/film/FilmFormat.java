@@ -1,11 +1,11 @@
 package dev.twister.film;
 
 /**
- * A film's size and speed.
+ * Size, rate and length of a film.
  *
  * @param width in pixels
  * @param height in pixels
- * @param rate frames a second
- * @param frames how many, 1 or more
+ * @param rate frames per second
+ * @param frames number of frames, 1 or more
  */
 public record FilmFormat(int width, int height, double rate, int frames) {}

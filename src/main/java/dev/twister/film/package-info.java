@@ -1,2 +1,2 @@
-/** Films in one file: by ffmpeg, or as an animated PNG. Leans on {@code files} alone. */
+/** Films in one file: encoded by ffmpeg, or as an animated PNG. Depends on {@code files} and {@code threads}. */
 package dev.twister.film;

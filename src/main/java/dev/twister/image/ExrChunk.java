@@ -8,16 +8,16 @@ import java.util.zip.DataFormatException;
 import java.util.zip.Deflater;
 import java.util.zip.Inflater;
 
-/** Some rows of an OpenEXR file, compressed as its ZIP has it. */
+/** Compresses and decompresses chunks of rows in OpenEXR's ZIP format. */
 final class ExrChunk {
-    /** The last chunk may have fewer. */
+    /** Rows per chunk; the last one may have fewer. */
     static final int ROWS = 16;
 
     private ExrChunk() {}
 
     /**
-     * The rows from that one on: in each, the channels one after the other. Where compression gains nothing, they stay
-     * as they are.
+     * A chunk from this row on; each row has its channels one after the other. Stored uncompressed if compression does
+     * not make it smaller.
      */
     static byte[] bytes(int width, int height, int firstRow, List<ExrChannel> channels) {
         int rows = Math.min(ROWS, height - firstRow);
@@ -35,7 +35,7 @@ final class ExrChunk {
         return deflated.length < plain.length ? deflated : plain;
     }
 
-    /** The bytes at even places, then the others. */
+    /** The bytes at even indices, then those at odd ones. */
     private static byte[] halves(byte[] bytes) {
         byte[] halves = new byte[bytes.length];
         int half = bytes.length / 2;
@@ -46,7 +46,7 @@ final class ExrChunk {
         return halves;
     }
 
-    /** Each byte but the first minus the one before, plus 128. */
+    /** Each byte except the first minus the previous one, plus 128. */
     private static byte[] differences(byte[] bytes) {
         byte[] differences = new byte[bytes.length];
         differences[0] = bytes[0];
@@ -56,7 +56,7 @@ final class ExrChunk {
         return differences;
     }
 
-    /** Cut at the bytes' own length, where it would be longer. */
+    /** Truncated to the input's length if it would be longer. */
     private static byte[] deflated(byte[] bytes) {
         try (Deflater deflater = new Deflater()) {
             deflater.setInput(bytes);
@@ -67,10 +67,10 @@ final class ExrChunk {
     }
 
     /**
-     * Puts the rows of a chunk where they belong: the opposite of {@link #bytes}.
+     * Decodes a chunk into its rows: the inverse of {@link #bytes}.
      *
-     * @param channels in the chunk's order, of all rows
-     * @throws DataFormatException where the chunk does not have those rows
+     * @param channels of all rows, in the chunk's order
+     * @throws DataFormatException if the chunk does not have those rows
      */
     static void read(byte[] chunk, int width, int height, int firstRow, List<ExrChannel> channels)
             throws DataFormatException {

@@ -43,7 +43,7 @@ final class ExrHeader {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         for (ExrChannel channel : channels) {
             text(out, channel.name());
-            // Type, whether it is perceptually linear and three bytes that are not used, then no subsampling.
+            // Type, perceptual linearity, three unused bytes, no subsampling.
             out.writeBytes(buffer(4 * Integer.BYTES)
                     .putInt(FLOAT)
                     .putInt(0)
@@ -71,7 +71,7 @@ final class ExrHeader {
         return text.getBytes(StandardCharsets.US_ASCII);
     }
 
-    /** Both corners are inside. */
+    /** A window with both corners included. */
     private static byte[] window(int width, int firstRow, int lastRow) {
         return buffer(4 * Integer.BYTES)
                 .putInt(0)

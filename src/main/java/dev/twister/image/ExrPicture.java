@@ -10,7 +10,7 @@ import java.util.Optional;
  * @param height of the whole picture
  * @param firstRow of the part, from the top
  * @param rows of the part
- * @param channels of the part's pixels, of different names, in any order
+ * @param channels of the part's pixels, with different names, in any order
  */
 public record ExrPicture(
         int width, int height, int firstRow, int rows, List<ExrChannel> channels, Optional<Provenance> provenance) {}

@@ -30,10 +30,10 @@ public final class ExrReader {
     private ExrReader() {}
 
     /**
-     * Reads a file that is whole.
+     * Reads a complete file.
      *
-     * @throws IOException where it cannot be read, is not whole, or is of another program; the message is one line and
-     *     names the file
+     * @throws IOException if it cannot be read, is incomplete, or is not Twister's; the message is one line and names
+     *     the file
      */
     public static ExrPicture read(Path file) throws IOException {
         return read(file, ExrReader::picture);

@@ -18,12 +18,12 @@ public final class ExrWriter {
     private ExrWriter() {}
 
     /**
-     * Writes the channels with all their bits, whole or not at all. What is compressed is held in memory until then.
+     * Writes the channels without loss; on failure the file is unchanged. The compressed data is held in memory.
      *
      * @param width pixels in a row, 1 or more
      * @param height rows, 1 or more
-     * @param channels 1 or more, of different names, in any order
-     * @throws IllegalArgumentException where a channel does not have that many values
+     * @param channels 1 or more, with different names, in any order
+     * @throws IllegalArgumentException if a channel has another number of values
      * @throws IOException as {@link WholeFile#write}
      */
     public static void write(Path file, int width, int height, List<ExrChannel> channels) throws IOException {
@@ -31,9 +31,9 @@ public final class ExrWriter {
     }
 
     /**
-     * Writes the same for a part of a picture, or with what is said of how it was made.
+     * Writes a picture or a part of one, with its provenance if present.
      *
-     * @throws IllegalArgumentException where a channel does not have that many values
+     * @throws IllegalArgumentException if a channel has another number of values
      * @throws IOException as {@link WholeFile#write}
      */
     public static void write(Path file, ExrPicture picture) throws IOException {
@@ -69,7 +69,7 @@ public final class ExrWriter {
         });
     }
 
-    /** Where in the file each chunk begins. */
+    /** Offsets of the chunks in the file. */
     private static void writeOffsets(OutputStream out, int headerLength, List<byte[]> chunks) throws IOException {
         long offset = headerLength + (long) Long.BYTES * chunks.size();
         for (byte[] data : chunks) {

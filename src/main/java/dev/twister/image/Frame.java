@@ -3,8 +3,8 @@ package dev.twister.image;
 /**
  * The pixels an engine fills, either 8-bit ARGB or linear radiance, never both.
  *
- * <p>The arrays are handed out, not copied: a frame may be read once the engine's {@code render} has returned and until
- * the next call with the same frame.
+ * <p>The arrays are not copied: they may be read after the engine's {@code render} has returned, until the next call
+ * with the same frame.
  */
 public final class Frame {
     private static final int CHANNELS = 3;
@@ -81,7 +81,7 @@ public final class Frame {
         return argb;
     }
 
-    /** The linear radiance, three floats a pixel; empty in a frame of pixels. */
+    /** The linear radiance, three floats per pixel; empty in a frame of pixels. */
     public float[] radiance() {
         return radiance;
     }

@@ -1,7 +1,7 @@
 package dev.twister.image;
 
 /**
- * Where a frame's time went, in nanoseconds.
+ * Times of rendering a frame, in nanoseconds.
  *
  * @param totalNanos from the call to the pixels in the caller's array
  * @param kernelNanos on the device, by the device's own clock; equal to the total on the JVM
@@ -11,12 +11,12 @@ package dev.twister.image;
 public record FrameTimes(long totalNanos, long kernelNanos, long copyInNanos, long copyOutNanos) {
     public static final FrameTimes NONE = new FrameTimes(0, 0, 0, 0);
 
-    /** A frame drawn by the JVM itself. */
+    /** Times of a frame rendered by the JVM. */
     public static FrameTimes onJvm(long totalNanos) {
         return new FrameTimes(totalNanos, totalNanos, 0, 0);
     }
 
-    /** Of what was drawn one after the other. */
+    /** The sum of the times of two renders. */
     public FrameTimes plus(FrameTimes next) {
         return new FrameTimes(
                 totalNanos + next.totalNanos,

@@ -18,7 +18,7 @@ final class HdrNotes {
 
     private static final String SOFTWARE = Provenance.SOFTWARE.toUpperCase(Locale.ROOT) + "=";
 
-    /** As Twister writes it. */
+    /** The resolution line of Twister's files. */
     private static final Pattern RESOLUTION = Pattern.compile("-Y (?<height>\\d{1,9}) \\+X (?<width>\\d{1,9})");
 
     private static final int LONGEST_LINE = 1024;
@@ -27,9 +27,9 @@ final class HdrNotes {
     private HdrNotes() {}
 
     /**
-     * What the header of a file says that is whole.
+     * The provenance in the header of a complete file.
      *
-     * @throws IOException where it ends before its last row
+     * @throws IOException if the file is damaged or ends before its last row
      */
     static Optional<Provenance> of(Path file) throws IOException {
         try (InputStream bytes = InputFile.open(file);

@@ -11,22 +11,22 @@ public final class HdrWriter {
     private HdrWriter() {}
 
     /**
-     * Writes a Radiance picture, rows from the top, each run length coded where the format allows it (widths of 8 to
-     * 32767 pixels) and flat elsewhere; whole or not at all. What is read back, as {@code m * 2^(e - 136)}, lies within
-     * 1/256 of a pixel's largest channel of what was written. NaN and negative channels become 0, a pixel whose largest
-     * channel is below 2^-128 becomes black, and channels are cut at 255 * 2^119, the largest the format holds.
+     * Writes a Radiance picture, rows from the top, run length coded if the format allows it (widths of 8 to 32767
+     * pixels), otherwise flat; on failure the file is unchanged. A value read back, as {@code m * 2^(e - 136)}, lies
+     * within 1/256 of a pixel's largest channel of what was written. NaN and negative channels become 0, a pixel whose
+     * largest channel is below 2^-128 becomes black, and channels are cut at 255 * 2^119, the largest the format holds.
      *
      * @param width pixels in a row, 1 or more
      * @param height rows, 1 or more
      * @param radiance {@code 3 * width * height} floats: red, green, blue of each pixel, row by row from the top
-     * @throws IllegalArgumentException where the array does not have that length
+     * @throws IllegalArgumentException if the array has another length
      * @throws IOException as {@link WholeFile#write}
      */
     public static void write(Path file, int width, int height, float[] radiance) throws IOException {
         write(file, width, height, radiance, "");
     }
 
-    /** Writes the same, with what is said of how it was made in the header. */
+    /** As above, with the provenance in the header. */
     public static void write(Path file, int width, int height, float[] radiance, Provenance made) throws IOException {
         String lines = Provenance.SOFTWARE.toUpperCase(Locale.ROOT) + "=" + made.software() + "\n" + HdrNotes.VARIABLE
                 + made.text() + "\n";

@@ -1,20 +1,20 @@
 package dev.twister.image;
 
 /**
- * How often a finished picture has each level of its colors, as it is displayed.
+ * Number of pixels at each level of a displayed picture.
  *
- * @param red pixels by their level, 0 to 255; green and blue likewise
- * @param luma pixels by Rec. 709's weighted mean of their levels
- * @param pixels how many were counted
- * @param white of them, those with a channel at 255, so that what is brighter cannot be told
- * @param black of them, those with all channels at 0
+ * @param red number of pixels by level, 0 to 255; green and blue likewise
+ * @param luma number of pixels by Rec. 709's weighted mean of the levels
+ * @param pixels number of counted pixels
+ * @param white number of pixels with a channel at 255, which are clipped
+ * @param black number of pixels with all channels at 0
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
 public record Histogram(int[] red, int[] green, int[] blue, int[] luma, int pixels, int white, int black) {
     public static final int LEVELS = 256;
     private static final int MAX_LEVEL = LEVELS - 1;
 
-    /** Rec. 709's weights, of 65536. */
+    /** Rec. 709's weights in units of 1/65536. */
     private static final int RED = 13933;
 
     private static final int GREEN = 46871;
@@ -22,10 +22,10 @@ public record Histogram(int[] red, int[] green, int[] blue, int[] luma, int pixe
     private static final int WEIGHT_BITS = 16;
 
     /**
-     * Counts pixels of 0xAARRGGBB, row by row, evenly spread over the picture.
+     * Counts pixels (0xAARRGGBB, row by row), spread evenly over the picture.
      *
-     * @param width of a row
-     * @param most how many pixels are counted at most, all but for rounding where there are no more
+     * @param width pixels per row
+     * @param most limit of the counted pixels, except for rounding
      */
     public static Histogram of(int[] argb, int width, int most) {
         int[] red = new int[LEVELS];
@@ -74,7 +74,7 @@ public record Histogram(int[] red, int[] green, int[] blue, int[] luma, int pixe
         return (double) black / pixels;
     }
 
-    /** One that meets every column: else a picture's columns would be what is counted. */
+    /** A step that meets every column; otherwise only some columns would be counted. */
     private static int stride(int length, int width, int most) {
         int stride = Math.max(1, Math.ceilDiv(length, most));
         while (greatestCommonDivisor(stride, width) > 1) {

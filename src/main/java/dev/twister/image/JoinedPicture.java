@@ -9,8 +9,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A picture that is put together from parts: tiles, which are runs of rows, and ranges of samples, which are averaged.
- * Rows of one part alone keep all their bits. Messages of exceptions are one line.
+ * Joins a picture from parts: tiles, which are ranges of rows, and ranges of samples, which are averaged. Rows of a
+ * single part keep their bits. Messages of exceptions are one line.
  */
 public final class JoinedPicture {
     private static final Pattern RANGE = Pattern.compile("(\\d{1,9})-(\\d{1,9})");
@@ -23,7 +23,7 @@ public final class JoinedPicture {
     private final List<double[]> sums;
     private final List<List<Samples>> rows = new ArrayList<>();
 
-    /** The first sample and the last one; where a part only tells how many they are, one is as good as another. */
+    /** First and last sample; if a part states only their number, the first one is arbitrary. */
     private record Samples(int first, int last, String text, Path file) {
         int count() {
             return last - first + 1;
@@ -31,10 +31,10 @@ public final class JoinedPicture {
     }
 
     /**
-     * Begins with a part, without its pixels.
+     * Creates a picture like a part, without its pixels.
      *
      * @param extents of all parts; without them, a file of a few bytes could ask for a picture of any size
-     * @throws IllegalArgumentException where the part does not say how it was made, or rows are missing
+     * @throws IllegalArgumentException if the part has no provenance, or rows are missing
      */
     public JoinedPicture(Path file, ExrPicture part, List<ExrExtent> extents) {
         Provenance made = provenance(file, part);
@@ -54,16 +54,15 @@ public final class JoinedPicture {
 
     private static Provenance provenance(Path file, ExrPicture part) {
         return part.provenance()
-                .orElseThrow(
-                        () -> new IllegalArgumentException(
-                                file
-                                        + " does not say how it was made; parts are written by 'twister render --tile' and '--sample-range'"));
+                .orElseThrow(() -> new IllegalArgumentException(file
+                        + " does not say how it was made; parts are written by 'twister render"
+                        + " --tile' and '--sample-range'"));
     }
 
     /**
      * Adds a part.
      *
-     * @throws IllegalArgumentException where it is of another picture, or has samples that others have too
+     * @throws IllegalArgumentException if it belongs to another picture, or repeats samples of another part
      */
     public void add(Path file, ExrPicture part) {
         Provenance made = provenance(file, part);
@@ -109,7 +108,7 @@ public final class JoinedPicture {
     /**
      * The picture.
      *
-     * @throws IllegalArgumentException where rows or samples are missing
+     * @throws IllegalArgumentException if rows or samples are missing
      */
     public ExrPicture whole() {
         List<String> wanted = texts(0);

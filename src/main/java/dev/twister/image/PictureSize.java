@@ -23,7 +23,7 @@ public record PictureSize(int width, int height) {
     /**
      * Checks the sides.
      *
-     * @throws IllegalArgumentException where a side is less than 1
+     * @throws IllegalArgumentException if a side is less than 1
      */
     public PictureSize {
         if (width < 1 || height < 1) {
@@ -34,7 +34,7 @@ public record PictureSize(int width, int height) {
     /**
      * Reads {@code 1280x720}, or one of the names 720p, 1080p and 4k.
      *
-     * @throws IllegalArgumentException where it is neither, or a side is less than 1
+     * @throws IllegalArgumentException if it is neither, or a side is less than 1
      */
     public static PictureSize parse(String text) {
         PictureSize named = NAMES.get(text.toLowerCase(Locale.ROOT));
@@ -49,7 +49,7 @@ public record PictureSize(int width, int height) {
         return new PictureSize(Integer.parseInt(numbers.group(1)), Integer.parseInt(numbers.group(2)));
     }
 
-    /** As people call it: 720p, 1080p, 4K, or its sides. */
+    /** Display name: 720p, 1080p, 4K, or the sides. */
     public String name() {
         return equals(ULTRA_HD) ? "4K" : equals(HD) || equals(FULL_HD) ? height + "p" : toString();
     }
@@ -58,7 +58,7 @@ public record PictureSize(int width, int height) {
         return (long) width * height;
     }
 
-    /** As {@link #parse} reads it. */
+    /** The form that {@link #parse} reads. */
     @Override
     public String toString() {
         return width + "x" + height;

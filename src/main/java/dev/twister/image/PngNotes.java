@@ -16,7 +16,7 @@ import java.util.zip.CRC32;
 import java.util.zip.CheckedInputStream;
 
 /**
- * What a PNG file says beside its pixels.
+ * Size and metadata of a PNG file.
  *
  * @param size in pixels, which its compressed data can hold
  * @param linear whether its channels are linear light
@@ -27,7 +27,7 @@ public record PngNotes(PictureSize size, Optional<Provenance> provenance, boolea
     private static final int LINEAR_GAMMA = 100_000;
 
     /**
-     * Reads a file that is whole.
+     * Reads a complete file.
      *
      * @throws IOException if it is no PNG, ends before its last chunk, has a wrong checksum, or claims more pixels than
      *     its data can hold

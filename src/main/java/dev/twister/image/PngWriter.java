@@ -34,14 +34,14 @@ public final class PngWriter {
     private PngWriter() {}
 
     /**
-     * Writes an opaque 24-bit RGB picture, whole or not at all. The array is read in place, not copied, and the file is
-     * streamed, so a picture of 16384 x 16384 needs next to no memory besides its array.
+     * Writes an opaque 24-bit RGB picture; on failure the file is unchanged. The array is not copied, and the file is
+     * streamed, so that little memory is needed besides the array.
      *
      * @param width pixels in a row, 1 or more
      * @param height rows, 1 or more
      * @param argb {@code width * height} ints, 0xAARRGGBB, row by row from the top; alpha is ignored
      * @param srgb whether the channels are sRGB-encoded; linear ones are marked by a gAMA chunk of 1.0
-     * @throws IllegalArgumentException where the array does not have that length
+     * @throws IllegalArgumentException if the array has another length
      * @throws IOException as {@link WholeFile#write}
      */
     public static void write(Path file, int width, int height, int[] argb, boolean srgb) throws IOException {
@@ -49,7 +49,7 @@ public final class PngWriter {
         WholeFile.write(file, out -> write(out, image, srgb, Optional.empty()));
     }
 
-    /** Writes the same, with what is said of how it was made as text. */
+    /** As above, with the provenance as text chunks. */
     public static void write(Path file, int width, int height, int[] argb, boolean srgb, Provenance made)
             throws IOException {
         BufferedImage image = image(width, height, argb);
@@ -57,9 +57,9 @@ public final class PngWriter {
     }
 
     /**
-     * Writes the same to a stream, which stays open.
+     * As above, to a stream, which stays open.
      *
-     * @throws IOException whatever the stream reported
+     * @throws IOException the failure of the stream
      */
     public static void write(OutputStream out, int width, int height, int[] argb, boolean srgb, Provenance made)
             throws IOException {
@@ -69,7 +69,7 @@ public final class PngWriter {
 
     private static void write(OutputStream out, BufferedImage image, boolean srgb, Optional<Provenance> made)
             throws IOException {
-        // Not ImageIO's stream of choice, which spools the picture through a file in the temporary folder.
+        // ImageIO's default stream would write the picture to a temporary file first.
         try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
             write(image, srgb, made, stream);
         }

@@ -3,14 +3,14 @@ package dev.twister.image;
 import java.util.Optional;
 
 /**
- * What a picture's file says of how it was made.
+ * How a picture was made, as stored in its file.
  *
- * @param software the program with its version
- * @param picture a digest of everything that the picture depends on but its samples; one word
- * @param samples of each pixel, such as {@code 16} or {@code 0-15}
+ * @param software program and version
+ * @param picture digest of everything that the picture depends on, except its samples; one word
+ * @param samples samples of each pixel, such as {@code 16} or {@code 0-15}
  */
 public record Provenance(String software, String picture, String samples) {
-    /** The digest and the samples under this name; the software under {@link #SOFTWARE}. */
+    /** Metadata name of the digest and the samples; the software is stored as {@link #SOFTWARE}. */
     static final String NAME = "Twister";
 
     static final String SOFTWARE = "Software";

@@ -33,9 +33,7 @@ final class RgbeCodec {
         rgbe[to + 3] = (byte) (exponent + 128);
     }
 
-    /**
-     * Cut at 255, not carried into the exponent: that would double the error of the other two, beyond a part in 256.
-     */
+    /** Limited to 255 instead of carrying into the exponent, which would double the error of the other two channels. */
     private static byte mantissa(double channel, int exponent) {
         return (byte) Math.min(255, Math.rint(Math.scalb(channel, 8 - exponent)));
     }

@@ -5,8 +5,8 @@ import java.io.OutputStream;
 
 /**
  * Radiance's newer run length code: after (2, 2, width / 256, width % 256) the four components of a scanline follow one
- * after the other, each as counts: n of 1 to 128 and n bytes as they are, or 128 + n of 129 to 255 and a byte to repeat
- * n times.
+ * after the other, each in runs: n from 1 to 128 and n literal bytes, or 128 + n from 129 to 255 and a byte to repeat n
+ * times.
  */
 final class RgbeRunLengths {
     private static final int SHORTEST_WIDTH = 8;
@@ -23,7 +23,7 @@ final class RgbeRunLengths {
         this.component = new byte[width];
     }
 
-    /** Whether scanlines of this width can be coded at all. */
+    /** Whether scanlines of this width can be run length coded. */
     static boolean fits(int width) {
         return width >= SHORTEST_WIDTH && width <= LONGEST_WIDTH;
     }

@@ -5,15 +5,15 @@ import dev.twister.image.Frame;
 import dev.twister.image.FrameTimes;
 import dev.twister.world.FrameInput;
 
-/** Draws a picture in bands of rows, so that long work tells how far it is. */
+/** Renders a picture in bands of rows, so that progress can be reported. */
 public final class BandedDrawing {
-    /** View rays in a band: a picture of 1280 x 720 with one a pixel is still drawn at once. */
+    /** View rays per band; a picture of 1280 x 720 with one sample per pixel is a single band. */
     private static final long RAYS_PER_BAND = 1 << 20;
 
-    /** Enough for every core to have some. */
+    /** Enough rows to keep every core busy. */
     private static final int MIN_ROWS = 64;
 
-    /** Engines draw in squares of as many pixels; those of bands that begin elsewhere would be rounded differently. */
+    /** Engines render squares of this side; bands start at its multiples so that results are rounded alike. */
     private static final int SQUARE = 16;
 
     private static final int CHANNELS = 3;
@@ -21,15 +21,15 @@ public final class BandedDrawing {
     private BandedDrawing() {}
 
     /**
-     * A picture.
+     * A rendered picture.
      *
-     * @param frame its times are all bands' together
-     * @param fewestSamples of a pixel
-     * @param mostSamples of a pixel
+     * @param frame its times are the sums over all bands
+     * @param fewestSamples smallest number of samples per pixel of any band
+     * @param mostSamples largest number of samples per pixel of any band
      */
     public record Drawn(Frame frame, int fewestSamples, int mostSamples) {}
 
-    /** Draws the rows of the picture that the input has, each with the bits that it has in the whole picture. */
+    /** Renders the rows of the input; each has the same bits as in the whole picture. */
     public static Drawn draw(
             Engine engine, FrameInput input, Sampling sampling, boolean linear, RenderProgress progress) {
         int first = input.firstRow() / SQUARE * SQUARE;
@@ -74,7 +74,7 @@ public final class BandedDrawing {
         return new Drawn(whole, fewest, most);
     }
 
-    /** Bytes that drawing takes for each pixel of the picture; the bands come to less than as much again. */
+    /** Memory for rendering, in bytes per pixel; the bands need less than that again. */
     public static long bytesPerPixel(boolean linear) {
         return (linear ? CHANNELS : 1) * (long) Integer.BYTES;
     }

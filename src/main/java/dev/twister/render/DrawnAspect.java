@@ -8,15 +8,15 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A picture, a stage or a view that an engine has drawn.
+ * A rendered picture, stage or view.
  *
- * @param drawn its frame is linear where the output is, or where the picture is no color
+ * @param drawn its frame is linear if the output is, or if the values are not colors
  */
 public record DrawnAspect(Picture picture, BandedDrawing.Drawn drawn) {
     private static final String COLOR_CHANNELS = "RGB";
     private static final int CHANNELS = 3;
 
-    /** The pixels, or the radiance. */
+    /** Holds pixels or radiance. */
     public Frame frame() {
         return drawn.frame();
     }
@@ -27,9 +27,9 @@ public record DrawnAspect(Picture picture, BandedDrawing.Drawn drawn) {
     }
 
     /**
-     * The channels in a file: red, green and blue, or one for numbers, in a layer that is called as the picture.
+     * The channels in a file: red, green and blue, or one for numbers, in a layer with the picture's name.
      *
-     * @param alone whether the file has no other picture, so that this one needs no layer; nor does the beauty
+     * @param alone whether the file has no other picture; then, and for beauty, there is no layer
      */
     List<ExrChannel> channels(boolean alone) {
         String layer = alone || picture == Picture.BEAUTY ? "" : picture.id() + ".";

@@ -5,20 +5,20 @@ import java.util.stream.IntStream;
 /**
  * Frames of a film.
  *
- * @param first the number of the first one
- * @param last the number of the last one, at least the first's
- * @param counted whether only their number was given: then they are the whole film
+ * @param first number of the first frame
+ * @param last number of the last frame, at least {@code first}
+ * @param counted whether only a count was given; then the range is the whole film
  */
 public record FrameRange(int first, int last, boolean counted) {
-    /** More are not numbered. */
+    /** Largest number of frames. */
     public static final int MOST = 1_000_000;
 
-    /** As many frames, from 0 on. */
+    /** This number of frames, starting with 0. */
     public static FrameRange ofCount(int count) {
         return new FrameRange(0, count - 1, true);
     }
 
-    /** Both are in it. */
+    /** The frames from {@code first} to {@code last}, both included. */
     public static FrameRange of(int first, int last) {
         return new FrameRange(first, last, false);
     }

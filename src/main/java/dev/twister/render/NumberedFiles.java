@@ -12,8 +12,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Names for frames, which sort as they were drawn. The number's place is {@code %04d} or {@code ####} in the file's
- * name; where there is none, {@code fall.png} becomes {@code fall-0000.png} and so on.
+ * File names of frames, which sort by frame number. The place of the number is {@code %04d} or {@code ####} in the
+ * file's name; without one, {@code fall.png} becomes {@code fall-0000.png} and so on.
  */
 public final class NumberedFiles {
     private static final int MIN_DIGITS = 4;
@@ -33,11 +33,11 @@ public final class NumberedFiles {
     }
 
     /**
-     * Names for frames. Those of a part of a film have the same digits as all others' of the film.
+     * File names of a range of frames. A frame has the same name in every range of the film.
      *
-     * @param file has an ending
-     * @throws IllegalArgumentException where the name has two places for a number, or too few digits for the film's
-     *     part; the message says what the name must have
+     * @param file with an ending
+     * @throws IllegalArgumentException if the name has two places for the number, or too few digits for the film's
+     *     part; the message is the rest of a sentence that begins with the name
      */
     public static NumberedFiles of(Path file, FrameRange frames) {
         NumberedFiles files = of(file, frames.counted() ? frames.count() : 1);
@@ -72,15 +72,15 @@ public final class NumberedFiles {
         return place.group("width") == null ? 1 : Integer.parseInt(place.group("width"));
     }
 
-    /** The file of a number, from 0; larger numbers than its place takes make the name longer. */
+    /** The file of a frame; numbers with more digits than the place has make the name longer. */
     public Path file(int number) {
         return file.resolveSibling(start + String.format(Locale.ROOT, "%0" + digits + "d", number) + end);
     }
 
     /**
-     * Those that are there, by their numbers.
+     * The existing files by frame number.
      *
-     * @throws IOException where their folder is not there or cannot be read
+     * @throws IOException if the folder does not exist or cannot be read
      */
     public SortedMap<Integer, Path> existing() throws IOException {
         Pattern name = Pattern.compile(Pattern.quote(start) + "(\\d{1,9})" + Pattern.quote(end));

@@ -17,7 +17,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** The kinds of picture files. */
+/** Formats of picture files. */
 public enum PictureFormat {
     PNG(".png"),
     HDR(".hdr"),
@@ -29,7 +29,7 @@ public enum PictureFormat {
         this.ending = ending;
     }
 
-    /** The one that a file's name ends in. */
+    /** The format by the ending of a file's name. */
     public static Optional<PictureFormat> of(Path file) {
         String name = file.toString().toLowerCase(Locale.ROOT);
         return Arrays.stream(values())
@@ -37,17 +37,17 @@ public enum PictureFormat {
                 .findFirst();
     }
 
-    /** With its dot. */
+    /** The ending with its dot. */
     public String ending() {
         return ending;
     }
 
-    /** Whether it holds linear radiance, not pixels. */
+    /** Whether files hold linear radiance instead of pixels. */
     public boolean isLinear() {
         return this != PNG;
     }
 
-    /** Bytes per pixel that rendering and writing these pictures takes. */
+    /** Memory for rendering and writing the pictures, in bytes per pixel. */
     public long bytesPerPixel(List<Picture> pictures) {
         long drawn = pictures.stream()
                 .mapToLong(picture -> BandedDrawing.bytesPerPixel(isLinear() || !picture.isColor()))
@@ -55,7 +55,7 @@ public enum PictureFormat {
         return this == EXR ? 2 * drawn : drawn;
     }
 
-    /** Whether 8-bit pixels are sRGB-encoded: numbers are shown as they are, which no viewer is to encode. */
+    /** Whether 8-bit pixels are marked as sRGB; pictures of numbers always are, so that viewers show them unchanged. */
     static boolean isEncoded(DrawnAspect drawn, FrameInput input) {
         return input.srgb() || !drawn.picture().isColor();
     }
@@ -63,8 +63,8 @@ public enum PictureFormat {
     /**
      * Writes a PNG to a stream, which stays open.
      *
-     * @param part what was drawn
-     * @param made told in the file
+     * @param part the input of the rendered rows
+     * @param made stored in the file
      */
     public static void writePng(OutputStream out, DrawnAspect drawn, FrameInput part, Provenance made)
             throws IOException {
@@ -75,9 +75,9 @@ public enum PictureFormat {
     /**
      * Writes a file, whole or not at all.
      *
-     * @param drawn one, or more into an EXR file
-     * @param input what they were drawn from, the whole picture or a part
-     * @param made told in the file
+     * @param drawn one picture; an EXR file can hold several
+     * @param input the input of the rendered rows
+     * @param made stored in the file
      * @throws IOException as {@link dev.twister.files.WholeFile#write}
      */
     public void write(Path file, List<DrawnAspect> drawn, FrameInput input, Provenance made) throws IOException {

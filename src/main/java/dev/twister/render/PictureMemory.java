@@ -3,7 +3,7 @@ package dev.twister.render;
 import dev.twister.image.PictureSize;
 import java.util.Optional;
 
-/** Whether a picture fits in what the JVM may still use. */
+/** Checks whether a picture fits into the free memory of the JVM. */
 public final class PictureMemory {
     private static final long MEGABYTE = 1 << 20;
     private static final int SPARE_MEGABYTES = 1024;
@@ -11,26 +11,26 @@ public final class PictureMemory {
     private PictureMemory() {}
 
     /**
-     * What a picture lacks.
+     * A picture that does not fit.
      *
-     * @param needed megabytes that it takes
-     * @param available megabytes that the JVM may still use
-     * @param limit megabytes that the JVM may use in all
+     * @param needed required megabytes
+     * @param available free megabytes
+     * @param limit maximum heap in megabytes
      */
     public record Shortage(PictureSize size, long needed, long available, long limit) {
-        /** The limit in megabytes that would be enough, with some spare. */
+        /** A sufficient heap limit in megabytes. */
         public long sufficientLimit() {
             return limit + needed - available + SPARE_MEGABYTES;
         }
 
-        /** What is needed and what there is, as the rest of a sentence that begins with the size's name. */
+        /** Required and free memory, as the rest of a sentence that begins with the option's name. */
         public String text() {
             return "is " + size + ", which needs " + needed + " MB of memory, but the JVM may use only " + available
                     + " MB more";
         }
     }
 
-    /** Looks before anything is allocated; empty where the picture fits. */
+    /** Empty if the picture fits. Allocates nothing. */
     public static Optional<Shortage> of(PictureSize size, long bytesPerPixel) {
         Runtime runtime = Runtime.getRuntime();
         long available = runtime.maxMemory() - (runtime.totalMemory() - runtime.freeMemory());

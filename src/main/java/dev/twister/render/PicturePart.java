@@ -4,41 +4,41 @@ import dev.twister.world.FrameInput;
 import java.util.Optional;
 
 /**
- * Which part of a picture is rendered.
+ * The part of a picture to render.
  *
- * @param tile some of its rows; all where it is empty
- * @param samples some of each pixel's samples; the picture's own where it is empty
+ * @param tile rows to render; empty for all
+ * @param samples samples of each pixel to render; empty for the picture's own number
  */
 public record PicturePart(Optional<Tile> tile, Optional<Samples> samples) {
-    /** All of it. */
+    /** The whole picture. */
     public static final PicturePart WHOLE = new PicturePart(Optional.empty(), Optional.empty());
 
     /**
-     * Some of a picture's rows.
+     * A range of rows.
      *
-     * @param number from 1
-     * @param count of tiles
+     * @param number of the tile, from 1 at the top
+     * @param count number of tiles of the picture
      */
     public record Tile(int number, int count) {
-        /** The first of its rows. */
+        /** Number of the first row. */
         public int firstRow(int height) {
             return (int) ((number - 1L) * height / count);
         }
 
-        /** How many rows it has. */
+        /** Number of rows. */
         public int rows(int height) {
             return (int) ((long) number * height / count) - firstRow(height);
         }
     }
 
-    /** Samples of a sequence, both in it. */
+    /** Samples {@code first} to {@code last} of a pixel's sequence, both included. */
     public record Samples(int first, int last) {
         public int count() {
             return last - first + 1;
         }
     }
 
-    /** The part of a picture. */
+    /** The input limited to this part. */
     public FrameInput of(FrameInput input) {
         FrameInput sampled = samples.map(range -> input.withSamples(range.first(), range.count()))
                 .orElse(input);
@@ -47,7 +47,7 @@ public record PicturePart(Optional<Tile> tile, Optional<Samples> samples) {
                 .orElse(sampled);
     }
 
-    /** The samples of each pixel in words, as a number or a range. */
+    /** The range of samples as text. */
     Optional<String> samplesText() {
         return samples.map(range -> range.first() + "-" + range.last());
     }

@@ -8,13 +8,13 @@ import dev.twister.world.FrameInput;
 import java.util.Optional;
 
 /**
- * The samples of a picture's pixels.
+ * How many samples each pixel gets.
  *
- * @param samples of each pixel; the limit where there is a bound of the noise
- * @param noise as a share of white
+ * @param samples number per pixel; with a noise bound, the limit
+ * @param noise bound of the estimated error of a pixel, as a share of white
  */
 public record Sampling(int samples, Optional<Double> noise) {
-    /** Fewer do not show how noisy a picture is. */
+    /** Smallest limit with a noise bound; fewer samples give no estimate of the noise. */
     public static final int LEAST_CONVERGING = 8;
 
     /** The largest number of samples per pixel. */
@@ -26,10 +26,10 @@ public record Sampling(int samples, Optional<Double> noise) {
     }
 
     /**
-     * Draws a band.
+     * Renders a band.
      *
-     * @param input with {@link #atOnce} samples, where there is no bound of the noise
-     * @return the samples of each pixel
+     * @param input with {@link #atOnce} samples per pixel, unless there is a noise bound
+     * @return the number of samples of each pixel
      */
     int draw(Engine engine, FrameInput input, Frame frame) {
         if (noise.isPresent() || samples > atOnce()) {
@@ -39,12 +39,12 @@ public record Sampling(int samples, Optional<Double> noise) {
         return samples;
     }
 
-    /** Of which a band's size is chosen. */
+    /** Expected number of samples, for choosing the size of bands. */
     int usual() {
         return noise.isPresent() ? 2 * LEAST_CONVERGING : samples;
     }
 
-    /** In one word or a few, as files keep it. */
+    /** Text for metadata of files. */
     String text() {
         return noise.map(bound -> "noise " + bound + " at most " + samples).orElse(Integer.toString(samples));
     }

@@ -9,7 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** The files that a scene is rendered from, which no rendering is to replace. */
+/** Files that a scene is rendered from; no output may replace them. */
 public final class SceneInputs {
     private SceneInputs() {}
 
@@ -24,9 +24,9 @@ public final class SceneInputs {
     }
 
     /**
-     * Whether writing a file would replace one of these.
+     * Whether writing a file would replace one of the inputs.
      *
-     * @throws IOException where files cannot be compared
+     * @throws IOException if files cannot be compared
      */
     public static boolean areReplacedBy(Path file, List<Path> inputs) throws IOException {
         for (Path input : inputs) {

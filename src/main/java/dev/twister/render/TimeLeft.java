@@ -2,16 +2,16 @@ package dev.twister.render;
 
 import java.time.Duration;
 
-/** How long work still takes that goes on as it went up to now. */
+/** Estimates the remaining time of work from its progress. */
 public final class TimeLeft {
     private TimeLeft() {}
 
     /**
-     * The time left.
+     * The remaining time, if the work continues at the same rate.
      *
-     * @param elapsedNanos since the work began
-     * @param part of it that is done, in [0, 1]
-     * @return 0 where nothing is done
+     * @param elapsedNanos time since the start
+     * @param part finished part, in [0, 1]
+     * @return 0 if nothing is finished
      */
     public static Duration of(long elapsedNanos, double part) {
         return part <= 0 ? Duration.ZERO : Duration.ofNanos((long) (elapsedNanos / part * (1 - part)));

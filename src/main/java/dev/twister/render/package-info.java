@@ -1,6 +1,6 @@
 /**
- * A scene rendered to files: pictures band by band, numbered frames and films, what moves in them, and how long it
- * still takes. What the commands and the window's dialog share. Leans on the scene, its world, physics and motion
- * files, engines and the files of pictures and films.
+ * Rendering to files: an order says what to render, and one class carries it out, for the commands and the window:
+ * pictures, numbered frames and films. Depends on the scene, its world, physics and motion files, engines, image and
+ * film, and the background writer of {@code threads}.
  */
 package dev.twister.render;

@@ -34,7 +34,7 @@ class JitReportTest {
         assertThat(report.passed()).isFalse();
         assertThat(report.table())
                 .contains(
-                        "FAILED with graal: wrong at 5x3 draws another picture than sequential",
+                        "FAILED with graal: wrong at 5x3 differs from the picture of sequential",
                         "FAILED with graal: broken: out of order");
     }
 

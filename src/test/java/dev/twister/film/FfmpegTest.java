@@ -3,10 +3,12 @@ package dev.twister.film;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIOException;
 
+import dev.twister.ChildJvm;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -101,6 +103,39 @@ class FfmpegTest {
             begun.add(FRAME);
         }
         assertThat(folder.toFile().list()).containsExactly("ffmpeg");
+    }
+
+    @Test
+    void anEncoderThatCreatesItsFileLateLeavesNoneWhenTheProcessIsTerminated()
+            throws IOException, InterruptedException {
+        Ffmpeg ffmpeg = program("for last; do :; done; cat >/dev/null; echo late >\"$last\"");
+        Path films = Files.createDirectory(folder.resolve("films"));
+        Process java = ChildJvm.start(ChildJvm.of(
+                        FilmMain.class,
+                        ffmpeg.program().toString(),
+                        films.resolve("film.mp4").toString())
+                .redirectError(ProcessBuilder.Redirect.INHERIT));
+        assertThat(java.inputReader().readLine()).isEqualTo("begun");
+
+        java.destroy();
+        java.waitFor();
+
+        assertThat(films).isEmptyDirectory();
+    }
+
+    /** Begins a film that it never finishes. */
+    static final class FilmMain {
+        private FilmMain() {}
+
+        public static void main(String[] arguments) throws IOException {
+            try (FilmEncoder film = new Ffmpeg(Path.of(arguments[0])).begin(Path.of(arguments[1]), FORMAT)) {
+                film.add(FRAME);
+                System.out.println("begun");
+                while (true) {
+                    LockSupport.park();
+                }
+            }
+        }
     }
 
     private String failed(Ffmpeg ffmpeg, String how) {

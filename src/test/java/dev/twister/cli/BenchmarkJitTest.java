@@ -3,22 +3,12 @@ package dev.twister.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-class JitRunsTest {
+class BenchmarkJitTest {
     @TempDir
     private Path folder;
-
-    @Test
-    void theChildIsToldAllButTheCompilersAndTheReport() {
-        JitRuns runs = new JitRuns(List.of(
-                "benchmark", "--jit", "c2", "--jit=graal", "--json", "--jit", "--quick", "--json=a", "mirrors"));
-
-        assertThat(runs.childArguments(Path.of("r.json")))
-                .containsExactly("benchmark", "--quick", "mirrors", "--json", "r.json");
-    }
 
     @Test
     void aJvmLikeThisOneMeasures() {

@@ -1,11 +1,8 @@
-package dev.twister.cli;
+package dev.twister.bench;
 
-import dev.twister.bench.RenderedFigure;
-import dev.twister.engine.EngineException;
 import dev.twister.files.TemporaryFolder;
 import dev.twister.scene.format.SceneReader;
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
@@ -14,17 +11,22 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Makes pictures by the commands that it gives for them. */
+/** Renders figures by the commands that the page shows for them. */
 final class FigureRenderer implements AutoCloseable {
+    private static final String ENDING = ".json";
     private static final String LAUNCHER = "scripts/twister ";
     private static final int WIDTH = 640;
     private static final int HEIGHT = 360;
     private static final String SIZE = WIDTH + "x" + HEIGHT;
 
+    private final FigureCommands commands;
+    private final Path home;
     private final String engineId;
     private final TemporaryFolder folder;
 
-    FigureRenderer(String engineId) throws IOException {
+    FigureRenderer(FigureCommands commands, Path home, String engineId) throws IOException {
+        this.commands = commands;
+        this.home = home;
         this.engineId = engineId;
         folder = TemporaryFolder.create();
     }
@@ -33,7 +35,7 @@ final class FigureRenderer implements AutoCloseable {
      * Renders a scene.
      *
      * @param scene a shipped scene's name, or a file in Twister's folder
-     * @param name of the picture's file, without its ending
+     * @param name name of the picture's file, without its ending
      * @param options of {@code twister render}
      */
     RenderedFigure.Picture rendered(String caption, String scene, String name, String... options) throws IOException {
@@ -41,13 +43,10 @@ final class FigureRenderer implements AutoCloseable {
         List<String> arguments =
                 new ArrayList<>(List.of("render", sceneFile(scene).toString(), "-o", file.toString(), "--size", SIZE));
         for (String option : options) {
-            arguments.add(
-                    option.startsWith("skyboxes/")
-                            ? Home.folder().resolve(option).toString()
-                            : option);
+            arguments.add(option.startsWith("skyboxes/") ? home.resolve(option).toString() : option);
         }
         arguments.addAll(List.of("--engine", engineId));
-        run(Writer.nullWriter(), arguments);
+        commands.run(Writer.nullWriter(), arguments);
         byte[] picture = Files.readAllBytes(file);
         String command = LAUNCHER + String.join(" ", "render", scene, "-o", name + ".png", "--size", SIZE);
         return new RenderedFigure.Picture(
@@ -60,7 +59,7 @@ final class FigureRenderer implements AutoCloseable {
                 HEIGHT);
     }
 
-    /** The targets of a pixel's first shadow rays on the light's disc. */
+    /** Draws the targets of a pixel's first shadow rays on the light's disc. */
     RenderedFigure.Picture disc(String scene, String pixel, int samples) {
         Path file = sceneFile(scene);
         List<String> options =
@@ -68,7 +67,7 @@ final class FigureRenderer implements AutoCloseable {
         List<String> arguments = new ArrayList<>(List.of("explain", file.toString()));
         arguments.addAll(options);
         StringWriter json = new StringWriter();
-        run(json, arguments);
+        commands.run(json, arguments);
         double radius = SceneReader.read(file).lights().first().radius();
         String svg = DiscDrawing.svg(json.toString(), 2 * radius);
         return new RenderedFigure.Picture(
@@ -81,23 +80,13 @@ final class FigureRenderer implements AutoCloseable {
                 DiscDrawing.SIDE);
     }
 
-    /** Where a scene of a command is; a file of that name in the current folder is another one. */
-    private static Path sceneFile(String scene) {
-        return Home.folder().resolve(shown(scene));
+    /** The scene file of a command, in Twister's folder instead of the current one. */
+    private Path sceneFile(String scene) {
+        return home.resolve(shown(scene));
     }
 
     private static String shown(String scene) {
-        return scene.endsWith(SceneFiles.ENDING) ? scene : "scenes/" + scene + SceneFiles.ENDING;
-    }
-
-    private static void run(Writer out, List<String> arguments) {
-        StringWriter err = new StringWriter();
-        int exitCode =
-                Main.run(new PrintWriter(out, true), new PrintWriter(err, true), arguments.toArray(String[]::new));
-        if (exitCode != Main.OK) {
-            String message = err.toString().strip().replaceFirst("^twister: ", "");
-            throw exitCode == Main.BAD_INPUT ? new BadInputException(message) : new EngineException(message);
-        }
+        return scene.endsWith(ENDING) ? scene : "scenes/" + scene + ENDING;
     }
 
     @Override

@@ -1,7 +1,5 @@
-package dev.twister.cli;
+package dev.twister.bench;
 
-import dev.twister.bench.Jit;
-import dev.twister.bench.JitReport;
 import dev.twister.engine.EngineException;
 import dev.twister.files.TemporaryFolder;
 import java.io.IOException;
@@ -12,50 +10,44 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Stream;
 import tools.jackson.databind.JsonNode;
 
 /**
- * The same command in JVMs like this one, each with another compiler.
+ * Runs a benchmark command in JVMs like this one, each with another compiler.
  *
+ * @param program name of the class with the main method
  * @param arguments of the command line, with its options {@value #JIT} and {@value #JSON}
  */
-record JitRuns(List<String> arguments) {
+public record JitRuns(String program, List<String> arguments) {
     private static final String JIT = "--jit";
     private static final String JSON = "--json";
 
-    /** What the JVM has from there is among its options already. */
+    /** Environment variables whose options this JVM already has. */
     private static final List<String> VARIABLES = List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS", "_JAVA_OPTIONS");
 
     /**
-     * Runs them one after the other; their progress is on this process's standard error.
+     * Runs the command once per compiler; progress goes to this process's standard error.
      *
-     * @throws BadInputException where this JVM has not one of the compilers
-     * @throws EngineException where a JVM ends without a report
+     * @param jits compilers that this JVM has
+     * @throws EngineException if a JVM ends without a report
+     * @throws IOException if a temporary file cannot be written
      */
-    JitReport run(List<Jit> jits) throws IOException {
-        for (Jit jit : jits) {
-            if (!jit.isHere()) {
-                throw new BadInputException(
-                        "--jit is " + name(jit) + ", but the JDK in " + System.getProperty("java.home")
-                                + " does not have it; set JAVA_HOME to a GraalVM, or install a TornadoVM SDK, which has Graal");
-            }
-        }
+    public JitReport run(List<Jit> jits) throws IOException {
         Map<String, JsonNode> reports = new LinkedHashMap<>();
         try (TemporaryFolder folder = TemporaryFolder.create()) {
             Path json = folder.path().resolve("report.json");
             for (Jit jit : jits) {
                 Files.deleteIfExists(json);
-                reports.put(name(jit), run(jit, json, folder.path().resolve("options")));
+                reports.put(jit.id(), run(jit, json, folder.path().resolve("options")));
             }
         }
         return new JitReport(reports);
     }
 
     private JsonNode run(Jit jit, Path json, Path options) throws IOException {
-        // Windows' command lines are too short for an SDK's options.
+        // The options of an SDK exceed the length of command lines on Windows.
         Files.write(
                 options,
                 jvmOptions(jit).stream().map(JitRuns::quoted).toList(),
@@ -63,7 +55,7 @@ record JitRuns(List<String> arguments) {
         List<String> command = new ArrayList<>();
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         command.add("@" + options);
-        command.add(Main.class.getName());
+        command.add(program);
         command.addAll(childArguments(json));
         ProcessBuilder builder = new ProcessBuilder(command)
                 .redirectOutput(ProcessBuilder.Redirect.DISCARD)
@@ -72,7 +64,7 @@ record JitRuns(List<String> arguments) {
         int code = waitFor(builder.start());
         if (Files.notExists(json)) {
             throw new EngineException(
-                    "the benchmark with " + name(jit) + " ended with exit code " + code + " and without a report");
+                    "the benchmark with " + jit.id() + " ended with exit code " + code + " and without a report");
         }
         return JitReport.read(json);
     }
@@ -84,7 +76,7 @@ record JitRuns(List<String> arguments) {
         try {
             Runtime.getRuntime().removeShutdownHook(hook);
         } catch (IllegalStateException _) {
-            // The process ends already.
+            // The process is ending.
         }
         return code;
     }
@@ -99,12 +91,12 @@ record JitRuns(List<String> arguments) {
                 .toList();
     }
 
-    /** As argument files of the JDK have it. */
+    /** Quotes an option for the JDK's argument files. */
     private static String quoted(String option) {
         return '"' + option.replace("\\", "\\\\").replace("\"", "\\\"") + '"';
     }
 
-    /** The command line without its own compilers and report, with another report. */
+    /** The command line without its compilers, with another report file. */
     List<String> childArguments(Path json) {
         List<String> kept = new ArrayList<>();
         boolean isValue = false;
@@ -119,9 +111,5 @@ record JitRuns(List<String> arguments) {
         kept.add(JSON);
         kept.add(json.toString());
         return kept;
-    }
-
-    private static String name(Jit jit) {
-        return jit.name().toLowerCase(Locale.ROOT);
     }
 }

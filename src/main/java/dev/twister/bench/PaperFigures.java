@@ -1,26 +1,27 @@
-package dev.twister.cli;
+package dev.twister.bench;
 
-import dev.twister.bench.RenderedFigure;
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The paper's rendered figures, in the order of its sections: what each shows, and the commands that make it. */
-final class PaperFigures {
+/** The paper's rendered figures in the order of its sections, with the commands that render them. */
+public final class PaperFigures {
     private static final String BENCHMARK = "benchmark";
 
-    /** A point on the plane that two spheres hide a part of the light from. */
+    /** A point on the plane in the half shadow of two spheres. */
     private static final String PENUMBRA = "258,250";
 
     private PaperFigures() {}
 
     /**
-     * Renders all of them.
+     * Renders all figures.
      *
-     * @throws IOException where pictures cannot be kept in a temporary folder
+     * @param home Twister's folder, with the shipped scenes and skies
+     * @throws IOException if a temporary file cannot be written
      */
-    static List<RenderedFigure> render(String engineId) throws IOException {
-        try (FigureRenderer renderer = new FigureRenderer(engineId)) {
+    public static List<RenderedFigure> render(FigureCommands commands, Path home, String engineId) throws IOException {
+        try (FigureRenderer renderer = new FigureRenderer(commands, home, engineId)) {
             return List.of(
                     closestHit(renderer),
                     reflectivity(renderer),
@@ -50,7 +51,8 @@ final class PaperFigures {
         return figure(
                 "Levels of reflectivity",
                 "color = shade((1 − p / 128) C + p / 128 · reflected color),  p in [0, 128]",
-                "From left to right p is 0, 8, 16, 32, 64, 96 and 128: the highlight becomes smaller and sharper, and the"
+                "From left to right p is 0, 8, 16, 32, 64, 96 and 128: the highlight becomes smaller and sharper,"
+                        + " and the"
                         + " mirror's share grows from none to all.",
                 renderer.rendered("Seven spheres of one color.", "docs/lessons/reflectivity.json", "reflectivity"));
     }
@@ -61,10 +63,12 @@ final class PaperFigures {
                 """
                 shade(C) = C max(a, max(0, N · L) S) + lightColor spec,  here S = 1
                 spec = (8 + p) / (8π) · max(0, N · H)^p · p / 128,  H = (L + V) / |L + V|""",
-                "The ambient part is the least that a surface sends back, the diffuse part follows the angle to the light,"
+                "The ambient part is the least that a surface sends back, the diffuse part follows the angle to the"
+                        + " light,"
                         + " and the highlight is where N and H agree.",
                 renderer.rendered(
-                        "Ambient alone: a C with a = 0.2, which is 2^−2.3219 times the base color (the sky is as dark).",
+                        "Ambient alone: a C with a = 0.2, which is 2^−2.3219 times the base color (the sky is as"
+                                + " dark).",
                         BENCHMARK,
                         "ambient",
                         "--stage",
@@ -97,8 +101,10 @@ final class PaperFigures {
         return figure(
                 "Samples on the light's disc",
                 "r(i) = 2 R √(i / n),  θ(i) = i π (3 − √5),  i = 0 … n − 1",
-                "Vogel's sunflower spreads n points evenly over the disc about the light's center. These are the targets of"
-                        + " the shadow rays of one point on the plane: yellow where the ray is free, gray where a sphere"
+                "Vogel's sunflower spreads n points evenly over the disc about the light's center. These are the"
+                        + " targets of"
+                        + " the shadow rays of one point on the plane: yellow where the ray is free, gray where a"
+                        + " sphere"
                         + " blocks it.",
                 discs.toArray(RenderedFigure.Picture[]::new));
     }
@@ -137,7 +143,8 @@ final class PaperFigures {
         return figure(
                 "Reflections, bounce by bounce",
                 "color(i) = shade_i((1 − k_i) C_i + k_i color(i + 1)),  k_i = p_i / 128, 0 at the last bounce",
-                "Without bounces no body is a mirror; with one, mirrors show matte bodies; with two, mirrors in mirrors.",
+                "Without bounces no body is a mirror; with one, mirrors show matte bodies; with two, mirrors in"
+                        + " mirrors.",
                 pictures.toArray(RenderedFigure.Picture[]::new));
     }
 

@@ -1,12 +1,12 @@
-package dev.twister.cli;
+package dev.twister.bench;
 
 import java.util.Locale;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** The light's disc as a surface point sees it, with the targets of its shadow rays. */
+/** Draws the light's disc as seen from a surface point, with the targets of its shadow rays. */
 final class DiscDrawing {
-    /** Of the square drawing, in pixels. */
+    /** Side of the square drawing, in pixels. */
     static final int SIDE = 360;
 
     private static final double RADIUS = 165;
