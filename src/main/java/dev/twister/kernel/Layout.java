@@ -155,7 +155,7 @@ public final class Layout {
      */
     public static final int LOOK_METALLIC = 8;
 
-    /** Emitted radiance, three floats; the light's is for path tracing. */
+    /** Emitted radiance, three floats; the light has one in path tracing alone. */
     public static final int LOOK_EMISSION = 9;
 
     /**

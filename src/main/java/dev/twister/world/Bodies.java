@@ -2,7 +2,6 @@ package dev.twister.world;
 
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Vector3;
-import java.util.Arrays;
 
 /**
  * The bodies as the kernel reads them. {@link Layout} describes the arrays, which are immutable. They have room for all
@@ -29,7 +28,8 @@ public record Bodies(
         int end,
         int firstMesh,
         boolean plain,
-        Vector3 origin) {
+        Vector3 origin,
+        HierarchyIdentity hierarchy) {
     /** One coordinate of a body's center, in meters: axis 0 for x, 1 for y, 2 for z. */
     public float center(int body, int axis) {
         return floats[Layout.PLACE_STRIDE * body + axis];
@@ -74,17 +74,17 @@ public record Bodies(
         return place.minus(origin);
     }
 
-    Bodies withFloats(float[] newFloats) {
-        return new Bodies(newFloats, looks, meshes, room, end, firstMesh, plain, origin);
+    /** Whether the other ones have the same hierarchy over the spheres, in the same place. */
+    @SuppressWarnings("ReferenceEquality") // see HierarchyIdentity
+    public boolean hasHierarchyOf(Bodies other) {
+        return hierarchy == other.hierarchy;
     }
 
     Bodies withLooks(float[] newLooks) {
-        return new Bodies(floats, newLooks, meshes, room, end, firstMesh, plain, origin);
+        return new Bodies(floats, newLooks, meshes, room, end, firstMesh, plain, origin, hierarchy);
     }
 
-    Bodies withLooksOf(Bodies earlier) {
-        return Arrays.equals(earlier.looks, looks)
-                ? new Bodies(floats, earlier.looks, meshes, room, end, firstMesh, plain, origin)
-                : this;
+    Bodies withFloats(float[] newFloats) {
+        return new Bodies(newFloats, looks, meshes, room, end, firstMesh, plain, origin, new HierarchyIdentity());
     }
 }

@@ -2,6 +2,7 @@ package dev.twister.world;
 
 import dev.twister.kernel.Instance;
 import dev.twister.kernel.Layout;
+import dev.twister.scene.Rgb;
 import dev.twister.sky.Skybox;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -29,12 +30,14 @@ record Emitters(float[] looks, float[] images, int table, int count, int sky, in
      * The tables for the present bodies.
      *
      * @param bodyCount number of present bodies without meshes
+     * @param light the light's radiance
      * @param images {@code images} of {@link Layout}, the sky first
      * @param sky the panorama
      * @param skyShines whether the sky's strength is above 0
      */
-    static Emitters of(Bodies bodies, int bodyCount, float[] images, Skybox sky, boolean skyShines) {
+    static Emitters of(Bodies bodies, int bodyCount, Rgb light, float[] images, Skybox sky, boolean skyShines) {
         float[] looks = bodies.looks().clone();
+        LookTable.putColor(looks, Layout.LOOK_STRIDE * Layout.LIGHT + Layout.LOOK_EMISSION, light);
         List<Emitter> emitters = new ArrayList<>();
         addSpheres(bodies, bodyCount, looks, emitters);
         if (bodies.firstMesh() != Layout.NO_MESHES) {

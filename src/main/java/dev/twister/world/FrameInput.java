@@ -151,14 +151,6 @@ public record FrameInput(View view, Bodies bodies, float[] images) {
     }
 
     /**
-     * The same snapshot, but with an earlier snapshot's looks if they are equal, so that an engine that compares arrays
-     * by identity transfers nothing.
-     */
-    public FrameInput withLooksOf(FrameInput earlier) {
-        return new FrameInput(view, bodies.withLooksOf(earlier.bodies), images);
-    }
-
-    /**
      * Whether the hierarchy is a single leaf, and stays one during a pour, so that code compiled for few spheres stays
      * valid.
      */

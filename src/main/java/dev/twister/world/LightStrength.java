@@ -3,15 +3,14 @@ package dev.twister.world;
 import dev.twister.scene.Ground;
 import dev.twister.scene.Light;
 import dev.twister.scene.Rgb;
-import dev.twister.scene.Scene;
 
 /** How bright a light is in path tracing. */
 final class LightStrength {
     private LightStrength() {}
 
     /** The radiance of a light's surface: {@code color * strength / radius^2}. */
-    static Rgb radiance(Light light, Scene scene) {
-        double factor = light.strength().orElseGet(() -> usual(light, scene.ground()))
+    static Rgb radiance(Light light, Ground ground) {
+        double factor = light.strength().orElseGet(() -> usual(light, ground))
                 / (light.radius() * light.radius());
         return new Rgb(light.color().red() * factor, light.color().green() * factor, light.color().blue() * factor);
     }

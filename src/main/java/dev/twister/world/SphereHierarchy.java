@@ -52,6 +52,21 @@ public final class SphereHierarchy {
     }
 
     /**
+     * An array of {@link #of} with the same hierarchy over the spheres, but other places of the other bodies.
+     *
+     * @param floats the array, of as many bodies
+     */
+    static float[] kept(float[] floats, float[] places, int room, float[] instances) {
+        int end = places.length + Layout.spheresLength(room);
+        float[] changed = Arrays.copyOf(floats, end + instances.length);
+        int spheres = Layout.PLACE_STRIDE * room;
+        System.arraycopy(places, 0, changed, 0, Layout.PLACE_STRIDE * Layout.FIRST_SPHERE);
+        System.arraycopy(places, spheres, changed, spheres, places.length - spheres);
+        System.arraycopy(instances, 0, changed, end, instances.length);
+        return changed;
+    }
+
+    /**
      * As the first, with another size of the leaves.
      *
      * @param mostInLeaf largest number of spheres per leaf, at least 1

@@ -36,6 +36,11 @@ final class TexelTable {
         return 1 + textures.indexOf(texture);
     }
 
+    /** The files of the textures in the order of their numbers. */
+    List<Path> textures() {
+        return List.copyOf(textures);
+    }
+
     /**
      * The array {@code images} of {@link Layout}.
      *

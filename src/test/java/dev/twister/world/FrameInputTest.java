@@ -84,18 +84,4 @@ class FrameInputTest {
         assertThat(small.bodyCount()).isEqualTo(input.bodyCount());
         assertThat(camera(small)).isEqualTo(camera(input));
     }
-
-    @Test
-    void whatLooksTheSameStaysTheSameArray() {
-        FrameInput one = SampleWorld.ofSize(40, 20).snapshot();
-        FrameInput other = SampleWorld.ofSize(40, 20).snapshot();
-
-        FrameInput shared = other.withLooksOf(one);
-
-        assertThat(shared.bodies().looks()).isSameAs(one.bodies().looks());
-        assertThat(shared.bodies().floats()).isSameAs(other.bodies().floats());
-        other.bodies().looks()[0] += 1;
-        assertThat(other.withLooksOf(one).bodies().looks())
-                .isSameAs(other.bodies().looks());
-    }
 }

@@ -20,6 +20,7 @@ public final class MeshLeaves {
                 bodies.end(),
                 bodies.firstMesh(),
                 bodies.plain(),
-                bodies.origin());
+                bodies.origin(),
+                bodies.hierarchy());
     }
 }

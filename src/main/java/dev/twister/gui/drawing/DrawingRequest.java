@@ -72,9 +72,7 @@ public record DrawingRequest(
         return document == other.document()
                 && shown == other.shown()
                 && motion.start() == other.motion().start()
-                && scene.sky().file().equals(other.scene().sky().file())
-                && scene.sky().rotationDegrees() == other.scene().sky().rotationDegrees()
-                && scene.sky().strength() == other.scene().sky().strength()
+                && scene.sky().equals(other.scene().sky())
                 && scene.rendering().equals(other.scene().rendering());
     }
 

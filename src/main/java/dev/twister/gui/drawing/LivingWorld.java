@@ -26,7 +26,6 @@ final class LivingWorld implements AutoCloseable {
     private Motion motion = Motion.NONE;
     private Optional<Scene> scene = Optional.empty();
     private Optional<World> world = Optional.empty();
-    private Optional<FrameInput> last = Optional.empty();
     private Skybox sky = new Skybox(1, 1, new float[] {GRAY, GRAY, GRAY});
     private Optional<Path> skyFile = Optional.empty();
     private long skyEdition;
@@ -52,33 +51,30 @@ final class LivingWorld implements AutoCloseable {
      */
     FrameInput snapshot(DrawingRequest request, long nanos) {
         Scene wanted = request.scene();
-        Motion wantedMotion = request.motion();
         SceneMeshes atHand = meshes.of(wanted, request.document());
-        boolean sameImages = !chooseSky(wanted.sky().file()) && !textures.areOld() && atHand.equals(shownMeshes);
+        Scene shown =
+                atHand.shown(wanted).withRendering(wanted.rendering().withSize(request.width(), request.height()));
+        SceneImages images = images(shown, atHand);
+        World now =
+                world.filter(before -> before.isNear(wanted.camera())).orElseGet(() -> World.of(shown, images, atHand));
+        now.show(shown, images, atHand);
+        if (motion.isOn() && !request.motion().isOn()) {
+            now.resetBodies();
+        }
+        motion = request.motion();
         shownMeshes = atHand;
-        // A world whose bodies have moved is not one in which they stand.
-        boolean sameKind = motion.isOn() == wantedMotion.isOn();
-        motion = wantedMotion;
-        World now = world.filter(before -> sameImages
-                        && sameKind
-                        && before.isNear(wanted.camera())
-                        && scene.filter(old -> hasSameBodies(old, wanted)).isPresent())
-                .orElseGet(() -> world(wanted));
-        now.setCamera(wanted.camera());
-        now.setSettings(wanted.rendering().withSize(request.width(), request.height()));
-        moving.place(wanted, wantedMotion, now, nanos);
+        moving.place(wanted, motion, now, nanos);
         scene = Optional.of(wanted);
         world = Optional.of(now);
-        FrameInput fresh = now.snapshot();
-        FrameInput snapshot = last.map(fresh::withLooksOf).orElse(fresh);
-        last = Optional.of(snapshot);
-        return snapshot;
+        return now.snapshot();
     }
 
-    /** The scene's world, without the meshes that are not at hand. */
-    private World world(Scene wanted) {
-        Scene shown = shownMeshes.shown(wanted);
-        return World.of(shown, new SceneImages(sky, textures.of(shown, shownMeshes)), shownMeshes);
+    /** Images for a scene that has only the meshes that are at hand. */
+    private SceneImages images(Scene shown, SceneMeshes atHand) {
+        boolean sameFiles = !chooseSky(shown.sky().file()) && !textures.areOld() && atHand.equals(shownMeshes);
+        return world.filter(before -> sameFiles && before.hasSurfacesOf(shown))
+                .map(World::images)
+                .orElseGet(() -> new SceneImages(sky, textures.of(shown, atHand)));
     }
 
     /** The meshes that the last snapshot shows, where its scene has them. */
@@ -95,18 +91,6 @@ final class LivingWorld implements AutoCloseable {
     @Override
     public void close() {
         moving.close();
-    }
-
-    private static boolean hasSameBodies(Scene one, Scene other) {
-        return one.spheres().equals(other.spheres())
-                && one.meshes().equals(other.meshes())
-                && one.lights().first().equals(other.lights().first())
-                && one.ground().equals(other.ground())
-                && one.sky().file().equals(other.sky().file())
-                && one.sky().rotationDegrees() == other.sky().rotationDegrees()
-                && one.sky().strength() == other.sky().strength()
-                && one.pour().equals(other.pour())
-                && one.shading().ambient() == other.shading().ambient();
     }
 
     /** Takes the sky of that file; where it cannot be read, the one before it stays. Whether it is another one now. */

@@ -17,7 +17,6 @@ final class MovingBodies implements AutoCloseable {
 
     private Optional<Simulation> simulation = Optional.empty();
     private Optional<Scene> seen = Optional.empty();
-    private Optional<World> placed = Optional.empty();
     private long start = Motion.NONE.start();
     private long steps;
     private long lastNanos;
@@ -30,20 +29,20 @@ final class MovingBodies implements AutoCloseable {
             return;
         }
         Scene scene = world.meshes().shown(wanted);
+        boolean moved = !world.isMoved();
         if (start != motion.start()) {
             simulation.ifPresent(Simulation::close);
             simulation = Optional.of(Simulation.of(scene, world.meshes()));
-            placed = Optional.empty();
+            moved = true;
             start = motion.start();
             steps = 0;
             wasRunning = false;
         } else if (!seen.equals(Optional.of(scene))) {
             simulation = simulation.map(old -> old.goOnIn(scene, world.meshes()));
-            placed = Optional.empty();
+            moved = true;
         }
         seen = Optional.of(scene);
         Simulation now = simulation.orElseThrow();
-        boolean moved = placed.filter(old -> old.equals(world)).isEmpty();
         if (motion.running() && wasRunning) {
             now.advance(Math.clamp((nanos - lastNanos) / NANOS_PER_SECOND, 0, LONGEST_SECONDS));
             moved = true;
@@ -56,7 +55,6 @@ final class MovingBodies implements AutoCloseable {
         wasRunning = motion.running();
         if (moved) {
             now.place(world);
-            placed = Optional.of(world);
         }
     }
 
@@ -67,6 +65,5 @@ final class MovingBodies implements AutoCloseable {
         simulation = Optional.empty();
         seen = Optional.empty();
         start = Motion.NONE.start();
-        placed = Optional.empty();
     }
 }

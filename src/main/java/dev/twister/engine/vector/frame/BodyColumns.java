@@ -63,12 +63,20 @@ public final class BodyColumns {
 
     @SuppressWarnings("ReferenceEquality") // an input's arrays are immutable
     void take(FrameInput input) {
-        boolean same = source != null
+        boolean sameSpheres = source != null
                 && source.bodyCount() == input.bodyCount()
-                && source.bodies().floats() == input.bodies().floats()
+                && source.bodies().hasHierarchyOf(input.bodies())
                 && source.bodies().looks() == input.bodies().looks();
-        if (!same) {
-            copy(input);
+        if (!sameSpheres || fitLanes() || input.bodyEnd() > count) {
+            if (!sameSpheres || source.bodies().floats() != input.bodies().floats()) {
+                copy(input);
+            }
+        } else {
+            for (int body = 0; body < Layout.FIRST_SPHERE; body++) {
+                copyPlace(input, body);
+                copySurface(input, body, SURFACE_NUMBERS * body);
+            }
+            radius[Layout.PLANE] = NOTHING_THERE;
         }
         source = input;
     }
@@ -91,11 +99,7 @@ public final class BodyColumns {
         lowest = Float.MAX_VALUE;
         highest = -Float.MAX_VALUE;
         for (int body = 0; body < count; body++) {
-            int place = Layout.PLACE_STRIDE * body;
-            x[body] = floats[place];
-            y[body] = floats[place + 1];
-            z[body] = floats[place + 2];
-            radius[body] = floats[place + Layout.PLACE_SIZE];
+            copyPlace(input, body);
             if (body >= Layout.FIRST_SPHERE) {
                 lowest = Math.min(lowest, y[body] - radius[body]);
                 highest = Math.max(highest, y[body] + radius[body]);
@@ -126,6 +130,15 @@ public final class BodyColumns {
         for (int blank = count; blank < padded; blank++) {
             radius[blank] = NOTHING_THERE;
         }
+    }
+
+    private void copyPlace(FrameInput input, int body) {
+        float[] floats = input.bodies().floats();
+        int place = Layout.PLACE_STRIDE * body;
+        x[body] = floats[place];
+        y[body] = floats[place + 1];
+        z[body] = floats[place + 2];
+        radius[body] = floats[place + Layout.PLACE_SIZE];
     }
 
     private void copySurface(FrameInput input, int body, int at) {

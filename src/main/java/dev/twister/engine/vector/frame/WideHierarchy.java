@@ -3,8 +3,10 @@ package dev.twister.engine.vector.frame;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.SphereColumns;
 import dev.twister.kernel.Layout;
+import dev.twister.world.Bodies;
 import dev.twister.world.FrameInput;
 import java.util.Arrays;
+import java.util.Optional;
 
 /**
  * The input's hierarchy with as many children per node as there are lanes, so that one test covers all children. Reused
@@ -71,15 +73,19 @@ public final class WideHierarchy {
 
     private int nodes;
     private int blocks;
+    private Optional<Bodies> taken = Optional.empty();
     private float[] source = {};
     private int sourceBodies;
     private int root;
     private int firstPlace;
 
-    @SuppressWarnings("ReferenceEquality") // an input's arrays are immutable
     public void take(FrameInput input) {
-        if (source != input.bodies().floats() || sourceBodies != input.bodyCount()) {
-            source = input.bodies().floats();
+        Bodies bodies = input.bodies();
+        boolean same = sourceBodies == input.bodyCount()
+                && taken.filter(bodies::hasHierarchyOf).isPresent();
+        taken = Optional.of(bodies);
+        source = bodies.floats();
+        if (!same) {
             sourceBodies = input.bodyCount();
             nodes = 0;
             blocks = 0;

@@ -1,0 +1,131 @@
+package dev.twister.world;
+
+import dev.twister.kernel.Layout;
+import dev.twister.scene.Emission;
+import dev.twister.scene.Ground;
+import dev.twister.scene.Light;
+import dev.twister.scene.Material;
+import dev.twister.scene.Rgb;
+import dev.twister.scene.Sphere;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * The arrays {@code looks} and {@code images} of {@link Layout}; the same ones as long as their content is the same.
+ */
+final class LookTable {
+    /** Lower bound of a color whose logarithm is taken. */
+    private static final double DARKEST = 1e-9;
+
+    private float[] looks = {};
+    private boolean plain;
+    private float[] texels = {};
+    private List<Path> textures = List.of();
+    private Optional<SceneImages> images = Optional.empty();
+
+    /**
+     * The looks of all bodies.
+     *
+     * @param spheres including those to be poured
+     * @throws IllegalArgumentException if one of the textures is missing
+     */
+    void put(Light light, Ground ground, List<Sphere> spheres, List<MeshBody> meshes, SceneImages newImages) {
+        TexelTable table = new TexelTable(newImages);
+        float[] materials = new float[Layout.LOOK_STRIDE * (Layout.FIRST_SPHERE + spheres.size() + meshes.size())];
+        put(materials, Layout.LIGHT, Material.DEFAULT.withColor(light.color()), 0);
+        put(materials, Layout.PLANE, ground.material(), table.number(ground.material()));
+        int body = Layout.FIRST_SPHERE;
+        for (Sphere sphere : spheres) {
+            put(materials, body++, sphere.material(), table.number(sphere.material()));
+        }
+        for (MeshBody mesh : meshes) {
+            put(materials, body++, mesh.material(), table.number(mesh.material()));
+        }
+        plain = arePlain(materials);
+        replace(table.withTable(materials));
+        if (!images.equals(Optional.of(newImages)) || !textures.equals(table.textures())) {
+            texels = table.images();
+            textures = table.textures();
+            images = Optional.of(newImages);
+        }
+    }
+
+    void put(Light light) {
+        float[] changed = looks.clone();
+        putColor(changed, Layout.LOOK_STRIDE * Layout.LIGHT, light.color());
+        replace(changed);
+    }
+
+    private void replace(float[] changed) {
+        if (!Arrays.equals(changed, looks)) {
+            looks = changed;
+        }
+    }
+
+    float[] looks() {
+        return looks;
+    }
+
+    float[] texels() {
+        return texels;
+    }
+
+    /** Whether all bodies, present or not, have only color and reflectivity. */
+    boolean arePlain() {
+        return plain;
+    }
+
+    private static boolean arePlain(float[] looks) {
+        for (int look = 0; look < looks.length; look++) {
+            if (look % Layout.LOOK_STRIDE > Layout.LOOK_REFLECTIVITY && looks[look] != 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static void put(float[] looks, int body, Material material, int texture) {
+        int look = Layout.LOOK_STRIDE * body;
+        putColor(looks, look, material.color());
+        boolean fresnel = material.isByFresnel();
+        float reflectivity = (float) material.whittedReflectivity();
+        float transmission = (float) material.transmission();
+        looks[look + Layout.LOOK_REFLECTIVITY] = reflectivity;
+        looks[look + Layout.LOOK_TRANSMISSION] = transmission;
+        // Properties without effect stay 0, so that the body counts as plain.
+        boolean glossy = fresnel || reflectivity > 0 || transmission > 0;
+        looks[look + Layout.LOOK_ROUGHNESS] = glossy ? (float) material.roughness() : 0;
+        looks[look + Layout.LOOK_IOR] = fresnel || transmission > 0 ? (float) material.ior() : 0;
+        looks[look + Layout.LOOK_METALLIC] = (float) (fresnel ? -1 - material.metallic() : material.metallic());
+        putEmission(looks, look, material.emission());
+        material.attenuation().distance().ifPresent(distance -> putAbsorption(looks, look, material, distance));
+        looks[look + Layout.LOOK_TEXTURE] = texture;
+    }
+
+    private static void putEmission(float[] looks, int look, Emission emission) {
+        if (!emission.isNone()) {
+            putColor(looks, look + Layout.LOOK_EMISSION, emission.radiance());
+            looks[look + Layout.LOOK_EMITTER] = emission.doubleSided() ? 0 : -1;
+        }
+    }
+
+    /** Per meter, so that the attenuation's color is left after the distance. */
+    private static void putAbsorption(float[] looks, int look, Material material, double distance) {
+        Rgb color = material.attenuation().color();
+        looks[look + Layout.LOOK_ABSORPTION] = absorption(color.red(), distance);
+        looks[look + Layout.LOOK_ABSORPTION + 1] = absorption(color.green(), distance);
+        looks[look + Layout.LOOK_ABSORPTION + 2] = absorption(color.blue(), distance);
+    }
+
+    private static float absorption(double color, double distance) {
+        return (float) (-Math.log(Math.max(color, DARKEST)) / distance);
+    }
+
+    static void putColor(float[] array, int at, Rgb color) {
+        array[at] = (float) color.red();
+        array[at + 1] = (float) color.green();
+        array[at + 2] = (float) color.blue();
+    }
+}

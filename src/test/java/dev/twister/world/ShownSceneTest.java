@@ -1,0 +1,122 @@
+package dev.twister.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.twister.scene.FullScene;
+import dev.twister.scene.Lights;
+import dev.twister.scene.Material;
+import dev.twister.scene.Scene;
+import dev.twister.scene.SceneChanges;
+import dev.twister.scene.SceneGenerator;
+import dev.twister.scene.Shading;
+import dev.twister.scene.Sphere;
+import dev.twister.scene.Vector3;
+import dev.twister.scene.format.TexturePlaces;
+import dev.twister.sky.Skybox;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What a world makes of an edited scene. */
+class ShownSceneTest {
+    private static final Scene CROWD = SceneGenerator.spheres(5000, 1, Path.of("none.hdr"));
+
+    private final World crowd = World.of(CROWD, Worlds.SKY);
+    private final FrameInput before = crowd.snapshot();
+
+    static Set<String> places() {
+        return SceneChanges.of(FullScene.SCENE).keySet();
+    }
+
+    @ParameterizedTest
+    @MethodSource("places")
+    void isWhatANewWorldMakesOfIt(String place) {
+        Scene scene = FullScene.SCENE;
+        Scene changed = SceneChanges.of(scene).get(place);
+        SceneMeshes meshes = SceneMeshes.of(scene, FullScene.MESHES);
+        SceneMeshes changedMeshes = meshes.changedTo(changed.meshes(), FullScene.MESHES);
+        World world = World.of(scene, images(scene), meshes);
+        world.snapshot();
+
+        world.show(changed, images(changed), changedMeshes);
+
+        assertThat(world.snapshot())
+                .usingRecursiveComparison()
+                .isEqualTo(World.of(changed, images(changed), changedMeshes).snapshot());
+    }
+
+    private static SceneImages images(Scene scene) {
+        Map<Path, Skybox> textures = new HashMap<>();
+        TexturePlaces.of(scene).keySet().forEach(file -> textures.put(file, texture(file)));
+        return new SceneImages(Worlds.SKY, textures);
+    }
+
+    private static Skybox texture(Path file) {
+        float value = file.toString().length();
+        return new Skybox(1, 1, new float[] {value, value, value});
+    }
+
+    @Test
+    void aMovedLightKeepsTheHierarchyAndTheLooks() {
+        crowd.show(CROWD.withLights(Lights.of(CROWD.lights().first().withPosition(new Vector3(1, 2, 3)))));
+
+        FrameInput after = crowd.snapshot();
+        assertThat(after.bodies().hasHierarchyOf(before.bodies())).isTrue();
+        assertThat(after.bodies().looks()).isSameAs(before.bodies().looks());
+        assertThat(after.bodies().centerInScene(0)).isEqualTo(new Vector3(1, 2, 3));
+    }
+
+    @Test
+    void ambientAndSkyKeepAllArraysOfBodies() {
+        crowd.show(CROWD.withShading(new Shading(0.9)).withSky(CROWD.sky().withStrength(3)));
+
+        assertThat(crowd.snapshot().bodies().floats()).isSameAs(before.bodies().floats());
+        assertThat(crowd.snapshot().bodies().looks()).isSameAs(before.bodies().looks());
+    }
+
+    @Test
+    void anotherMaterialKeepsThePlaces() {
+        List<Sphere> spheres = new ArrayList<>(CROWD.spheres());
+        spheres.set(7, spheres.get(7).withMaterial(Material.DEFAULT));
+
+        crowd.show(CROWD.withSpheres(spheres));
+
+        assertThat(crowd.snapshot().bodies().floats()).isSameAs(before.bodies().floats());
+        assertThat(crowd.snapshot().bodies().looks())
+                .isNotSameAs(before.bodies().looks());
+    }
+
+    @Test
+    void aMovedSphereIsInTheHierarchy() {
+        List<Sphere> spheres = new ArrayList<>(CROWD.spheres());
+        spheres.set(7, spheres.get(7).withPosition(new Vector3(0, 50, 0)));
+        Scene edited = CROWD.withSpheres(spheres);
+
+        crowd.show(edited);
+
+        assertThat(crowd.snapshot().bodies().floats())
+                .isEqualTo(World.of(edited, Worlds.SKY).snapshot().bodies().floats());
+    }
+
+    @Test
+    void movedBodiesStayWhereTheyAreUntilTheSceneHasOthers() {
+        float[] positions = Positions.of(before);
+        positions[6] += 1;
+        crowd.setBodyPositions(positions, before.bodyCount());
+
+        crowd.show(CROWD.withLights(Lights.of(CROWD.lights().first().withPosition(new Vector3(1, 2, 3)))));
+        assertThat(crowd.isMoved()).isTrue();
+        assertThat(crowd.snapshot().bodies().center(2, 0)).isEqualTo(positions[6]);
+
+        crowd.resetBodies();
+        assertThat(crowd.isMoved()).isFalse();
+        assertThat(crowd.snapshot().bodies().center(2, 0))
+                .isEqualTo(before.bodies().center(2, 0));
+    }
+}
