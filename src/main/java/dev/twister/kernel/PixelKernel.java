@@ -86,7 +86,7 @@ public final class PixelKernel {
         if (Aspect.endsAtFirstHit(variant) != 0) {
             FirstHit.add(path, scratch, frame, bodies, looks, meshes, images, variant);
         } else {
-            Path.follow(path, 0, scratch, frame, bodies, looks, meshes, images, variant);
+            Path.follow(path, scratch, frame, bodies, looks, meshes, images, variant);
         }
     }
 }

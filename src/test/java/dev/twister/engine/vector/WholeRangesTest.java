@@ -10,7 +10,7 @@ import dev.twister.image.Frame;
 import dev.twister.oracle.MeshShapes;
 import dev.twister.oracle.PictureDifference;
 import dev.twister.oracle.RandomScenes;
-import dev.twister.scene.Plane;
+import dev.twister.scene.Ground;
 import dev.twister.scene.Scene;
 import dev.twister.scene.format.WholeRangeScenes;
 import dev.twister.sky.Skybox;
@@ -158,10 +158,11 @@ final class WholeRangesTest {
             return Cause.ONE_PIXEL;
         }
         Scene scene = setup.scene();
-        Plane plane = scene.plane();
-        Scene plain = scene.withPlane(plane.withOddColor(plane.evenColor())
-                .withMaterial(plane.material().withTexture(Optional.empty())));
-        Scene dim = scene.withSettings(scene.settings().withExposure(0)).withSkyStrength(1);
+        Ground ground = scene.ground();
+        Scene plain = scene.withGround(ground.withOddColor(ground.evenColor())
+                .withMaterial(ground.material().withTexture(Optional.empty())));
+        Scene dim = scene.withRendering(scene.rendering().withExposure(0))
+                .withSky(scene.sky().withStrength(1));
         if (difference(engine, sequential, setup.with(plain)).isWithinBound()) {
             return Cause.PATTERN;
         }
