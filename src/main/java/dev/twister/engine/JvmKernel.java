@@ -48,16 +48,18 @@ public final class JvmKernel {
         float[] frame = input.view().frame();
         Bodies bodies = input.bodies();
         int variant = input.variant(false);
+        path[Layout.BOUNCE] = bounce;
         Path.meet(path, body, frame, bodies.floats(), bodies.looks(), bodies.meshes(), input.images(), variant);
         return Path.visible(
-                path, body, bounce, scratch, frame, bodies.floats(), bodies.looks(), bodies.meshes(), variant);
+                path, body, scratch, frame, bodies.floats(), bodies.looks(), bodies.meshes(), variant);
     }
 
     /** Follows the {@link #path} from a bounce on: {@link Path#follow}. */
     public void follow(FrameInput input, int bounce) {
+        path[Layout.BOUNCE] = bounce;
+        path[Layout.WAITING] = 0;
         Path.follow(
                 path,
-                bounce,
                 scratch,
                 input.view().frame(),
                 input.bodies().floats(),

@@ -17,15 +17,14 @@ public final class Facet {
      * surface it is the surface's normal.
      *
      * @param path {@link Layout#PATH_LENGTH} floats
-     * @param bounce number of surfaces that the path has left before
      */
-    public static void find(float[] path, int bounce, float[] frame) {
+    public static void find(float[] path, float[] frame) {
         float side = directionDot(path, Layout.NORMAL) > 0f ? -1f : 1f;
         path[Layout.FACET] = side * path[Layout.NORMAL];
         path[Layout.FACET + 1] = side * path[Layout.NORMAL + 1];
         path[Layout.FACET + 2] = side * path[Layout.NORMAL + 2];
         if (path[Layout.ROUGHNESS] > 0f) {
-            int place = Noise.surface(bounce);
+            int place = Noise.surface((int) path[Layout.BOUNCE]);
             sample(path, Noise.number(path, place, frame), Noise.number(path, place + 1, frame));
         }
     }

@@ -58,13 +58,13 @@ public final class PathTracer {
                     toEmitter = scatter(path, body, bounce, frame, bodies, looks, meshes, images, variant);
                     bounce = bounce + 1;
                 }
-                goesOn = body > Layout.LIGHT ? Path.carriesLight(path) : 0;
+                goesOn = body > Layout.LIGHT ? carriesLight(path) : 0;
                 Aspect.count(path, Aspect.BOUNCES, goesOn, variant);
             }
             if (toEmitter == 0) {
                 next(path);
             }
-            goesOn = direct != 0 ? Path.carriesLight(path) : goesOn | toEmitter;
+            goesOn = direct != 0 ? carriesLight(path) : goesOn | toEmitter;
         }
     }
 
@@ -228,6 +228,11 @@ public final class PathTracer {
         for (int channel = 0; channel < 3; channel++) {
             path[Layout.THROUGHPUT + channel] = path[Layout.THROUGHPUT + channel] * factor;
         }
+    }
+
+    /** 1 if light found from here on reaches the pixel, else 0. */
+    private static int carriesLight(float[] path) {
+        return path[Layout.THROUGHPUT] + path[Layout.THROUGHPUT + 1] + path[Layout.THROUGHPUT + 2] > 0f ? 1 : 0;
     }
 
     /** Replaces the path's ray by the next one. */

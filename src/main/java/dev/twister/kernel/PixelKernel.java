@@ -88,7 +88,7 @@ public final class PixelKernel {
         } else if ((variant & Variant.PATH) != 0) {
             PathTracer.follow(path, scratch, frame, bodies, looks, meshes, images, variant);
         } else {
-            Path.follow(path, 0, scratch, frame, bodies, looks, meshes, images, variant);
+            Path.follow(path, scratch, frame, bodies, looks, meshes, images, variant);
         }
     }
 }
