@@ -120,7 +120,7 @@ final class LookTable {
     }
 
     private static float absorption(double color, double distance) {
-        return (float) (-Math.log(Math.max(color, DARKEST)) / distance);
+        return (float) (Math.max(-Math.log(Math.max(color, DARKEST)), 0) / distance);
     }
 
     static void putColor(float[] array, int at, Rgb color) {
