@@ -22,6 +22,9 @@ import dev.twister.kernel.Layout;
 import dev.twister.kernel.Tone;
 import dev.twister.kernel.Variant;
 import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -314,6 +317,16 @@ class RoomsTest {
         assertThat(TWISTER.stream().map(JavaClass::getPackageName).distinct())
                 .isSubsetOf(Stream.concat(Stream.of("dev.twister"), known.map(name -> "dev.twister." + name))
                         .toList());
+    }
+
+    @Test
+    void noSimpleNameStandsTwice() {
+        Map<String, List<String>> classesByName = TWISTER.stream()
+                .filter(found ->
+                        found.isTopLevelClass() && !found.getSimpleName().equals("package-info"))
+                .collect(Collectors.groupingBy(
+                        JavaClass::getSimpleName, Collectors.mapping(JavaClass::getName, Collectors.toList())));
+        assertThat(classesByName.values()).filteredOn(names -> names.size() > 1).isEmpty();
     }
 
     @Test

@@ -1,11 +1,11 @@
 package dev.twister.benchmarks;
 
-import dev.twister.kernel.Camera;
+import dev.twister.kernel.CameraRay;
 import dev.twister.kernel.Hit;
+import dev.twister.kernel.Illumination;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.Light;
 import dev.twister.kernel.Shadow;
-import dev.twister.kernel.Sky;
+import dev.twister.kernel.SkyLookup;
 import dev.twister.scene.Rendering;
 import dev.twister.world.FrameInput;
 import java.util.SplittableRandom;
@@ -64,7 +64,7 @@ public class KernelStepBenchmark {
     public float viewRay() {
         float sum = 0;
         for (int i = 0; i < CALLS; i++) {
-            Camera.start(path, i & 1023, i >> 3, input.view().frame());
+            CameraRay.start(path, i & 1023, i >> 3, input.view().frame());
             sum += path[Layout.DIRECTION];
         }
         return sum;
@@ -134,7 +134,7 @@ public class KernelStepBenchmark {
         float sum = 0;
         for (int i = 0; i < CALLS; i++) {
             float cosine = Math.abs(directionX[i]);
-            sum += Light.lit(0.2f, cosine, 1f) + Light.specular(48f, cosine, 2f * directionZ[i], 4f, 1f);
+            sum += Illumination.lit(0.2f, cosine, 1f) + Illumination.specular(48f, cosine, 2f * directionZ[i], 4f, 1f);
         }
         return sum;
     }
@@ -145,10 +145,10 @@ public class KernelStepBenchmark {
         int height = (int) input.view().frame()[Layout.SKY_HEIGHT];
         float sum = 0;
         for (int i = 0; i < CALLS; i++) {
-            float column = Sky.column(directionX[i], directionZ[i], 0f, width);
-            float row = Sky.row(directionX[i], directionY[i], directionZ[i], height);
+            float column = SkyLookup.column(directionX[i], directionZ[i], 0f, width);
+            float row = SkyLookup.row(directionX[i], directionY[i], directionZ[i], height);
             for (int channel = 0; channel < 3; channel++) {
-                sum += Sky.radiance(width, height, column, row, channel, input.images());
+                sum += SkyLookup.radiance(width, height, column, row, channel, input.images());
             }
         }
         return sum;

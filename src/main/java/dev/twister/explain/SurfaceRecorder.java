@@ -1,7 +1,7 @@
 package dev.twister.explain;
 
+import dev.twister.kernel.Illumination;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.Light;
 import dev.twister.kernel.Path;
 import dev.twister.kernel.Refraction;
 import dev.twister.kernel.Shadow;
@@ -56,8 +56,8 @@ final class SurfaceRecorder {
                 Floats.vector(path, Layout.TO_LIGHT),
                 path[Layout.NORMAL_DOT_LIGHT],
                 visible,
-                Light.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible),
-                Light.highlight(path, visible),
+                Illumination.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible),
+                Illumination.highlight(path, visible),
                 Path.mirror(path, frame),
                 transmission,
                 transmission > 0 ? reflectance(after) : 0,

@@ -148,7 +148,7 @@ public final class Emitter {
 
     private static void towardSky(float[] path, float first, float second, float[] frame, float[] images) {
         SkyTable.choose(path, first, second, frame, images);
-        Sky.write(path, Layout.TO_LIGHT, Layout.EMITTED, frame, images);
+        SkyLookup.write(path, Layout.TO_LIGHT, Layout.EMITTED, frame, images);
         path[Layout.LIGHT_DISTANCE] = Intersection.MISS;
     }
 

@@ -23,7 +23,7 @@ final class FirstHit {
         int body = Hit.find(path, scratch, frame, bodies, looks, meshes, variant);
         int sees = (body == Layout.NOTHING ? 1 : 0) & (aspect <= Aspect.HIGHLIGHTS ? 1 : 0);
         if (sees != 0) {
-            Sky.add(path, frame, images);
+            SkyLookup.add(path, frame, images);
         }
         float number = 0f;
         number = aspect == Aspect.BODY ? body : number;
@@ -37,9 +37,9 @@ final class FirstHit {
             float specular = 0f;
             if (body >= Layout.PLANE) {
                 int shaded = (aspect == Aspect.DIFFUSE ? 1 : 0) | (aspect == Aspect.HIGHLIGHTS ? 1 : 0);
-                lit = shaded != 0 ? Light.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], 1f) : 1f;
+                lit = shaded != 0 ? Illumination.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], 1f) : 1f;
                 if (aspect == Aspect.HIGHLIGHTS) {
-                    specular = Light.highlight(path, 1f);
+                    specular = Illumination.highlight(path, 1f);
                 }
                 if (aspect == Aspect.SHADOW) {
                     number = Shadow.visible(path, body, scratch, frame, bodies, looks, meshes, variant);

@@ -66,10 +66,10 @@ public final class Path {
     /** Adds the light's own color, or the sky, for a ray that hits no surface. */
     private static void end(float[] path, int body, float[] frame, float[] looks, float[] images) {
         if (body == Layout.NOTHING) {
-            Sky.add(path, frame, images);
+            SkyLookup.add(path, frame, images);
         }
         if (body == Layout.LIGHT) {
-            Light.add(path, looks);
+            Illumination.add(path, looks);
         }
     }
 
@@ -86,11 +86,11 @@ public final class Path {
             float[] images,
             int variant) {
         Surface.find(path, body, frame, bodies, meshes, variant);
-        Material.find(path, body, frame, looks, images, variant);
+        SurfaceLook.find(path, body, frame, looks, images, variant);
         if ((variant & Variant.MATERIALS) != 0) {
             Surface.face(path, body, frame, variant);
         }
-        Light.aim(path, bodies);
+        Illumination.aim(path, bodies);
     }
 
     /** S at the surface that the ray has hit: {@link Shadow#visible}; 1 if the surface is not shaded. */
@@ -120,7 +120,7 @@ public final class Path {
             float[] path, int body, float visible, float[] scratch, float[] frame, float[] looks, int variant) {
         float mirror = mirror(path, frame);
         float transmission = transmission(path, frame, variant);
-        float lit = Light.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible);
+        float lit = Illumination.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible);
         Scatter.shade(path, visible, mirror, transmission, lit, looks, variant);
         if ((variant & Variant.MATERIALS) != 0) {
             Scatter.emit(path, body, frame, looks, variant);

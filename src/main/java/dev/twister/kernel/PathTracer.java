@@ -79,7 +79,7 @@ public final class PathTracer {
             float[] images,
             int variant) {
         Surface.find(path, body, frame, bodies, meshes, variant);
-        Material.find(path, body, frame, looks, images, variant);
+        SurfaceLook.find(path, body, frame, looks, images, variant);
         Surface.face(path, body, frame, variant);
         int medium = path[Layout.FROM_INSIDE] > 0f ? body : (int) path[Layout.LEAVING];
         if (path[Layout.FROM_INSIDE] + path[Layout.INSIDE] > 0f) {
@@ -106,7 +106,7 @@ public final class PathTracer {
         if (path[Layout.SURFACE_DENSITY] > 0f) {
             weight = weight(path[Layout.SURFACE_DENSITY], Emitter.skyDensity(path, frame, looks, images));
         }
-        Sky.write(path, Layout.DIRECTION, Layout.EMITTED, frame, images);
+        SkyLookup.write(path, Layout.DIRECTION, Layout.EMITTED, frame, images);
         add(path, weight, bounce > 1 ? 1 : 0, frame);
     }
 

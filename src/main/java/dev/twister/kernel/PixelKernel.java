@@ -64,7 +64,7 @@ public final class PixelKernel {
         int at = (int) frame[Layout.SAMPLES] + Layout.SAMPLE_STRIDE * sample;
         float x = column + frame[at];
         float y = (int) frame[Layout.FIRST_ROW] + row + frame[at + 1];
-        Camera.start(path, x, y, frame);
+        CameraRay.start(path, x, y, frame);
         path[Layout.PIXEL_COLUMN] = column;
         path[Layout.PIXEL_ROW] = (int) frame[Layout.FIRST_ROW] + row;
         path[Layout.PIXEL_SAMPLE] = at;

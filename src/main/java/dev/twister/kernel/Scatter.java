@@ -11,7 +11,7 @@ public final class Scatter {
      * @param visible S in [0, 1]
      * @param mirror m in [0, 1]
      * @param transmission t in [0, 1]
-     * @param lit result of {@link Light#lit}
+     * @param lit result of {@link Illumination#lit}
      * @param looks {@link Layout#LOOK_STRIDE} floats per body
      */
     public static void shade(
@@ -22,7 +22,7 @@ public final class Scatter {
             float lit,
             float[] looks,
             int variant) {
-        float specular = Light.highlight(path, visible);
+        float specular = Illumination.highlight(path, visible);
         float matte = (1f - mirror) * (1f - transmission) * lit;
         for (int channel = 0; channel < 3; channel++) {
             path[Layout.RADIANCE + channel] = path[Layout.RADIANCE + channel]

@@ -50,8 +50,8 @@ final class SkyTable {
         float x = path[Layout.DIRECTION];
         float y = path[Layout.DIRECTION + 1];
         float z = path[Layout.DIRECTION + 2];
-        float across = Sky.column(x, z, frame[Layout.SKY_TURN], width) + 0.5f;
-        float down = Sky.row(x, y, z, height) + 0.5f;
+        float across = SkyLookup.column(x, z, frame[Layout.SKY_TURN], width) + 0.5f;
+        float down = SkyLookup.row(x, y, z, height) + 0.5f;
         int column = Math.min(Math.max(KernelMath.floor(across), 0), width - 1);
         int row = Math.min(Math.max(KernelMath.floor(down), 0), height - 1);
         int columns = rows + height + width * row;

@@ -8,7 +8,7 @@ public final class Surface {
      * Writes whether the ray comes from inside, which requires a transmitting body. In that case a sphere's normal is
      * turned toward the ray's origin; a mesh's already is.
      *
-     * @param path {@link Layout#PATH_LENGTH} floats, after {@link #find} and {@link Material#find}
+     * @param path {@link Layout#PATH_LENGTH} floats, after {@link #find} and {@link SurfaceLook#find}
      * @param body any except the light
      */
     static void face(float[] path, int body, float[] frame, int variant) {

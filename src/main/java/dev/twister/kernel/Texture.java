@@ -31,8 +31,8 @@ public final class Texture {
             v = path[Layout.TEXTURE_PLACE + 1];
         }
         int repeats = plane | mesh;
-        float column = repeats != 0 ? fraction(u) * width - 0.5f : Sky.column(normalX, -normalZ, 0f, width);
-        float row = repeats != 0 ? fraction(v) * height - 0.5f : Sky.row(normalX, normalY, normalZ, height);
+        float column = repeats != 0 ? fraction(u) * width - 0.5f : SkyLookup.column(normalX, -normalZ, 0f, width);
+        float row = repeats != 0 ? fraction(v) * height - 0.5f : SkyLookup.row(normalX, normalY, normalZ, height);
         for (int channel = 0; channel < 3; channel++) {
             path[Layout.ALBEDO + channel] =
                     path[Layout.ALBEDO + channel] * color(start, width, height, column, row, channel, images);

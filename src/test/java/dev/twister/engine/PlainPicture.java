@@ -2,14 +2,14 @@ package dev.twister.engine;
 
 import dev.twister.image.Frame;
 import dev.twister.kernel.Hit;
+import dev.twister.kernel.Illumination;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.Light;
-import dev.twister.kernel.Material;
 import dev.twister.kernel.PixelKernel;
 import dev.twister.kernel.PlainShadow;
 import dev.twister.kernel.Scatter;
-import dev.twister.kernel.Sky;
+import dev.twister.kernel.SkyLookup;
 import dev.twister.kernel.Surface;
+import dev.twister.kernel.SurfaceLook;
 import dev.twister.kernel.Tone;
 import dev.twister.scene.Scene;
 import dev.twister.sky.Skybox;
@@ -57,16 +57,16 @@ public final class PlainPicture {
             int body = Hit.find(path, none, frame, bodies, looks, none, 0);
             goesOn = body >= Layout.PLANE;
             if (body == Layout.NOTHING) {
-                Sky.add(path, frame, input.images());
+                SkyLookup.add(path, frame, input.images());
             } else if (body == Layout.LIGHT) {
-                Light.add(path, looks);
+                Illumination.add(path, looks);
             } else {
                 Surface.find(path, body, frame, bodies, none, 0);
-                Material.find(path, body, frame, looks, none, 0);
-                Light.aim(path, bodies);
+                SurfaceLook.find(path, body, frame, looks, none, 0);
+                Illumination.aim(path, bodies);
                 float visible = PlainShadow.visible(path, body, input.shadowSamples(), bodies, input.bodyCount());
                 float mirror = bounce == input.bounces() ? 0 : path[Layout.REFLECTIVITY] / Layout.MAX_REFLECTIVITY;
-                float lit = Light.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible);
+                float lit = Illumination.lit(frame[Layout.AMBIENT], path[Layout.NORMAL_DOT_LIGHT], visible);
                 Scatter.shade(path, visible, mirror, 0, lit, looks, 0);
                 Scatter.reflect(path, body, mirror * lit);
                 goesOn = path[Layout.THROUGHPUT] > 0;

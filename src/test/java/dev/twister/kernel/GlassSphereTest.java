@@ -53,7 +53,7 @@ class GlassSphereTest {
         int body = Hit.find(path, scratch, frame, PLACES, looks, none, Variant.MATERIALS);
         assertThat(body).isEqualTo(Layout.FIRST_SPHERE);
         Surface.find(path, body, frame, PLACES, none, Variant.MATERIALS);
-        Material.find(path, body, frame, looks, none, Variant.MATERIALS);
+        SurfaceLook.find(path, body, frame, looks, none, Variant.MATERIALS);
         Surface.face(path, body, frame, Variant.MATERIALS);
         Facet.find(path, frame);
         Branch.split(path, body, 0f, 1f, 1f, scratch);

@@ -33,7 +33,7 @@ import dev.twister.engine.vector.step.TransmittingSurface;
 
 /** Renders tiles step by step. Each thread has its own instance. */
 final class TileRenderer {
-    private final Workbench bench = new Workbench();
+    private final TileBench bench = new TileBench();
     private final Tile tile = bench.tile;
 
     /** Prepares for a frame. */

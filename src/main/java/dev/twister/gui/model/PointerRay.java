@@ -1,6 +1,6 @@
 package dev.twister.gui.model;
 
-import dev.twister.kernel.Camera;
+import dev.twister.kernel.CameraRay;
 import dev.twister.kernel.Hit;
 import dev.twister.kernel.Layout;
 import dev.twister.scene.Vector3;
@@ -10,7 +10,7 @@ import dev.twister.world.FrameInput;
 /**
  * The view ray through a place on the picture, by the same code that draws it.
  *
- * @param path as {@link Camera} starts it, and {@link Hit} has found what it meets
+ * @param path as {@link CameraRay} starts it, and {@link Hit} has found what it meets
  * @param body what it meets, or {@link Layout#NOTHING}
  * @param bodies those of the picture
  */
@@ -19,7 +19,7 @@ record PointerRay(float[] path, int body, Bodies bodies) {
     /** The ray through x and y, in pixels from the picture's upper left corner. */
     static PointerRay through(FrameInput input, double x, double y) {
         float[] path = new float[Layout.PATH_LENGTH];
-        Camera.start(path, (float) x, (float) y, input.view().frame());
+        CameraRay.start(path, (float) x, (float) y, input.view().frame());
         int body = Hit.find(
                 path,
                 new float[Layout.SCRATCH_LENGTH],

@@ -4,7 +4,7 @@ import dev.twister.kernel.Layout;
 import dev.twister.scene.Vector3;
 import dev.twister.world.FrameInput;
 
-/** Where points of the scene are in a picture, by the inverse of what {@link dev.twister.kernel.Camera} does. */
+/** Where points of the scene are in a picture, by the inverse of what {@link dev.twister.kernel.CameraRay} does. */
 public final class Projection {
     /** Meters before the camera from which on a line is seen. */
     private static final double NEAREST = 1e-3;
@@ -56,12 +56,12 @@ public final class Projection {
         return new double[] {first[0], first[1], last[0], last[1]};
     }
 
-    /** The inverse of {@link dev.twister.kernel.Camera#u}. */
+    /** The inverse of {@link dev.twister.kernel.CameraRay#u}. */
     private static double x(double u, int width, int height) {
         return width > height ? (u + 1) / 2 * height + (width - height) / 2.0 : (u + 1) / 2 * width;
     }
 
-    /** The inverse of {@link dev.twister.kernel.Camera#v}. */
+    /** The inverse of {@link dev.twister.kernel.CameraRay#v}. */
     private static double y(double v, int width, int height) {
         return width > height ? (1 - v) / 2 * height : (1 - v) / 2 * width + (height - width) / 2.0;
     }

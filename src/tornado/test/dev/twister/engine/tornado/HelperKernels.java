@@ -1,20 +1,20 @@
 package dev.twister.engine.tornado;
 
 import dev.twister.kernel.Aspect;
-import dev.twister.kernel.Camera;
+import dev.twister.kernel.CameraRay;
 import dev.twister.kernel.Facet;
 import dev.twister.kernel.Hit;
+import dev.twister.kernel.Illumination;
 import dev.twister.kernel.Intersection;
 import dev.twister.kernel.KernelMath;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.Light;
-import dev.twister.kernel.Material;
 import dev.twister.kernel.MeshRay;
 import dev.twister.kernel.Refraction;
 import dev.twister.kernel.Shadow;
 import dev.twister.kernel.ShadowRay;
-import dev.twister.kernel.Sky;
+import dev.twister.kernel.SkyLookup;
 import dev.twister.kernel.Surface;
+import dev.twister.kernel.SurfaceLook;
 import dev.twister.kernel.Texture;
 import dev.twister.kernel.Tone;
 import dev.twister.kernel.Triangle;
@@ -93,8 +93,8 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         for (@Parallel int i = 0; i < count; i++) {
             int width = (int) in[4 * i + 2];
             int height = (int) in[4 * i + 3];
-            out[2 * i] = Camera.u(in[4 * i], width, height);
-            out[2 * i + 1] = Camera.v(in[4 * i + 1], width, height);
+            out[2 * i] = CameraRay.u(in[4 * i], width, height);
+            out[2 * i + 1] = CameraRay.v(in[4 * i + 1], width, height);
         }
     }
 
@@ -182,21 +182,22 @@ public final class HelperKernels implements Supplier<HelperTasks> {
         for (@Parallel int i = 0; i < count; i++) {
             int width = (int) in[5 * i + 3];
             int height = (int) in[5 * i + 4];
-            float column = Sky.column(in[5 * i], in[5 * i + 2], 0f, width);
-            float row = Sky.row(in[5 * i], in[5 * i + 1], in[5 * i + 2], height);
+            float column = SkyLookup.column(in[5 * i], in[5 * i + 2], 0f, width);
+            float row = SkyLookup.row(in[5 * i], in[5 * i + 1], in[5 * i + 2], height);
             out[5 * i] = column;
             out[5 * i + 1] = row;
-            out[5 * i + 2] = Sky.radiance(width, height, column, row, 0, skybox);
-            out[5 * i + 3] = Sky.radiance(width, height, column, row, 1, skybox);
-            out[5 * i + 4] = Sky.radiance(width, height, column, row, 2, skybox);
+            out[5 * i + 2] = SkyLookup.radiance(width, height, column, row, 0, skybox);
+            out[5 * i + 3] = SkyLookup.radiance(width, height, column, row, 1, skybox);
+            out[5 * i + 4] = SkyLookup.radiance(width, height, column, row, 2, skybox);
         }
     }
 
     static void lightItems(float[] in, float[] a, float[] b, float[] c, float[] out, int count) {
         for (@Parallel int i = 0; i < count; i++) {
-            out[3 * i] = Light.lit(in[6 * i], in[6 * i + 1], in[6 * i + 2]);
-            out[3 * i + 1] = Light.specular(in[6 * i + 3], in[6 * i + 1], in[6 * i + 4], in[6 * i + 5], in[6 * i + 2]);
-            out[3 * i + 2] = Material.isEvenSquare(100f * in[6 * i + 1], 100f * in[6 * i + 4]);
+            out[3 * i] = Illumination.lit(in[6 * i], in[6 * i + 1], in[6 * i + 2]);
+            out[3 * i + 1] =
+                    Illumination.specular(in[6 * i + 3], in[6 * i + 1], in[6 * i + 4], in[6 * i + 5], in[6 * i + 2]);
+            out[3 * i + 2] = SurfaceLook.isEvenSquare(100f * in[6 * i + 1], 100f * in[6 * i + 4]);
         }
     }
 
@@ -314,7 +315,7 @@ public final class HelperKernels implements Supplier<HelperTasks> {
             float visible = -1f;
             float light = -1f;
             if (body != Layout.NOTHING) {
-                Light.aim(path, bodies);
+                Illumination.aim(path, bodies);
                 int variant = Variant.MATERIALS | Variant.MESHES | Variant.of(Aspect.SHADOW);
                 visible = Shadow.visible(path, body, scratch, frame, bodies, looks, meshes, variant);
                 light = ShadowRay.light(path, body, i % MESH_SAMPLES, scratch, frame, bodies, looks, meshes, variant);

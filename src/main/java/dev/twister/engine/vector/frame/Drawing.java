@@ -4,7 +4,7 @@ import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.SphereColumns;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.image.Frame;
-import dev.twister.kernel.Camera;
+import dev.twister.kernel.CameraRay;
 import dev.twister.kernel.Intersection;
 import dev.twister.kernel.Layout;
 import dev.twister.kernel.Shadow;
@@ -104,7 +104,7 @@ public final class Drawing {
         bounceLimit = newInput.bounces();
         pixelSamples = (int) values[Layout.PIXEL_SAMPLES];
         ambient = values[Layout.AMBIENT];
-        viewportStep = Camera.step(width, newInput.height());
+        viewportStep = CameraRay.step(width, newInput.height());
         planeHeight = newInput.bodies().center(Layout.PLANE, 1);
         planeX = newInput.bodies().center(Layout.PLANE, 0);
         planeZ = newInput.bodies().center(Layout.PLANE, 2);

@@ -5,8 +5,8 @@ import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.engine.vector.step.CameraLanes;
+import dev.twister.kernel.Illumination;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.Light;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
@@ -143,7 +143,7 @@ public final class GroundAlone {
         tile.wholePowers.clear();
         tile.fractionPowers.clear();
         float power = drawing.bodies.reflectivity(Layout.PLANE);
-        float shine = (power + 8f) * Light.INVERSE_EIGHT_PI * power * (1f / Layout.MAX_REFLECTIVITY);
+        float shine = (power + 8f) * Illumination.INVERSE_EIGHT_PI * power * (1f / Layout.MAX_REFLECTIVITY);
         float[] t = tile.values;
         for (int k = 0; k < tile.grounds.count; k++) {
             int at = tile.grounds.places[k];

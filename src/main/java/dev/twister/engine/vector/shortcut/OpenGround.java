@@ -5,9 +5,9 @@ import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.engine.vector.step.CameraLanes;
+import dev.twister.kernel.Illumination;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.Light;
-import dev.twister.kernel.Material;
+import dev.twister.kernel.SurfaceLook;
 import dev.twister.world.View;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
@@ -147,7 +147,7 @@ public final class OpenGround {
     static void raise(Tile tile, Drawing drawing) {
         int whole = power(drawing);
         int power = whole % 2 == 0 ? whole / 2 : whole;
-        float shine = (whole + 8f) * Light.INVERSE_EIGHT_PI * whole * (1f / Layout.MAX_REFLECTIVITY);
+        float shine = (whole + 8f) * Illumination.INVERSE_EIGHT_PI * whole * (1f / Layout.MAX_REFLECTIVITY);
         float[] t = tile.values;
         for (int at = 0; at < Tile.SIZE; at += Lanes.COUNT) {
             FloatVector square = Lanes.smaller(Lanes.load(t, at + Tile.SPECULAR), Lanes.all(1f));
@@ -201,8 +201,8 @@ public final class OpenGround {
         float lightBlue = bodies.blue(Layout.LIGHT);
         float[] t = tile.values;
         for (int at = 0; at < Tile.SIZE; at += Lanes.COUNT) {
-            FloatVector x = Lanes.load(t, at + Tile.POINT_X).add(Material.CHECKER_SHIFT);
-            FloatVector z = Lanes.load(t, at + Tile.POINT_Z).add(Material.CHECKER_SHIFT);
+            FloatVector x = Lanes.load(t, at + Tile.POINT_X).add(SurfaceLook.CHECKER_SHIFT);
+            FloatVector z = Lanes.load(t, at + Tile.POINT_Z).add(SurfaceLook.CHECKER_SHIFT);
             IntVector wholeX = Lanes.truncated(x);
             IntVector wholeZ = Lanes.truncated(z);
             // Truncation rounds negative values up, to the next square; the comparison detects that.

@@ -5,7 +5,7 @@ import dev.twister.engine.vector.frame.Drawing;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.Tile;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.Material;
+import dev.twister.kernel.SurfaceLook;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
@@ -54,8 +54,8 @@ public final class GroundSurface {
         float oddBlue = values[Layout.PLANE_ODD_COLOR + 2];
         for (int k = 0; k < tile.grounds.count; k++) {
             int at = tile.grounds.places[k];
-            FloatVector squares = Lanes.floor(Lanes.load(t, at + Tile.POINT_X).add(Material.CHECKER_SHIFT))
-                    .add(Lanes.floor(Lanes.load(t, at + Tile.POINT_Z).add(Material.CHECKER_SHIFT)));
+            FloatVector squares = Lanes.floor(Lanes.load(t, at + Tile.POINT_X).add(SurfaceLook.CHECKER_SHIFT))
+                    .add(Lanes.floor(Lanes.load(t, at + Tile.POINT_Z).add(SurfaceLook.CHECKER_SHIFT)));
             FloatVector pairs = Lanes.floor(squares.mul(0.5f));
             VectorMask<Float> odd = pairs.add(pairs).compare(VectorOperators.NE, squares);
             Lanes.all(red).blend(oddRed, odd).intoArray(t, at + Tile.ALBEDO_RED);

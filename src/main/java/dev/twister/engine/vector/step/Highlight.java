@@ -3,15 +3,15 @@ package dev.twister.engine.vector.step;
 import dev.twister.engine.vector.lanes.Lanes;
 import dev.twister.engine.vector.lanes.PacketList;
 import dev.twister.engine.vector.lanes.Tile;
+import dev.twister.kernel.Illumination;
 import dev.twister.kernel.KernelMath;
 import dev.twister.kernel.Layout;
-import dev.twister.kernel.Light;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** The specular term of Blinn-Phong: {@link Light#specular}. */
+/** The specular term of Blinn-Phong: {@link Illumination#specular}. */
 public final class Highlight {
     private Highlight() {}
 
@@ -55,7 +55,7 @@ public final class Highlight {
             int at = tile.surfaces.places[k];
             FloatVector power = Lanes.load(t, at + Tile.REFLECTIVITY);
             FloatVector weight = power.add(8f)
-                    .mul(Light.INVERSE_EIGHT_PI)
+                    .mul(Illumination.INVERSE_EIGHT_PI)
                     .mul(power)
                     .mul(1f / Layout.MAX_REFLECTIVITY)
                     .mul(Lanes.load(t, at + Tile.VISIBLE));

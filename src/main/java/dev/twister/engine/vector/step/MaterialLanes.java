@@ -9,7 +9,7 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Material properties of surfaces beyond color and reflectivity: {@link dev.twister.kernel.Material}. */
+/** Material properties of surfaces beyond color and reflectivity: {@link dev.twister.kernel.SurfaceLook}. */
 public final class MaterialLanes {
     private MaterialLanes() {}
 

@@ -9,7 +9,9 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 
-/** Position of each ray in the panorama: column and row of {@link dev.twister.kernel.Sky}, with its arc tangent. */
+/**
+ * Position of each ray in the panorama: column and row of {@link dev.twister.kernel.SkyLookup}, with its arc tangent.
+ */
 public final class SkyDirection {
     private static final float TURNS_PER_RADIAN = 0.15915494f;
     private static final float HALF_TURNS_PER_RADIAN = 0.31830987f;

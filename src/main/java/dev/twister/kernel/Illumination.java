@@ -1,11 +1,11 @@
 package dev.twister.kernel;
 
 /** The light as a visible body and as illumination (Blinn-Phong, {@code shade(C) = C * lit + lightColor * spec}). */
-public final class Light {
+public final class Illumination {
     /** {@code 1 / (8 pi)}. */
     public static final float INVERSE_EIGHT_PI = 0.039788734f;
 
-    private Light() {}
+    private Illumination() {}
 
     /**
      * Adds the light's own color if the path ends at it.

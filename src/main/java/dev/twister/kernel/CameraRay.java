@@ -1,8 +1,8 @@
 package dev.twister.kernel;
 
 /** View rays from the camera through the viewport, whose shorter side extends from -1 to 1. */
-public final class Camera {
-    private Camera() {}
+public final class CameraRay {
+    private CameraRay() {}
 
     /**
      * Starts the path of a pinhole camera's view ray: origin and direction, no body to leave, a throughput of 1, no

@@ -11,7 +11,7 @@ import dev.twister.engine.vector.shortcut.TileSky;
 import dev.twister.engine.vector.shortcut.WholeTiles;
 
 /** One thread's tile and working memory. */
-final class Workbench {
+final class TileBench {
     final Tile tile = new Tile();
 
     /** Tile of the branch rays that waited. */

@@ -1,11 +1,11 @@
 package dev.twister.kernel;
 
 /** A body's material at a point of its surface. */
-public final class Material {
+public final class SurfaceLook {
     /** Shift of the checker in meters, so that no edge is at a round number, where rounding alone would decide. */
     public static final float CHECKER_SHIFT = 0x1p-10f;
 
-    private Material() {}
+    private SurfaceLook() {}
 
     /**
      * Writes the body's material at {@link Layout#POINT}; for plain materials only albedo and reflectivity.

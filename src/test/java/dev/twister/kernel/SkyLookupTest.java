@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class SkyTest {
+class SkyLookupTest {
     private static final int[][] SIZES = {{1, 1}, {2, 1}, {1, 2}, {3, 2}, {7, 5}, {64, 32}};
 
     private static final float[] TURNS = {0, 0.25f, 0.7f};
@@ -52,14 +52,14 @@ class SkyTest {
     @ParameterizedTest
     @CsvSource({"0, 0, 1, 2", "1, 0, 0, 3", "0, 0, -1, 0", "-1, 0, 0, 1"})
     void axesAreQuartersOfThePanorama(float x, float y, float z, float quarters) {
-        assertThat(Sky.column(x, z, 0f, 4) + 0.5f).isCloseTo(quarters == 0 ? 4 : quarters, within(1e-6f));
-        assertThat(Sky.row(x, y, z, 4)).isCloseTo(1.5f, within(1e-6f));
+        assertThat(SkyLookup.column(x, z, 0f, 4) + 0.5f).isCloseTo(quarters == 0 ? 4 : quarters, within(1e-6f));
+        assertThat(SkyLookup.row(x, y, z, 4)).isCloseTo(1.5f, within(1e-6f));
     }
 
     @ParameterizedTest
     @CsvSource({"0.25, 1, 0, 2", "0.5, 0, -1, 2", "0.75, -1, 0, 2", "0.25, 0, 1, 1"})
     void turnMovesThePanoramaToTheRight(float turn, float x, float z, float quarters) {
-        assertThat(Sky.column(x, z, turn, 4) + 0.5f).isCloseTo(quarters, within(1e-6f));
+        assertThat(SkyLookup.column(x, z, turn, 4) + 0.5f).isCloseTo(quarters, within(1e-6f));
     }
 
     @Test
@@ -70,7 +70,7 @@ class SkyTest {
         frame[Layout.SKY_STRENGTH] = 3f;
         frame[Layout.SKY_WIDTH] = 1f;
         frame[Layout.SKY_HEIGHT] = 1f;
-        Sky.add(path, frame, new float[] {1, 2, 4});
+        SkyLookup.add(path, frame, new float[] {1, 2, 4});
         assertThat(path[Layout.RADIANCE]).isEqualTo(1.5f);
         assertThat(path[Layout.RADIANCE + 2]).isEqualTo(6f);
     }
@@ -86,10 +86,10 @@ class SkyTest {
         float directionX = (float) (x / length);
         float directionY = (float) (y / length);
         float directionZ = (float) (z / length);
-        float column = Sky.column(directionX, directionZ, turn, size[0]);
-        float row = Sky.row(directionX, directionY, directionZ, size[1]);
+        float column = SkyLookup.column(directionX, directionZ, turn, size[0]);
+        float row = SkyLookup.row(directionX, directionY, directionZ, size[1]);
         for (int channel = 0; channel < 3; channel++) {
-            assertThat((double) Sky.radiance(size[0], size[1], column, row, channel, sky))
+            assertThat((double) SkyLookup.radiance(size[0], size[1], column, row, channel, sky))
                     .as("%s x %s toward (%s, %s, %s)", size[0], size[1], x, y, z)
                     .isCloseTo(bilinear(sky, size, turn, directionX, directionY, directionZ, channel), within(1e-4));
         }

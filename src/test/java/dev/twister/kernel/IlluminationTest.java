@@ -7,32 +7,32 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class LightTest {
+class IlluminationTest {
     @ParameterizedTest
     @CsvSource({"0.2, 0.9, 1, 0.9", "0.2, 0.9, 0.1, 0.2", "0.2, -0.5, 1, 0.2", "0, -0.5, 1, 0", "1, 0.9, 0.5, 1"})
     void litIsTheLargerOfAmbientAndDiffuse(float ambient, float normalDotLight, float visible, float lit) {
-        assertThat(Light.lit(ambient, normalDotLight, visible)).isEqualTo(lit);
+        assertThat(Illumination.lit(ambient, normalDotLight, visible)).isEqualTo(lit);
     }
 
     @Test
     void highlightsPeak() {
         float expected = (float) (0.5 * (8 + 64) / (8 * Math.PI) * 64 / 128);
-        assertThat(Light.specular(64, 0.7f, 2f, 4f, 0.5f)).isCloseTo(expected, within(1e-6f));
+        assertThat(Illumination.specular(64, 0.7f, 2f, 4f, 0.5f)).isCloseTo(expected, within(1e-6f));
     }
 
     @Test
     void noHighlightWhereTheLightIsBehind() {
-        assertThat(Light.specular(64, 0f, 2f, 4f, 1f)).isZero();
+        assertThat(Illumination.specular(64, 0f, 2f, 4f, 1f)).isZero();
     }
 
     @Test
     void noHighlightWhereLightAndViewerCancel() {
-        assertThat(Light.specular(64, 0.5f, 0f, 0f, 1f)).isZero();
+        assertThat(Illumination.specular(64, 0.5f, 0f, 0f, 1f)).isZero();
     }
 
     @Test
     void noHighlightOnAMatteBody() {
-        assertThat(Light.specular(0, 0.5f, 2f, 4f, 1f)).isZero();
+        assertThat(Illumination.specular(0, 0.5f, 2f, 4f, 1f)).isZero();
     }
 
     @ParameterizedTest
@@ -51,6 +51,6 @@ class LightTest {
         "0, -0.0015, 0"
     })
     void checkerIsEvenWhereTheFloorsAddUpEven(float x, float z, int even) {
-        assertThat(Material.isEvenSquare(x, z)).isEqualTo(even);
+        assertThat(SurfaceLook.isEvenSquare(x, z)).isEqualTo(even);
     }
 }

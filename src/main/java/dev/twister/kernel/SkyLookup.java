@@ -1,11 +1,11 @@
 package dev.twister.kernel;
 
 /** The panorama: equirectangular, bilinear between texel centers, wrapped horizontally, clamped vertically. */
-public final class Sky {
+public final class SkyLookup {
     private static final float TURNS_PER_RADIAN = 0.15915494f;
     private static final float HALF_TURNS_PER_RADIAN = 0.31830987f;
 
-    private Sky() {}
+    private SkyLookup() {}
 
     /**
      * Adds the sky in the direction of the path's ray.

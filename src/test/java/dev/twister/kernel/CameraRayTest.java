@@ -7,30 +7,30 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
-class CameraTest {
+class CameraRayTest {
     @Property(seed = "20261121")
     void middleColumnOfAnEvenWidthIsExactlyZero(
             @ForAll @IntRange(min = 1, max = 8192) int halfWidth, @ForAll @IntRange(min = 1, max = 16384) int height) {
-        assertThat(Camera.u(halfWidth, 2 * halfWidth, height)).isZero();
+        assertThat(CameraRay.u(halfWidth, 2 * halfWidth, height)).isZero();
     }
 
     @Property(seed = "20261121")
     void middleRowOfAnEvenHeightIsExactlyZero(
             @ForAll @IntRange(min = 1, max = 16384) int width, @ForAll @IntRange(min = 1, max = 8192) int halfHeight) {
-        assertThat(Camera.v(halfHeight, width, 2 * halfHeight)).isZero();
+        assertThat(CameraRay.v(halfHeight, width, 2 * halfHeight)).isZero();
     }
 
     @Test
     void wideViewportReachesPastOneToTheSides() {
-        assertThat(Camera.u(0, 1280, 720)).isEqualTo(-1280f / 720f);
-        assertThat(Camera.v(0, 1280, 720)).isEqualTo(1f);
-        assertThat(Camera.v(720, 1280, 720)).isEqualTo(-1f);
+        assertThat(CameraRay.u(0, 1280, 720)).isEqualTo(-1280f / 720f);
+        assertThat(CameraRay.v(0, 1280, 720)).isEqualTo(1f);
+        assertThat(CameraRay.v(720, 1280, 720)).isEqualTo(-1f);
     }
 
     @Test
     void tallViewportReachesPastOneUpAndDown() {
-        assertThat(Camera.u(0, 300, 600)).isEqualTo(-1f);
-        assertThat(Camera.u(300, 300, 600)).isEqualTo(1f);
-        assertThat(Camera.v(0, 300, 600)).isEqualTo(2f);
+        assertThat(CameraRay.u(0, 300, 600)).isEqualTo(-1f);
+        assertThat(CameraRay.u(300, 300, 600)).isEqualTo(1f);
+        assertThat(CameraRay.v(0, 300, 600)).isEqualTo(2f);
     }
 }
