@@ -45,9 +45,9 @@ final class LightSamples {
                 sample,
                 scratch,
                 input.view().frame(),
-                input.bodies().floats(),
-                input.bodies().looks(),
-                input.bodies().meshes(),
+                bodies.floats(),
+                bodies.looks(),
+                bodies.meshes(),
                 input.variant(false));
         float[] way = way(sample);
         Vector3 origin = bodies.origin();
@@ -85,9 +85,9 @@ final class LightSamples {
                 ray,
                 scratch,
                 input.view().frame(),
-                input.bodies().floats(),
-                input.bodies().looks(),
-                input.bodies().meshes(),
+                bodies.floats(),
+                bodies.looks(),
+                bodies.meshes(),
                 input.variant(false));
         boolean between = body >= Layout.PLANE && ray[Layout.DISTANCE] < length;
         return between ? body : Layout.NOTHING;

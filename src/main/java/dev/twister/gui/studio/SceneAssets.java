@@ -37,12 +37,20 @@ public final class SceneAssets {
         return read;
     }
 
-    /** @throws dev.twister.sky.SkyException if it cannot be read */
+    /**
+     * Reads a panorama, unless it has been read.
+     *
+     * @throws dev.twister.sky.SkyException if it cannot be read
+     */
     public void readSky(Path panorama) {
         skies.refresh(panorama);
     }
 
-    /** @throws dev.twister.sky.SkyException if one cannot be read */
+    /**
+     * Reads the textures that a scene uses.
+     *
+     * @throws dev.twister.sky.SkyException if one cannot be read
+     */
     public void readTextures(Scene textured) {
         skies.refreshTextures(textured);
     }
@@ -56,7 +64,11 @@ public final class SceneAssets {
         skies.refreshTexture(textured, file);
     }
 
-    /** @throws dev.twister.mesh.MeshException if it cannot be read */
+    /**
+     * Reads the file of a mesh.
+     *
+     * @throws dev.twister.mesh.MeshException if it cannot be read
+     */
     public MeshFile readMesh(Mesh mesh) {
         return SceneMeshes.reader(skies::warn).apply(SceneMeshes.Source.of(mesh));
     }
