@@ -7,9 +7,7 @@ import dev.twister.kernel.Path;
 import dev.twister.kernel.PixelKernel;
 import dev.twister.scene.Rgb;
 import dev.twister.scene.Vector3;
-import dev.twister.world.Bodies;
 import dev.twister.world.FrameInput;
-import dev.twister.world.View;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -37,7 +35,6 @@ final class PathRecorder {
     }
 
     List<PathStep> record(int column, int sample) {
-        View view = input.view();
         PixelKernel.start(path, column, 0, sample, input.view().frame());
         Source source = new Source(PathStep.NO_PARENT, RayKind.VIEW);
         int bounce = 0;
@@ -76,7 +73,6 @@ final class PathRecorder {
     }
 
     private int find() {
-        Bodies bodies = input.bodies();
         return Hit.find(
                 path,
                 scratch,

@@ -6,7 +6,6 @@ import dev.twister.kernel.Path;
 import dev.twister.kernel.Refraction;
 import dev.twister.kernel.Shadow;
 import dev.twister.scene.Vector3;
-import dev.twister.world.Bodies;
 import dev.twister.world.FrameInput;
 import java.util.List;
 
@@ -25,8 +24,6 @@ final class SurfaceRecorder {
         this.input = input;
         this.body = body;
         this.bounce = bounce;
-        Bodies bodies = input.bodies();
-        float[] properties = input.view().frame();
         Path.meet(
                 path,
                 body,
@@ -106,7 +103,6 @@ final class SurfaceRecorder {
     }
 
     private List<LightSample> shadowRays() {
-        float[] properties = input.view().frame();
         int traced = Path.isShaded(before, bounce, input.view().frame(), input.variant(false))
                 & Shadow.matters(before, input.view().frame());
         return traced == 0 ? List.of() : LightSamples.of(input, before, body);
